@@ -1,0 +1,20 @@
+# Installation: headers, libraries, find_package(Grit), pkg-config.
+include(CMakePackageConfigHelpers)
+
+install(TARGETS grit grit_static EXPORT GritTargets)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/grit DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+set(GRIT_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/Grit)
+install(EXPORT GritTargets NAMESPACE Grit:: DESTINATION ${GRIT_CMAKE_DIR})
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/GritConfig.cmake.in GritConfig.cmake
+                              INSTALL_DESTINATION ${GRIT_CMAKE_DIR})
+write_basic_package_version_file(GritConfigVersion.cmake COMPATIBILITY SameMajorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/GritConfig.cmake
+              ${CMAKE_CURRENT_BINARY_DIR}/GritConfigVersion.cmake DESTINATION ${GRIT_CMAKE_DIR})
+configure_file(${CMAKE_CURRENT_LIST_DIR}/grit.pc.in grit.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/grit.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+if(TARGET grit_umat)
+  install(TARGETS grit_umat)
+endif()
+if(TARGET grit_cli)
+  install(TARGETS grit_cli)
+endif()

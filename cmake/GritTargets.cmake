@@ -1,0 +1,55 @@
+# How Grit compiles: one set of flags, object libraries per folder, and the two libraries made of them.
+
+# Warnings and sanitizers for everything that is built here; errors only when Grit is on top.
+function(grit_warnings target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow $<$<BOOL:${PROJECT_IS_TOP_LEVEL}>:-Werror>)
+  if(GRIT_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=all)
+    target_link_options(${target} PRIVATE -fsanitize=address,undefined)
+  endif()
+endfunction()
+
+# Code inside libgrit: hidden symbols, IEEE arithmetic as written, no contraction behind our back.
+function(grit_library_part target)
+  add_library(${target} OBJECT ${ARGN})
+  grit_warnings(${target})
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include)
+  target_compile_definitions(${target} PRIVATE GRIT_BUILDING)
+  target_compile_options(
+    ${target} PRIVATE -O3 -ffp-contract=off -fno-math-errno -fno-trapping-math -Wno-psabi
+                      -Wno-ignored-attributes)
+  set_target_properties(
+    ${target}
+    PROPERTIES CXX_VISIBILITY_PRESET hidden
+               VISIBILITY_INLINES_HIDDEN ON
+               POSITION_INDEPENDENT_CODE ON
+               CXX_EXTENSIONS OFF)
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    target_compile_definitions(${target} PRIVATE GRIT_HAS_X86_KERNELS)
+  endif()
+  set_property(GLOBAL APPEND PROPERTY GRIT_PARTS ${target})
+endfunction()
+
+# Grit::grit (shared) and Grit::grit_static (PIC), of the parts declared so far.
+function(grit_add_libraries)
+  get_property(parts GLOBAL PROPERTY GRIT_PARTS)
+  set(objects)
+  foreach(part IN LISTS parts)
+    list(APPEND objects $<TARGET_OBJECTS:${part}>)
+  endforeach()
+  add_library(grit SHARED ${objects})
+  add_library(grit_static STATIC ${objects})
+  set_target_properties(grit PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
+  target_link_options(grit PRIVATE -Wl,--no-undefined)
+  foreach(library grit grit_static)
+    add_library(Grit::${library} ALIAS ${library})
+    set_target_properties(${library} PROPERTIES LINKER_LANGUAGE CXX)
+    target_include_directories(
+      ${library} INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+                           $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+    if(GRIT_SANITIZE)
+      target_link_options(${library} PUBLIC -fsanitize=address,undefined)
+    endif()
+  endforeach()
+endfunction()

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Structs of older and newer callers: the first member says how long the caller's struct is.
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+
+namespace grit {
+
+constexpr std::size_t largest_struct = 4096;
+
+// Copy the caller's struct over defaults. False if its size is impossible, or if it is longer than
+// ours and asks (non-zero bytes) for something this version does not know.
+template <class Struct> inline bool read_versioned(const Struct& caller, Struct& ours) {
+    const std::size_t size = caller.struct_size;
+    if (size < sizeof(std::size_t) || size > largest_struct) return false;
+    const auto* bytes = reinterpret_cast<const unsigned char*>(&caller);
+    for (std::size_t i = sizeof(Struct); i < size; ++i)
+        if (bytes[i] != 0) return false;
+    std::memcpy(&ours, &caller, size < sizeof(Struct) ? size : sizeof(Struct));
+    ours.struct_size = sizeof(Struct);
+    return true;
+}
+
+// Copy a result into the caller's struct as far as it reaches; its struct_size stays.
+template <class Struct> inline bool write_versioned(const Struct& ours, Struct& caller) {
+    const std::size_t size = caller.struct_size;
+    if (size < sizeof(std::size_t) || size > largest_struct) return false;
+    std::memcpy(&caller, &ours, size < sizeof(Struct) ? size : sizeof(Struct));
+    caller.struct_size = size;
+    return true;
+}
+
+}  // namespace grit

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A point's results on their way back to the host's arrays.
+#pragma once
+
+#include "umat/dense_operators.hpp"
+#include "umat/low_stress.hpp"
+
+GRIT_KERNEL_BEGIN
+
+struct PointResult {
+    Tensor<double> T;  // shifted by p_t
+    Tensor<double> h;
+    double e, w;
+    double next_step;
+    int flags;
+    int substeps, evaluations;
+    double error;
+    bool stress_free;
+    bool has_tangent;  // consistent tangent computed
+    Matrix tangent;    // Mandel
+};
+
+// The end of an integrated path: h, e and, if it separated on the way, w.
+inline PointResult result_of(const Material& m, bool igs, const Point& p,
+                             const StraightPath<double>& path, const Integrated<double>& end) {
+    PointResult r;
+    r.T = end.y.T;
+    r.h = p.h;
+    if (igs) {
+        const double rho_sq = fma(end.h.u, end.h.u, square(end.h.g) * path.tau_sq);
+        const double scale = m.R / max(1.0, sqrt(rho_sq));
+        r.h = scaled(scaled_sum(end.h.u, path.D_hat, scaled(path.tau, end.h.g)), scale);
+    }
+    r.e = void_ratio(path, path.length);
+    r.w = 0.0;
+    r.flags = p.flags | (end.outside_cone ? GRIT_SAND_OUTSIDE_CONE : 0);
+    r.stress_free = end.separated;
+    if (end.separated) {
+        r.w = max(path.tr_D * (path.length - end.separation_at), 0.0);
+        if (igs) r.h = isotropic(0.0);
+    }
+    r.next_step = end.next_step;
+    r.substeps = static_cast<int>(end.substeps);
+    r.evaluations = static_cast<int>(end.evaluations);
+    r.error = end.error;
+    r.has_tangent = false;
+    return r;
+}
+
+// A point that stays separated over its whole increment.
+inline PointResult separated_result(bool igs, const Point& p) {
+    PointResult r;
+    const double opened = trace(p.strain_increment);
+    r.h = igs ? isotropic(0.0) : p.h;
+    r.e = fma(1.0 + p.e, exp(opened), -1.0);
+    r.w = max(p.w + opened, 0.0);
+    r.next_step = p.advised_step;
+    r.flags = p.flags;
+    r.substeps = r.evaluations = 0;
+    r.error = 0.0;
+    r.stress_free = true;
+    r.has_tangent = false;
+    return r;
+}
+
+inline void write_tangent(const grit_sand_points& q, std::ptrdiff_t at, const Matrix& M) {
+    const int n = q.components == 0 ? 6 : q.components;
+    const auto& t = q.tangent;
+    for (int r = 0; r < n; ++r)
+        for (int c = 0; c < n; ++c)
+            t.base[at * t.point_stride + r * t.row_stride + c * t.column_stride] =
+                M.c[r][c] * stiffness_to_voigt(r, c);
+}
+
+// A stress-free point reports the stiffness it would have at the floor, so that hosts can go on.
+inline Matrix floor_tangent(const Material& m, bool igs, double e) {
+    return dense_L(m, point_factors(m, isotropic(-m.p_floor), e), igs ? m.m_R : 1.0);
+}
+
+inline Matrix end_tangent(const Material& m, bool igs, const Point& p, const PointResult& r) {
+    if (r.stress_free) return floor_tangent(m, igs, r.e);
+    if (r.has_tangent) return r.tangent;
+    const PointFactors k = point_factors(m, r.T, r.e);
+    if (igs) return intergranular_M(m, k, r.h, p.strain_increment);
+    return basic_M(m, k, scaled(p.strain_increment, 1.0 / norm(p.strain_increment)));
+}
+
+inline int void_flag(const Material& m, const Tensor<double>& T, double e) {
+    const double p = trace(T) * (-1.0 / 3.0);
+    const double E = compression(m, log_pressure(m, p)).E;
+    return e < m.e_d0 * E || e > m.e_i0 * E ? GRIT_SAND_VOID_CLAMPED : 0;
+}
+
+inline void write_report(grit_sand_report* report, int flags, int substeps, int evaluations,
+                         double error) {
+    if (!report) return;
+    *report = grit_sand_report{};
+    report->flags = flags;
+    report->substeps = substeps;
+    report->evaluations = evaluations;
+    report->error_estimate = error;
+    report->step_reduction = 1.0;
+}
+
+inline void write_point(const UpdateRequest& q, std::ptrdiff_t i, std::ptrdiff_t at, const Point& p,
+                        const PointResult& r) {
+    const Material& m = *q.material;
+    const grit_sand_points& host = *q.points;
+    const int n = host.components == 0 ? 6 : host.components;
+    int flags = r.flags | (r.stress_free ? GRIT_SAND_STRESS_FREE : void_flag(m, r.T, r.e));
+    if (q.options->tangent != GRIT_TANGENT_NONE)
+        write_tangent(host, at, end_tangent(m, q.igs, p, r));
+
+    double stress[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    if (!r.stress_free) {
+        Tensor<double> T = r.T;
+        for (int c = 0; c < 3; ++c) T[c] = T[c] + m.p_t;  // (H10)
+        stress_to_voigt(T, stress);
+    }
+    double state[GRIT_SAND_STATE_SIZE];
+    strain_to_voigt(r.h, state);
+    state[GRIT_SAND_VOID_RATIO] = r.e;
+    state[GRIT_SAND_SEPARATION] = r.w;
+    for (int c = 0; c < n; ++c)
+        host.stress.base[at * host.stress.point_stride + c * host.stress.component_stride] =
+            stress[c];
+    const int first = q.igs ? 0 : GRIT_SAND_VOID_RATIO;  // h is left alone when it is off
+    for (int c = first; c < GRIT_SAND_STATE_SIZE; ++c)
+        host.state.base[at * host.state.point_stride + c * host.state.component_stride] = state[c];
+    if (host.substep.base) host.substep.base[at * host.substep.point_stride] = r.next_step;
+    write_report(q.reports ? q.reports + i : nullptr, flags, r.substeps, r.evaluations, r.error);
+}
+
+// A zero increment changes nothing but a rotation; its tangent is the limit of small increments.
+inline void write_resting(const UpdateRequest& q, std::ptrdiff_t i, std::ptrdiff_t at,
+                          const RawPoint& raw, const Point& p) {
+    const Material& m = *q.material;
+    const grit_sand_points& host = *q.points;
+    const int n = host.components == 0 ? 6 : host.components;
+    const bool stress_free = p.separated;
+    if (q.options->tangent != GRIT_TANGENT_NONE) {
+        const Matrix M = stress_free
+                             ? floor_tangent(m, q.igs, p.e)
+                             : resting_M(m, q.igs, point_factors(m, p.T, p.e), p.h);
+        write_tangent(host, at, M);
+    }
+    if (raw.rotates) {
+        double turned[6];
+        strain_to_voigt(p.h, turned);
+        for (int c = 0; q.igs && c < 6; ++c)
+            host.state.base[at * host.state.point_stride + c * host.state.component_stride] =
+                turned[c];
+        if (!q.options->stress_is_rotated) {
+            stress_to_voigt(rotated(raw.Q, stress_from_voigt(raw.stress)), turned);
+            for (int c = 0; c < n; ++c)
+                host.stress.base[at * host.stress.point_stride +
+                                 c * host.stress.component_stride] = turned[c];
+        }
+    }
+    const int flags =
+        p.flags | (stress_free ? GRIT_SAND_STRESS_FREE : void_flag(m, p.T, p.e));
+    write_report(q.reports ? q.reports + i : nullptr, flags, 0, 0, 0.0);
+}
+
+inline void write_failure(const UpdateRequest& q, std::ptrdiff_t i, Fault fault, double increment,
+                          double progress, int evaluations) {
+    if (!q.reports) return;
+    grit_sand_report& report = q.reports[i];
+    report = grit_sand_report{};
+    report.status = status_of(fault);
+    report.evaluations = evaluations;
+    report.step_reduction = 1.0;
+    if (fault == Fault::increment_too_large || fault == Fault::void_ratio_vanishes)
+        report.step_reduction = min(0.25, max(0.5 * largest_increment / increment, 1e-6));
+    if (fault == Fault::evaluation_limit)
+        report.step_reduction = min(max(0.8 * progress, 0.1), 0.5);
+}
+
+GRIT_KERNEL_END

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the opaque block of a prepared sand holds: parameters under the paper's symbols and the
+// constants derived from them.
+#pragma once
+
+#include <cstdint>
+
+#include <grit/sand.h>
+#include <grit/version.h>
+
+namespace grit {
+
+constexpr std::uint64_t material_stamp = 0x4752495453414e00ULL + GRIT_VERSION_MAJOR;  // "GRITSAN"
+
+struct Material {
+    std::uint64_t stamp;
+    // parameters
+    double phi_c, h_s, n, e_d0, e_c0, e_i0, alpha, beta, p_t;
+    double m_R, m_T, R, beta_r, chi;
+    double has_intergranular_strain;  // 1 or 0
+    // derived
+    double a;             // (H4)
+    double stiffness;     // h_s/n (e_i0/e_c0)^beta / [3 + a^2 - sqrt 3 a (...)^alpha]   (H8)
+    double three_over_hs;
+    double log_e_c0;
+    double inverse_R;
+    double p_floor;       // below it the sand carries no stress: docs/adr/0002
+};
+
+static_assert(sizeof(Material) <= sizeof(grit_sand));
+static_assert(alignof(Material) <= alignof(grit_sand));
+
+constexpr double floor_per_hardness = 1e-8;  // p_floor / h_s
+constexpr double cone_limit = 0.999;         // tan psi / sqrt 2 kept: F > 0 up to 1
+
+inline const Material& material_of(const grit_sand& sand) {
+    return *reinterpret_cast<const Material*>(sand.opaque);
+}
+
+}  // namespace grit

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The elementary operators at the C border: notation in, one kernel function, notation out.
+#define GRIT_TARGET c_api
+#include <cmath>
+#include <cstring>
+
+#include <grit/sand_operators.h>
+
+#include "support/versioned.hpp"
+#include "umat/dense_operators.hpp"
+#include "umat/low_stress.hpp"
+
+using namespace grit;
+using namespace grit::c_api;
+
+namespace {
+
+bool prepared(const grit_sand* sand) {
+    return sand && material_of(*sand).stamp == material_stamp;
+}
+
+Tensor<double> shifted_stress(const Material& m, const double stress[6]) {
+    Tensor<double> T = stress_from_voigt(stress);
+    for (int c = 0; c < 3; ++c) T[c] -= m.p_t;  // (H10)
+    return T;
+}
+
+bool usable(const grit_sand* sand, const double* stress, double void_ratio) {
+    return prepared(sand) && stress && finite(stress, 6) && void_ratio > 0.0 && void_ratio <= 100.0;
+}
+
+bool usable_state(const grit_sand* sand, const double* stress, const double* state) {
+    return state && finite(state, GRIT_SAND_STATE_SIZE) &&
+           usable(sand, stress, state[GRIT_SAND_VOID_RATIO]);
+}
+
+void matrix_to_voigt(const Matrix& M, double* out) {
+    for (int r = 0; r < 6; ++r)
+        for (int c = 0; c < 6; ++c) out[6 * r + c] = M.c[r][c] * stiffness_to_voigt(r, c);
+}
+
+}  // namespace
+
+extern "C" {
+
+grit_status grit_sand_void_ratios(const grit_sand* sand, double p, double void_ratios[3]) {
+    if (!prepared(sand) || !void_ratios || !(p >= 0.0) || !std::isfinite(p)) return GRIT_BAD_CALL;
+    const Material& m = material_of(*sand);
+    const double E = p > 0.0 ? std::exp(-std::pow(m.three_over_hs * p, m.n)) : 1.0;  // (H6)
+    void_ratios[0] = m.e_i0 * E;
+    void_ratios[1] = m.e_c0 * E;
+    void_ratios[2] = m.e_d0 * E;
+    return GRIT_OK;
+}
+
+grit_status grit_sand_factors(const grit_sand* sand, const double stress[6], double void_ratio,
+                              grit_sand_scalar_factors* factors) {
+    if (!usable(sand, stress, void_ratio) || !factors) return GRIT_BAD_CALL;
+    const Material& m = material_of(*sand);
+    const Tensor<double> T = shifted_stress(m, stress);
+    const PointFactors k = point_factors(m, T, void_ratio);
+    const double p = trace(T) * (-1.0 / 3.0);
+    const Compression<double> limit = compression(m, log_pressure(m, p));
+    const double e_in = min(max(void_ratio, m.e_d0 * limit.E), m.e_i0 * limit.E);
+    grit_sand_scalar_factors ours{};
+    ours.a = m.a;
+    ours.F = k.shape.F;
+    ours.f_d = k.f.f_d;
+    ours.f_e = std::pow(m.e_c0 * limit.E / e_in, m.beta);  // (H7)
+    ours.f_b = k.f.f_s / ours.f_e;
+    ours.f_s = k.f.f_s;
+    return write_versioned(ours, *factors) ? GRIT_OK : GRIT_BAD_CALL;
+}
+
+grit_status grit_sand_stiffness(const grit_sand* sand, const double stress[6], double void_ratio,
+                                double* L, double* N) {
+    if (!usable(sand, stress, void_ratio)) return GRIT_BAD_CALL;
+    const Material& m = material_of(*sand);
+    const PointFactors k = point_factors(m, shifted_stress(m, stress), void_ratio);
+    if (L) matrix_to_voigt(dense_L(m, k, 1.0), L);
+    if (N) stress_to_voigt(dense_N(m, k), N);
+    return GRIT_OK;
+}
+
+grit_status grit_sand_intergranular_stiffness(const grit_sand* sand, const double stress[6],
+                                              const double* state, const double D[6],
+                                              double M[36]) {
+    if (!usable_state(sand, stress, state) || !D || !finite(D, 6) || !M ||
+        material_of(*sand).has_intergranular_strain == 0.0)
+        return GRIT_BAD_CALL;
+    const Material& m = material_of(*sand);
+    const PointFactors k =
+        point_factors(m, shifted_stress(m, stress), state[GRIT_SAND_VOID_RATIO]);
+    matrix_to_voigt(intergranular_M(m, k, strain_from_voigt(state), strain_from_voigt(D)), M);
+    return GRIT_OK;
+}
+
+grit_status grit_sand_rate(const grit_sand* sand, int intergranular_off, const double stress[6],
+                           const double* state, const double D[6], double stress_rate[6],
+                           double* state_rate) {
+    if (!usable_state(sand, stress, state) || !D || !finite(D, 6) || !stress_rate)
+        return GRIT_BAD_CALL;
+    const Material& m = material_of(*sand);
+    const bool igs = m.has_intergranular_strain != 0.0 && !intergranular_off;
+    const Tensor<double> rate_of_strain = strain_from_voigt(D);
+    const double speed = norm(rate_of_strain);
+    Tensor<double> T_rate = isotropic(0.0);
+    Tensor<double> h_rate = isotropic(0.0);
+    if (speed > 0.0) {
+        const Tensor<double> T = shifted_stress(m, stress);
+        const auto path = straight_path(m, rate_of_strain, strain_from_voigt(state),
+                                        state[GRIT_SAND_VOID_RATIO]);
+        const bool loading = path.u_0 > 0.0;
+        const double u = loading ? min(path.u_0, 1.0) : path.u_0;
+        const Marched<double> y{T, loading ? -c_api::log(max(1.0 - u, 1e-16)) : 0.0, 0.0};
+        const auto rate = igs ? marched_rate<double, true>(m, path, 0.0, y, loading)
+                              : marched_rate<double, false>(m, path, 0.0, y, true);
+        T_rate = scaled(rate.T, speed);
+        if (igs) {
+            const double along = loading ? (1.0 - u) * rate.P * m.R : 1.0;
+            const double across = loading ? -rate.G * m.R : 0.0;
+            h_rate = scaled(scaled_sum(across, path.tau, scaled(path.D_hat, along)), speed);
+        }
+    }
+    stress_to_voigt(T_rate, stress_rate);
+    if (state_rate) {
+        strain_to_voigt(h_rate, state_rate);
+        state_rate[GRIT_SAND_VOID_RATIO] =
+            (1.0 + state[GRIT_SAND_VOID_RATIO]) * trace(rate_of_strain);  // (H9)
+        state_rate[GRIT_SAND_SEPARATION] = 0.0;
+    }
+    return GRIT_OK;
+}
+
+grit_status grit_sand_wave_modulus(const grit_sand* sand, int intergranular_off,
+                                   const double stress[6], double void_ratio, double* modulus) {
+    if (!usable(sand, stress, void_ratio) || !modulus) return GRIT_BAD_CALL;
+    const Material& m = material_of(*sand);
+    Tensor<double> T = shifted_stress(m, stress);
+    if (!(trace(T) * (-1.0 / 3.0) >= m.p_floor)) T = isotropic(-m.p_floor);
+    back_into_cone(T, true);
+    const PointFactors k = point_factors(m, T, void_ratio);
+    // |principal T_hat| <= 1/3 + |T_hat*| sqrt(2/3), reached in triaxial states.
+    const double dev_sq = contract(k.shape.T_hat_dev, k.shape.T_hat_dev);
+    const double cosine = std::fmin(
+        1.0, std::fmax(-1.0, std::sqrt(6.0) * 3.0 * determinant(k.shape.T_hat_dev) /
+                                 std::fmax(dev_sq * std::sqrt(dev_sq), 1e-300)));
+    const double theta = std::acos(cosine) / 3.0;
+    const double radius = std::sqrt(2.0 / 3.0 * dev_sq);
+    const double largest = 1.0 / 3.0 + radius * std::cos(theta);
+    const double smallest = 1.0 / 3.0 + radius * std::cos(theta + 2.0943951023931953);
+    const double t_max = std::fmax(std::fabs(largest), std::fabs(smallest));
+    const bool igs = m.has_intergranular_strain != 0.0 && !intergranular_off;
+    *modulus = (igs ? m.m_R : 1.0) * k.f.f_s / k.shape.T_hat_sq *
+               (square(k.shape.F) + square(m.a * t_max));
+    return GRIT_OK;
+}
+
+grit_status grit_sand_rotate(const double Q[9], double* stress, double* state) {
+    if (!Q || !finite(Q, 9) || !is_rotation(Q, false)) return GRIT_BAD_CALL;
+    if (stress) stress_to_voigt(rotated(Q, stress_from_voigt(stress)), stress);
+    if (state) strain_to_voigt(rotated(Q, strain_from_voigt(state)), state);
+    return GRIT_OK;
+}
+}

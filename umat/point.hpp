@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One point on its way through an update: read from the host's arrays, checked, turned, decided.
+#pragma once
+
+#include <cstddef>
+
+#include "umat/notation.hpp"
+#include "umat/request.hpp"
+
+GRIT_KERNEL_BEGIN
+
+struct RawPoint {
+    double strain[6], stress[6], state[GRIT_SAND_STATE_SIZE], Q[9];
+    double substep;
+    bool rotates;
+};
+
+GRIT_INLINE double element(const double* base, std::ptrdiff_t point_stride,
+                           std::ptrdiff_t component_stride, std::ptrdiff_t point, int component) {
+    return base[point * point_stride + component * component_stride];
+}
+
+inline RawPoint read_point(const grit_sand_points& q, std::ptrdiff_t at) {
+    RawPoint raw;
+    const int n = q.components == 0 ? 6 : q.components;
+    for (int c = 0; c < 6; ++c) {
+        const auto& d = q.strain_increment;
+        const auto& t = q.stress;
+        raw.strain[c] =
+            c < n ? element(d.base, d.point_stride, d.component_stride, at, c) : 0.0;
+        raw.stress[c] =
+            c < n ? element(t.base, t.point_stride, t.component_stride, at, c) : 0.0;
+    }
+    const auto& s = q.state;
+    for (int c = 0; c < GRIT_SAND_STATE_SIZE; ++c)
+        raw.state[c] = element(s.base, s.point_stride, s.component_stride, at, c);
+    const auto& r = q.rotation_increment;
+    raw.rotates = r.base != nullptr;
+    if (raw.rotates)
+        for (int c = 0; c < 9; ++c)
+            raw.Q[c] = element(r.base, r.point_stride, r.component_stride, at, c);
+    raw.substep = q.substep.base ? q.substep.base[at * q.substep.point_stride] : 0.0;
+    return raw;
+}
+
+constexpr double largest_increment = 0.2;        // |strain increment| [-]
+constexpr double largest_stress_per_h_s = 10.0;  // |stress| / h_s
+constexpr double smallest_increment = 1e-100;    // below it the increment is zero
+constexpr double tolerated_h_excess = 1.01;      // |h| / R scaled back instead of refused
+
+GRIT_INLINE bool finite(const double* x, int n) {
+    double sum = 0.0;  // 0 x is 0 for a finite x, NaN otherwise
+    for (int i = 0; i < n; ++i) sum += 0.0 * x[i];
+    return sum == 0.0;
+}
+
+inline bool is_rotation(const double Q[9], bool in_plane) {
+    double worst = 0.0;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+            const double dot =
+                Q[3 * i] * Q[3 * j] + Q[3 * i + 1] * Q[3 * j + 1] + Q[3 * i + 2] * Q[3 * j + 2];
+            worst = max(worst, fabs(dot - (i == j ? 1.0 : 0.0)));
+        }
+    const double det = Q[0] * (Q[4] * Q[8] - Q[5] * Q[7]) - Q[1] * (Q[3] * Q[8] - Q[5] * Q[6]) +
+                       Q[2] * (Q[3] * Q[7] - Q[4] * Q[6]);
+    const double out_of_plane = max(max(fabs(Q[2]), fabs(Q[5])), max(fabs(Q[6]), fabs(Q[7])));
+    return worst <= 1e-8 && det > 0.0 && !(in_plane && out_of_plane > 1e-12);
+}
+
+inline Fault check_point(const Material& m, bool igs, int components, const RawPoint& raw) {
+    if (!finite(raw.strain, 6)) return Fault::strain_not_finite;
+    if (!finite(raw.stress, 6)) return Fault::stress_not_finite;
+    if (!finite(raw.state, GRIT_SAND_STATE_SIZE)) return Fault::state_not_finite;
+    if (!finite(&raw.substep, 1)) return Fault::substep_not_finite;
+    if (raw.rotates && (!finite(raw.Q, 9) || !is_rotation(raw.Q, components == 4)))
+        return Fault::rotation_improper;
+    const double e = raw.state[GRIT_SAND_VOID_RATIO];
+    if (!(e > 0.0 && e <= 100.0)) return Fault::void_ratio_out_of_range;
+    if (!(raw.state[GRIT_SAND_SEPARATION] >= 0.0)) return Fault::separation_negative;
+    if (igs) {
+        if (components == 4 &&
+            (raw.state[GRIT_SAND_H13] != 0.0 || raw.state[GRIT_SAND_H23] != 0.0))
+            return Fault::h_out_of_plane;
+        if (!(norm(strain_from_voigt(raw.state)) <= tolerated_h_excess * m.R))
+            return Fault::h_too_long;
+    }
+    for (double component : raw.stress)
+        if (!(fabs(component) <= largest_stress_per_h_s * m.h_s)) return Fault::stress_too_large;
+    double largest = 0.0;
+    for (double component : raw.strain) largest = max(largest, fabs(component));
+    if (!(largest <= 1.0)) return Fault::increment_too_large;
+    const Tensor<double> dE = strain_from_voigt(raw.strain);
+    if (!(norm(dE) <= largest_increment)) return Fault::increment_too_large;
+    if (!((1.0 + e) * exp(trace(dE)) - 1.0 > 0.0)) return Fault::void_ratio_vanishes;
+    return Fault::none;
+}
+
+GRIT_KERNEL_END

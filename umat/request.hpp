@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What passes between the C entry point and the kernels of the instruction sets.
+#pragma once
+
+#include <cstddef>
+
+#include <grit/sand.h>
+
+#include "umat/material.hpp"
+
+namespace grit {
+
+enum class Fault {
+    none,
+    strain_not_finite,
+    stress_not_finite,
+    state_not_finite,
+    substep_not_finite,
+    rotation_improper,
+    void_ratio_out_of_range,
+    separation_negative,
+    h_out_of_plane,
+    h_too_long,
+    stress_too_large,
+    increment_too_large,
+    void_ratio_vanishes,
+    evaluation_limit
+};
+
+inline constexpr grit_status status_of(Fault fault) {
+    switch (fault) {
+        case Fault::none: return GRIT_OK;
+        case Fault::strain_not_finite:
+        case Fault::substep_not_finite:
+        case Fault::rotation_improper: return GRIT_BAD_CALL;
+        case Fault::increment_too_large:
+        case Fault::void_ratio_vanishes:
+        case Fault::evaluation_limit: return GRIT_NOT_CONVERGED;
+        default: return GRIT_BAD_STATE;
+    }
+}
+
+struct UpdateRequest {
+    const Material* material;
+    const grit_sand_options* options;
+    const grit_sand_points* points;
+    std::ptrdiff_t n;
+    grit_sand_report* reports;  // may be null
+    bool igs;                   // intergranular strain on
+};
+
+struct UpdateOutcome {
+    Fault fault = Fault::none;  // of the first failed point
+    std::ptrdiff_t point = -1;  // its place in 0 ... n-1
+    double progress = 0.0;      // fraction of its increment that was integrated
+    int evaluations = 0;
+};
+
+namespace baseline {
+UpdateOutcome update(const UpdateRequest& request);
+}
+namespace avx2 {
+UpdateOutcome update(const UpdateRequest& request);
+}
+namespace avx512 {
+UpdateOutcome update(const UpdateRequest& request);
+}
+
+}  // namespace grit

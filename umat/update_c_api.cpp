@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// grit_sand_update: checks the call, chooses the instruction set, words the failures.
+#define GRIT_TARGET c_api
+#include <cstring>
+
+#include "support/instruction_set.hpp"
+#include "support/require.hpp"
+#include "support/versioned.hpp"
+#include "umat/point.hpp"
+
+namespace grit {
+namespace {
+
+grit_sand_options default_options() {
+    grit_sand_options options{};
+    options.struct_size = sizeof options;
+    options.tolerance = 1e-5;
+    options.evaluation_limit = 20000;
+    return options;
+}
+
+#define GRIT_REQUIRE(condition, ...)                                                               \
+    if (!(condition)) return failure(error, GRIT_BAD_CALL, -1, __VA_ARGS__)
+
+bool is_switch(int x) { return x == 0 || x == 1; }
+
+grit_status check_options(const grit_sand_options& o, grit_error* error) {
+    GRIT_REQUIRE(o.tolerance >= 1e-12 && o.tolerance <= 0.1,
+                 "tolerance must be in [1e-12, 0.1], got %g", o.tolerance);
+    GRIT_REQUIRE(o.evaluation_limit >= 2 && o.evaluation_limit <= 1000000,
+                 "evaluation_limit must be in [2, 1000000], got %d", o.evaluation_limit);
+    GRIT_REQUIRE(is_switch(o.intergranular_off), "intergranular_off must be 0 or 1, got %d",
+                 o.intergranular_off);
+    GRIT_REQUIRE(is_switch(o.stress_is_rotated), "stress_is_rotated must be 0 or 1, got %d",
+                 o.stress_is_rotated);
+    GRIT_REQUIRE(is_switch(o.validate_only), "validate_only must be 0 or 1, got %d",
+                 o.validate_only);
+    GRIT_REQUIRE(o.tangent >= GRIT_TANGENT_NONE && o.tangent <= GRIT_TANGENT_CONSISTENT,
+                 "tangent must be GRIT_TANGENT_NONE, _CONTINUUM or _CONSISTENT, got %d", o.tangent);
+    GRIT_REQUIRE(o.instruction_set >= GRIT_ISA_BEST && o.instruction_set <= best_instruction_set(),
+                 "instruction_set %d is not available here: the best is %d", o.instruction_set,
+                 best_instruction_set());
+    return GRIT_OK;
+}
+
+grit_status check_points(const grit_sand_points& q, const grit_sand_options& o, std::ptrdiff_t n,
+                         grit_error* error) {
+    GRIT_REQUIRE(q.components == 0 || q.components == 6 || q.components == 4,
+                 "components must be 6 or 4 (11 22 33 12), got %d", q.components);
+    GRIT_REQUIRE(q.reserved == 0, "grit_sand_points.reserved must be 0, got %d", q.reserved);
+    GRIT_REQUIRE(q.strain_increment.base, "strain_increment has no base pointer");
+    GRIT_REQUIRE(q.stress.base, "stress has no base pointer");
+    GRIT_REQUIRE(q.state.base, "state has no base pointer");
+    GRIT_REQUIRE(q.tangent.base || o.tangent == GRIT_TANGENT_NONE || o.validate_only,
+                 "tangent %d is asked for, but its view has no base pointer", o.tangent);
+    const bool several = n > 1;
+    GRIT_REQUIRE(!several || q.stress.point_stride != 0,
+                 "stress is written: point_stride must not be 0 for %td points", n);
+    GRIT_REQUIRE(!several || q.state.point_stride != 0,
+                 "state is written: point_stride must not be 0 for %td points", n);
+    GRIT_REQUIRE(!several || !q.substep.base || q.substep.point_stride != 0,
+                 "substep is written: point_stride must not be 0 for %td points", n);
+    GRIT_REQUIRE(!several || o.tangent == GRIT_TANGENT_NONE || q.tangent.point_stride != 0,
+                 "tangent is written: point_stride must not be 0 for %td points", n);
+    GRIT_REQUIRE(q.stress.component_stride != 0 && q.state.component_stride != 0,
+                 "component_stride of stress and state must not be 0");
+    GRIT_REQUIRE(q.strain_increment.component_stride != 0,
+                 "component_stride of strain_increment must not be 0");
+    return GRIT_OK;
+}
+
+const char* component_name(int c) {
+    static constexpr const char* names[] = {"11", "22", "33", "12", "13", "23"};
+    return names[c];
+}
+
+int first_not_finite(const double* x, int n) {
+    for (int c = 0; c < n; ++c)
+        if (!(x[c] - x[c] == 0.0)) return c;
+    return 0;
+}
+
+// Say in words what was found at a point, from the same numbers the kernel saw.
+grit_status describe(const Material& m, const grit_sand_options& o, const grit_sand_points& q,
+                     const UpdateOutcome& found, grit_error* error) {
+    const grit_status status = status_of(found.fault);
+    const std::ptrdiff_t i = found.point;
+    const c_api::RawPoint raw = c_api::read_point(q, q.index ? q.index[i] : i);
+    const auto say = [&](const char* format, auto... values) {
+        return failure(error, status, i, format, i, values...);
+    };
+    const double increment = c_api::norm(c_api::strain_from_voigt(raw.strain));
+    switch (found.fault) {
+        case Fault::strain_not_finite: {
+            const int c = first_not_finite(raw.strain, 6);
+            return say("point %td: strain_increment %s must be finite, got %g", component_name(c),
+                       raw.strain[c]);
+        }
+        case Fault::stress_not_finite: {
+            const int c = first_not_finite(raw.stress, 6);
+            return say("point %td: stress %s must be finite, got %g", component_name(c),
+                       raw.stress[c]);
+        }
+        case Fault::state_not_finite: {
+            const int c = first_not_finite(raw.state, GRIT_SAND_STATE_SIZE);
+            return say("point %td: state component %d must be finite, got %g", c, raw.state[c]);
+        }
+        case Fault::substep_not_finite:
+            return say("point %td: substep must be finite, got %g", raw.substep);
+        case Fault::rotation_improper:
+            return say("point %td: rotation_increment must be a proper orthogonal matrix%s, "
+                       "determinant 1",
+                       q.components == 4 ? " about axis 3" : "");
+        case Fault::void_ratio_out_of_range:
+            return say("point %td: void ratio must be in (0, 100], got %g",
+                       raw.state[GRIT_SAND_VOID_RATIO]);
+        case Fault::separation_negative:
+            return say("point %td: separation must be >= 0, got %g",
+                       raw.state[GRIT_SAND_SEPARATION]);
+        case Fault::h_out_of_plane:
+            return say("point %td: h13 and h23 must be 0 with 4 components, got %g and %g",
+                       raw.state[GRIT_SAND_H13], raw.state[GRIT_SAND_H23]);
+        case Fault::h_too_long:
+            return say("point %td: |h| must be at most R = %g, got %g", m.R,
+                       c_api::norm(c_api::strain_from_voigt(raw.state)));
+        case Fault::stress_too_large:
+            return say("point %td: stress components must be within 10 h_s = %g: units?",
+                       c_api::largest_stress_per_h_s * m.h_s);
+        case Fault::increment_too_large:
+            return say("point %td: |strain increment| must be at most %g, got %g: use smaller steps",
+                       c_api::largest_increment, increment);
+        case Fault::void_ratio_vanishes:
+            return say("point %td: the increment (volumetric strain %g) leaves no voids at e = %g",
+                       raw.strain[0] + raw.strain[1] + raw.strain[2],
+                       raw.state[GRIT_SAND_VOID_RATIO]);
+        case Fault::evaluation_limit:
+            return say("point %td: not converged to tolerance %g after %d evaluations (limit %d), "
+                       "%.3g of the increment of %g done: use smaller steps",
+                       o.tolerance, found.evaluations, o.evaluation_limit, found.progress,
+                       increment);
+        case Fault::none: break;
+    }
+    return failure(error, GRIT_INTERNAL, i, "point %td: unknown fault", i);
+}
+
+UpdateOutcome dispatch(const UpdateRequest& request) {
+    int isa = request.options->instruction_set;
+    if (isa == GRIT_ISA_BEST) isa = best_instruction_set();
+#ifdef GRIT_HAS_X86_KERNELS
+    if (isa == GRIT_ISA_AVX512) return avx512::update(request);
+    if (isa == GRIT_ISA_AVX2) return avx2::update(request);
+#endif
+    return baseline::update(request);
+}
+
+}  // namespace
+}  // namespace grit
+
+using namespace grit;
+
+extern "C" {
+
+grit_status grit_sand_options_init(grit_sand_options* options, size_t struct_size) {
+    if (!options || struct_size < sizeof(size_t) || struct_size > largest_struct)
+        return GRIT_BAD_CALL;
+    std::memset(options, 0, struct_size);
+    options->struct_size = struct_size;
+    return write_versioned(default_options(), *options) ? GRIT_OK : GRIT_BAD_CALL;
+}
+
+grit_status grit_sand_update(const grit_sand* sand, const grit_sand_options* options, ptrdiff_t n,
+                             const grit_sand_points* points, grit_sand_report* reports,
+                             grit_error* error) {
+    GRIT_REQUIRE(sand, "grit_sand_update: sand is null");
+    GRIT_REQUIRE(points, "grit_sand_update: points is null");
+    GRIT_REQUIRE(n >= 0, "grit_sand_update: n must be >= 0, got %td", n);
+    const Material& m = material_of(*sand);
+    GRIT_REQUIRE(m.stamp == material_stamp,
+                 "grit_sand_update: sand was not prepared by grit_sand_prepare of major version %d",
+                 GRIT_VERSION_MAJOR);
+    grit_sand_options o = default_options();
+    GRIT_REQUIRE(!options || read_versioned(*options, o),
+                 "grit_sand_options.struct_size %zu is not understood: call "
+                 "grit_sand_options_init first",
+                 options->struct_size);
+    grit_sand_points q{};
+    GRIT_REQUIRE(read_versioned(*points, q),
+                 "grit_sand_points.struct_size %zu is not understood: set it to sizeof",
+                 points->struct_size);
+    if (const grit_status s = check_options(o, error)) return s;
+    if (const grit_status s = check_points(q, o, n, error)) return s;
+
+    const bool igs = m.has_intergranular_strain != 0.0 && !o.intergranular_off;
+    const UpdateOutcome outcome = dispatch({&m, &o, &q, n, reports, igs});
+    return outcome.fault == Fault::none ? GRIT_OK : describe(m, o, q, outcome, error);
+}
+}
