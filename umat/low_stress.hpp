@@ -46,7 +46,7 @@ inline Point prepare_point(const grit_sand_options& options, const RawPoint& raw
 inline void enter_domain(const Material& m, bool igs, Point& p) {
     if (igs) {
         const double length = norm(p.h);
-        if (length > m.R * (1.0 + 1e-12)) {
+        if (length > m.R * (1.0 + 1e-6)) {
             p.h = scaled(p.h, m.R / length);
             p.flags |= GRIT_SAND_H_CLAMPED;
         }
