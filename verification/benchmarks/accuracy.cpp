@@ -4,42 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <map>
-#include <sstream>
-#include <string>
 #include <vector>
 
-#include <grit/grit.h>
+#include "single_calls.hpp"
 
 namespace {
 
-struct Call {
-    double stress[6], state[8], strain[6], stress_end[6], h_end[6], e_end;
-};
-
-std::map<double, std::vector<Call>> read_calls(const std::string& path) {
-    std::map<double, std::vector<Call>> calls;
-    std::ifstream file(path);
-    std::string line;
-    std::getline(file, line);
-    std::getline(file, line);
-    while (std::getline(file, line)) {
-        std::replace(line.begin(), line.end(), ',', ' ');
-        std::istringstream row(line);
-        double increment;
-        Call c{};
-        row >> increment;
-        for (double& x : c.stress) row >> x;
-        for (int i = 0; i < 7; ++i) row >> c.state[i];
-        for (double& x : c.strain) row >> x;
-        for (double& x : c.stress_end) row >> x;
-        for (double& x : c.h_end) row >> x;
-        row >> c.e_end;
-        if (row) calls[increment].push_back(c);
-    }
-    return calls;
-}
+using namespace benchmarks;
 
 double norm(const double* s, double shear_weight) {
     return std::sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2] +
@@ -55,11 +26,7 @@ double percentile(std::vector<double> x, double q) {
 
 int main() {
     const auto calls = read_calls(GRIT_DATA "/speed_states.csv");
-    grit_sand_parameters parameters;
-    grit_sand_parameters_init(&parameters, sizeof parameters);
-    grit_sand_record_parameters(grit_sand_record_find("lausitz"), 1.0, &parameters);
-    grit_sand sand;
-    grit_sand_prepare(&parameters, &sand, nullptr);
+    const grit_sand sand = lausitz();
 
     std::printf("increment  tolerance   evaluations      stress error / |stress|         h error/R  "
                 "delivered <= asked\n");

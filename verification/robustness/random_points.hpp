@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Random states and increments, far beyond what a sane host asks for; the same on every machine.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include <grit/grit.h>
+
+namespace robustness {
+
+// SplitMix64 (Steele, Lea & Flood 2014): every seed gives an independent stream.
+class Random {
+  public:
+    explicit Random(std::uint64_t seed) : state(seed) {}
+    std::uint64_t bits() {
+        std::uint64_t z = (state += 0x9e3779b97f4a7c15ULL);
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+        return z ^ (z >> 31);
+    }
+    double uniform() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
+    double uniform(double low, double high) { return low + (high - low) * uniform(); }
+    double log_uniform(double low, double high) {
+        return std::exp(uniform(std::log(low), std::log(high)));
+    }
+    int below(int n) { return static_cast<int>(uniform() * n); }
+    double normal() {
+        return std::sqrt(-2.0 * std::log(1.0 - uniform())) * std::cos(6.283185307179586 * uniform());
+    }
+
+  private:
+    std::uint64_t state;
+};
+
+// A random symmetric tensor of the given norm, as Voigt stress (shear_factor 1) or engineering
+// strain (shear_factor 2).
+inline void random_direction(Random& random, double length, double shear_factor, double out[6]) {
+    double sum = 0.0;
+    for (int c = 0; c < 6; ++c) {
+        out[c] = random.normal();
+        sum += out[c] * out[c];
+    }
+    for (int c = 0; c < 6; ++c)
+        out[c] *= length / std::sqrt(sum) * (c < 3 ? 1.0 : shear_factor / std::sqrt(2.0));
+}
+
+struct Sand {
+    grit_sand prepared;
+    grit_sand_parameters parameters;
+};
+
+// All built-in sands that have intergranular strain, in Pa.
+inline std::vector<Sand> built_in_sands() {
+    std::vector<Sand> sands;
+    for (int i = 0; i < grit_sand_record_count(); ++i) {
+        Sand sand;
+        grit_sand_parameters_init(&sand.parameters, sizeof sand.parameters);
+        grit_sand_record_parameters(i, 1000.0, &sand.parameters);
+        if (std::isnan(sand.parameters.reversal_stiffness)) continue;
+        if (grit_sand_prepare(&sand.parameters, &sand.prepared, nullptr) == GRIT_OK)
+            sands.push_back(sand);
+    }
+    return sands;
+}
+
+struct Points {
+    std::vector<double> strain, stress, state;
+    explicit Points(std::size_t n) : strain(6 * n), stress(6 * n), state(8 * n) {}
+};
+
+enum class Kind { inside, outside_cone, tension, zero_stress, bad_number };
+
+// One point: p 1 Pa ... 10 MPa, e from e_d - 0.1 to e_i + 0.3, |h| <= R, increments 1e-12 ... 1e-1.
+inline Kind random_point(Random& random, const Sand& sand, bool wild, double* strain, double* stress,
+                         double* state) {
+    Kind kind = Kind::inside;
+    if (wild) {
+        const int dice = random.below(100);
+        kind = dice < 60   ? Kind::inside
+               : dice < 80 ? Kind::outside_cone
+               : dice < 88 ? Kind::tension
+               : dice < 95 ? Kind::zero_stress
+                           : Kind::bad_number;
+    }
+    const double p = random.log_uniform(1.0, 1e7);
+    const double tan_psi =
+        kind == Kind::outside_cone ? random.uniform(1.4, 4.0) : random.uniform(0.0, 1.1);
+    random_direction(random, 1.0, 1.0, stress);
+    const double mean = (stress[0] + stress[1] + stress[2]) / 3.0;
+    for (int c = 0; c < 3; ++c) stress[c] -= mean;
+    double dev = 0.0;
+    for (int c = 0; c < 6; ++c) dev += (c < 3 ? 1.0 : 2.0) * stress[c] * stress[c];
+    for (int c = 0; c < 6; ++c)
+        stress[c] = stress[c] * tan_psi * 3.0 * p / std::sqrt(3.0 * dev) - (c < 3 ? p : 0.0);
+    if (kind == Kind::tension)
+        for (int c = 0; c < 6; ++c) stress[c] = -stress[c];
+    if (kind == Kind::zero_stress)
+        for (int c = 0; c < 6; ++c) stress[c] = 0.0;
+
+    const double R = sand.parameters.elastic_strain_radius;
+    const double rho = random.below(4) == 0 ? 1.0 : random.uniform();
+    random_direction(random, rho * R, 2.0, state);
+    double limits[3];
+    grit_sand_void_ratios(&sand.prepared, p, limits);
+    state[GRIT_SAND_VOID_RATIO] = random.uniform(limits[2] - 0.1, limits[0] + 0.3);
+    state[GRIT_SAND_SEPARATION] =
+        kind == Kind::zero_stress && random.below(2) ? random.log_uniform(1e-8, 1e-1) : 0.0;
+
+    random_direction(random, random.log_uniform(1e-12, 1e-1), 2.0, strain);
+    if (wild && random.below(50) == 0)
+        for (int c = 0; c < 6; ++c) strain[c] = 0.0;
+    if (kind == Kind::bad_number) {
+        const double bad[] = {NAN, INFINITY, -INFINITY, 1e308, -1e308};
+        double* where[] = {strain, stress, state};
+        where[random.below(3)][random.below(6)] = bad[random.below(5)];
+    }
+    return kind;
+}
+
+}  // namespace robustness
