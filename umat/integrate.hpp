@@ -100,6 +100,7 @@ inline Integrated<Real> integrate(const Material& m, const Control& control,
     const Plain zero(0.0);
     const Plain one(1.0);
     const double tolerance = control.tolerance;
+    const double p_open = opening_per_floor * m.p_floor;
     const double reach = exp(0.2 * log(tolerance));
 
     Segment<Real> seg = first_segment<Real, igs>(m, path);
@@ -188,11 +189,12 @@ inline Integrated<Real> integrate(const Material& m, const Control& control,
         const Plain p_0 = trace(value(out.y.T)) * (-1.0 / 3.0);
         const Plain p_1 = trace(value(trial.y.T)) * (-1.0 / 3.0);
         const Mask good = trial.error <= Plain(tolerance);
-        const Mask above = p_1 >= Plain(m.p_floor);
-        const Mask falling = trace(value(k1.T)) > zero;
-        const Mask near_floor = p_0 <= Plain(2.0 * m.p_floor);
+        // Falling below the opening pressure: the point separates, from close above it only.
+        const Mask falling = p_1 < p_0;
+        const Mask above = (p_1 >= Plain(p_open)) | ((p_1 >= p_0) & (p_1 > zero));
+        const Mask near_opening = (p_0 <= Plain(2.0 * p_open)) & (trace(value(k1.T)) > zero);
         const Mask accepted = active & good & above;
-        const Mask separating = stepped & good & !above & falling & near_floor;
+        const Mask separating = stepped & good & !above & falling & near_opening;
         const Mask rejected = active & !(accepted | separating);
 
         out.error = out.error + select(accepted, trial.error, zero);
@@ -200,7 +202,7 @@ inline Integrated<Real> integrate(const Material& m, const Control& control,
         if (any(separating)) {
             const Real here = trace(out.y.T) * (-1.0 / 3.0);
             const Real there = trace(trial.y.T) * (-1.0 / 3.0);
-            const Real part = (here - m.p_floor) / (here - there);
+            const Real part = (here - p_open) / (here - there);
             const Real at = fma(min(max(part, Real(0.0)), Real(1.0)), c.ds, s);
             out.separation_at = select(separating, at, out.separation_at);
             out.separated = out.separated | separating;

@@ -87,7 +87,7 @@ inline Start<Real> start_of(const Material& m, const Point& p,
         start.strain_increment = scaled(strain_increment, 1.0 - closing);
         start.e = fma(1.0 + start.e, exp(closing * tr), Real(-1.0));
         start.T = isotropic(Real(-max(m.p_floor, m.p_t)));
-        if (p.w > 0.0) start.h = isotropic(Real(0.0));
+        start.h = scaled(strain_increment, m.R / norm(strain_increment));
     }
     return start;
 }

@@ -30,8 +30,11 @@ struct Material {
 static_assert(sizeof(Material) <= sizeof(grit_sand));
 static_assert(alignof(Material) <= alignof(grit_sand));
 
+// docs/adr/0002-low-stress.md
 constexpr double floor_per_hardness = 1e-8;  // p_floor / h_s
+constexpr double opening_per_floor = 2.0;    // a loaded point separates here, a closed one starts at 1
 constexpr double cone_limit = 0.999;         // tan psi / sqrt 2 kept: F > 0 up to 1
+constexpr double linear_density = 1e-4;      // below this (e-e_d)/(e_c-e_d), f_d is linear
 
 inline const Material& material_of(const grit_sand& sand) {
     return *reinterpret_cast<const Material*>(sand.opaque);

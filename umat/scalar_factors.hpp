@@ -40,8 +40,10 @@ GRIT_INLINE ScalarFactors<Real> scalar_factors(const Material& m, const Real& p,
     const Real e_d = m.e_d0 * k.E;
     const Real e_c = m.e_c0 * k.E;
     const Real e_in = min(max(e, e_d), e_i);  // continuous outside [e_d, e_i]
-    const Real relative = max((e_in - e_d) / (e_c - e_d), Real(1e-30));
-    const Real f_d = exp(m.alpha * log(relative));  // (H7)
+    const Real relative = (e_in - e_d) / (e_c - e_d);
+    // (H7); its slope is infinite at e_d, so that it is replaced by its secant very near to it.
+    const Real f_d = exp(m.alpha * log(max(relative, Real(linear_density)))) *
+                     min(relative * (1.0 / linear_density), Real(1.0));
     // f_b f_e = stiffness (1+e_i)/e_i (3p/h_s)^(1-n) (e_c/e)^beta    (H7), (H8)
     const Real log_f_e = m.beta * (m.log_e_c0 - k.x - log(e_in));
     const Real f_s = m.stiffness * (1.0 + 1.0 / e_i) * exp(fma(1.0 - m.n, l, log_f_e));
