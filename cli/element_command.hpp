@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/exit_code.hpp"
+
+namespace cli {
+
+struct ElementRequest {
+    std::vector<std::filesystem::path> cases;
+    std::filesystem::path out = ".";
+    bool no_plot = false;
+};
+
+// Run every case, write DIR/<case>.csv and pictures, print the table beside the references.
+// Throws BadInput before anything is computed if any of the files is wrong.
+ExitCode run_element_tests(const ElementRequest& request);
+
+}  // namespace cli

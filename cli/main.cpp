@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <exception>
+#include <functional>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <grit/grit.h>
+
+#include "cli/element_command.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/sand_command.hpp"
+
+namespace {
+
+std::string version() {
+    constexpr const char* names[] = {"", "baseline", "AVX2", "AVX-512"};
+    const int v = grit_version();
+    return fmt::format("grit {}.{}.{}, instruction set {}", v / 10000, v / 100 % 100, v % 100,
+                       names[grit_instruction_set()]);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::function<cli::ExitCode()> command;
+    CLI::App app("Grit: hypoplastic sand. Exit status 0: done, 1: the computation failed or missed "
+                 "its reference, 2: bad input.",
+                 "grit");
+    app.set_version_flag("--version", version());
+    app.require_subcommand(1);
+
+    CLI::App* sand = app.add_subcommand("sand", "Sands with published parameters");
+    sand->require_subcommand(1);
+    sand->add_subcommand("list", "Names and status")->callback([&] { command = cli::list_sands; });
+    CLI::App* show = sand->add_subcommand("show", "Parameters and source of one sand");
+    std::string name;
+    show->add_option("NAME", name, "As grit sand list prints it")->required();
+    show->callback([&] { command = [&] { return cli::show_sand(name); }; });
+
+    CLI::App* element = app.add_subcommand("element", "Run element tests, see docs/element-tests.md");
+    cli::ElementRequest request;
+    element->add_option("CASE", request.cases, "TOML files; several are compared in one picture")
+        ->required();
+    element->add_option("--out", request.out, "Folder for data and pictures, made if missing [.]");
+    element->add_flag("--no-plot", request.no_plot, "Data only");
+    element->callback([&] { command = [&] { return cli::run_element_tests(request); }; });
+
+    try {
+        app.parse(argc, argv);
+        return command();
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? cli::ok : cli::bad_input;
+    } catch (const cli::BadInput& error) {
+        fmt::print(stderr, "grit: {}\n", error.what());
+        return cli::bad_input;
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "grit: {}\n", error.what());
+        return cli::failed_computation;
+    }
+}

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Parameters as people write them: angles in degrees, stresses in kPa.
+#pragma once
+
+#include <string>
+
+#include <grit/grit.h>
+
+namespace cli {
+
+inline constexpr double degree = 3.14159265358979323846 / 180.0;  // [rad]
+
+// "deg", "kPa" or "-", and what one of it is in the unit of the library (rad, kPa, 1).
+struct Unit {
+    std::string name;
+    double size;
+};
+Unit unit_of(const grit_sand_parameter_info& info);
+
+}  // namespace cli

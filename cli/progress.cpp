@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/progress.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+#include <fmt/format.h>
+
+namespace cli {
+
+Progress::Progress(std::string case_name)
+    : name(std::move(case_name)), terminal(isatty(STDERR_FILENO) == 1), start(Clock::now()),
+      last(start) {}
+
+double Progress::seconds() const {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::string Progress::line(int increment, int increments) const {
+    const double elapsed = seconds();
+    const double rate = elapsed > 0.0 ? increment / elapsed : 0.0;
+    const double left = rate > 0.0 ? (increments - increment) / rate : 0.0;
+    return fmt::format("{}: increment {} of {} ({:.0f} %), {:.0f} increments/s, {:.0f} s left", name,
+                       increment, increments, 100.0 * increment / increments, rate, left);
+}
+
+void Progress::operator()(int increment, int increments) {
+    const auto now = Clock::now();
+    if (terminal) {
+        if (now - last < std::chrono::milliseconds(100)) return;
+        fmt::print(stderr, "\r\033[K{}", line(increment, increments));
+        std::fflush(stderr);
+        drawn = true;
+    } else {
+        const int reached = static_cast<int>(10.0 * increment / increments);
+        if (reached == tenths || now - last < std::chrono::seconds(1)) return;
+        tenths = reached;
+        fmt::print(stderr, "{}\n", line(increment, increments));
+    }
+    last = now;
+}
+
+void Progress::finish() {
+    if (!drawn) return;
+    fmt::print(stderr, "\r\033[K");
+    std::fflush(stderr);
+}
+
+}  // namespace cli
