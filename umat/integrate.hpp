@@ -35,10 +35,10 @@ template <class Real> struct Segment {
 };
 
 // Constants of the step control, calibrated so that single calls deliver what was asked: see the
-// table of verification/benchmarks/accuracy.
-constexpr double error_safety = 8.0;  // embedded estimates are optimistic where h changes
+// table of docs/accuracy.md.
+constexpr double error_safety = 12.0; // embedded estimates are optimistic where h changes
 constexpr double heun_safety = 0.5;   // ... and pessimistic for steps far below R
-constexpr double memory_reach = 2.5;  // longest step while h changes, in R tolerance^(1/5)
+constexpr double memory_reach = 2.2;  // longest step while h changes, in R tolerance^(1/5)
 constexpr double smallest_fraction = 1e-9;
 
 template <class Real, bool igs>
@@ -221,7 +221,7 @@ inline Integrated<Real> integrate(const Material& m, const Control& control,
 
         // Next step
         const Plain ratio = tolerance / max(trial.error, Plain(1e-30 * tolerance));
-        Plain factor = min(max(0.9 * fifth_root(max(ratio, Plain(1e-30))), Plain(0.2)), Plain(5.0));
+        Plain factor = min(max(0.9 * fifth_root(max(ratio, Plain(1e-30))), Plain(0.2)), Plain(3.0));
         factor = select(rejected, min(factor, select(above, Plain(0.9), Plain(0.5))), factor);
         factor = select(trial.error <= Plain(1e300), factor, Plain(0.2));
         const Plain used = fraction * plain_length;
