@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "support/reference.hpp"
+#include "support/update.hpp"
+
+namespace {
+
+using namespace tests;
+
+constexpr double increments[] = {1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
+constexpr int states = 60;  // per sand and increment
+
+struct Task {
+    const Sand* sand;
+    State start;
+    Vec dE;
+    State exact;
+};
+
+// Random states and increments whose path stays in the domain, with the referee's result.
+std::vector<Task> random_tasks(Intergranular igs, std::uint64_t seed) {
+    std::vector<Task> tasks;
+    Random random(seed);
+    for (const Sand& sand : four_sands())
+        for (const double increment : increments)
+            for (int kept = 0; kept < states;) {
+                const State x = random_state(sand, random);
+                const Vec dE = increment * random.direction();
+                const Reference r = referee(sand, x, dE, igs);
+                if (!r.in_domain) continue;
+                tasks.push_back({&sand, x, dE, r.end});
+                ++kept;
+            }
+    return tasks;
+}
+
+struct Delivered {
+    double within = 0.0;   // share of calls with error <= tolerance
+    double worst = 0.0;    // largest error / tolerance
+    double worst_h = 0.0;  // largest error of h / R
+    double worst_e = 0.0;
+};
+
+Delivered delivered(const std::vector<Task>& tasks, Intergranular igs, double tolerance) {
+    Delivered d;
+    grit_sand_options options = options_with(tolerance);
+    options.intergranular_off = igs == Intergranular::off;
+    for (const Task& t : tasks) {
+        const State x = updated(*t.sand, t.start, t.dE, options);
+        const double error = (x.T - t.exact.T).norm() / t.exact.T.norm() / tolerance;
+        d.within += (error <= 1.0) / static_cast<double>(tasks.size());
+        d.worst = std::fmax(d.worst, error);
+        if (igs == Intergranular::on) {
+            const double error_h = (x.h - t.exact.h).norm() / t.sand->p.elastic_strain_radius;
+            d.worst_h = std::fmax(d.worst_h, error_h);
+        }
+        d.worst_e = std::fmax(d.worst_e, std::fabs(x.e - t.exact.e));
+    }
+    std::printf("tolerance %.0e: %.4f within, worst %.3g times, h/R %.1e, e %.1e\n", tolerance,
+                d.within, d.worst, d.worst_h, d.worst_e);
+    return d;
+}
+
+void expect_error_asked_for(Intergranular igs, std::uint64_t seed) {
+    const std::vector<Task> tasks = random_tasks(igs, seed);
+    for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10}) {
+        SCOPED_TRACE(tolerance);
+        const Delivered d = delivered(tasks, igs, tolerance);
+        EXPECT_GE(d.within, 0.99);
+        EXPECT_LE(d.worst, 10.0);
+        EXPECT_LE(d.worst_h, 10.0 * tolerance + 1e-11);
+        EXPECT_LE(d.worst_e, 1e-12);
+    }
+}
+
+TEST(Integration, DeliversTheErrorAskedForWithIntergranularStrain) {
+    expect_error_asked_for(Intergranular::on, 161);
+}
+
+TEST(Integration, DeliversTheErrorAskedForWithoutIntergranularStrain) {
+    expect_error_asked_for(Intergranular::off, 162);
+}
+
+}  // namespace
