@@ -22,8 +22,9 @@ void set_parameter(TomlTable& table, int index, grit_sand_parameters& parameters
     const double low = info.lowest / unit.size, high = info.highest / unit.size;
     // Limits in degrees round to a hair inside those in radians.
     if (!(*value >= low * (1.0 - 1e-12) && *value <= high * (1.0 + 1e-12)))
-        table.fail(info.name, fmt::format("sand.{} ({}) must be in [{:.6g}, {:.6g}] {}, got {:g}",
-                                          info.name, info.symbol, low, high, unit.name, *value));
+        table.fail(info.name, fmt::format("sand.{} ({}) must be in [{:.6g}, {:.6g}] {}, got {:g}{}",
+                                          info.name, info.symbol, low, high, unit.name, *value,
+                                          unit.name == "deg" && *value < low ? ": radians?" : ""));
     grit_sand_parameter_set(&parameters, index, *value * unit.size);
 }
 
@@ -86,8 +87,11 @@ void read_numerics(TomlTable table, element::Numerics& numerics) {
 Reference read_reference(TomlTable table, const std::filesystem::path& folder) {
     Reference reference;
     for (const std::string& quantity : reference_quantities())
-        if (const std::optional<double> value = table.number_if(quantity))
+        if (const std::optional<double> value = table.number_if(quantity)) {
+            if (*value == 0.0)
+                table.fail(quantity, "reference." + quantity + " must not be 0: differences are relative");
             reference.values.push_back({quantity, *value});
+        }
     reference.tolerance = table.number_if("tolerance");
     reference.origin = table.string("origin");
     if (const std::optional<std::string> curve = table.string_if("curve")) {

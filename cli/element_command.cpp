@@ -73,12 +73,12 @@ void draw(const ElementRequest& request, const std::vector<CaseFile>& cases) {
     };
     for (const CaseFile& file : cases) {
         curves.push_back({in(request.out, file.test.name, ".csv"), file.reference.curve,
-                          file.test.title});
+                          file.test.title, file.test.loading.change[0]});
         Curve alone = curves.back();
         alone.label = "computed";
         add(file.test.name, file.test.title, {alone});
     }
-    if (cases.size() > 1) add("comparison", "Drained triaxial compression", curves);
+    if (cases.size() > 1) add("comparison", "Drained triaxial tests", curves);
     if (!problem.empty()) fmt::print(stderr, "grit: no picture: {}\n", problem);
     for (const std::string& name : drawn)
         fmt::print("picture: {} and .png\n", in(request.out, name, ".svg").string());

@@ -5,7 +5,9 @@
 #include <spawn.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -31,50 +33,63 @@ std::string quoted(const std::string& text) {
     return out + "'";
 }
 
-// One panel; q and e are the expressions for a computed and for a reference row.
+// One panel: the expressions for a computed and for a reference row. Reference rows are graded;
+// spaced() of the script keeps some that leave the line visible between their points.
 std::string panel(const std::vector<Curve>& curves, const std::string& computed,
                   const std::string& reference) {
     std::string out;
+    bool referenced = false;
     for (std::size_t i = 0; i < curves.size(); ++i) {
-        const char* colour = colours[i % std::size(colours)];
-        const std::string separator = out.empty() ? "plot " : ", \\\n     ";
         out += fmt::format("{}{} using (-100*column('axial_strain [-]')):({}) with lines lw 2.5 "
                            "lc rgb '{}' title {} noenhanced",
-                           separator, quoted(curves[i].csv.string()), computed, colour,
+                           out.empty() ? "last = NaN; plot " : ", \\\n     ",
+                           quoted(curves[i].csv.string()), computed, colours[i % std::size(colours)],
                            quoted(curves[i].label));
         if (curves[i].reference.empty()) continue;
-        // Reference curves are graded too: every 16th row leaves the line visible between points.
-        out += fmt::format(", \\\n     {} using (-100*column('eps11')):({}) every 16 with points pt 6 "
-                           "ps 0.8 lw 1.2 lc rgb '#222222' title {}",
-                           quoted(curves[i].reference.string()), reference,
-                           i + 1 == curves.size() ? "'reference'" : "''");
+        out += fmt::format(", \\\n     {} using (spaced(-100*column('eps11'))):({}) with points pt 6 "
+                           "ps 0.8 lw 1.2 lc rgb '#222222' notitle",
+                           quoted(curves[i].reference.string()), reference);
+        referenced = true;
     }
+    if (referenced)
+        out += ", \\\n     NaN with points pt 6 ps 0.8 lw 1.2 lc rgb '#222222' title 'reference'";
     return out + "\n";
 }
 
 std::string body(const std::string& title, const std::vector<Curve>& curves) {
+    double longest = 0.0;
+    std::size_t label = 9;  // characters of "reference"
+    for (const Curve& curve : curves) {
+        longest = std::max(longest, std::abs(curve.axial_strain));
+        label = std::max(label, curve.label.size());
+    }
+    // gnuplot estimates the width of a key by wide characters.
+    const double width = -0.14 * static_cast<double>(label);
     return fmt::format(
-        "set datafile separator ','\n"
+        "reset\nset datafile separator ','\n"
         "set datafile commentschars '#'\n"
         "set datafile columnheaders\n"
         "set encoding utf8\n"
+        "spaced(x) = (last == last && abs(x - last) < {}) ? NaN : (last = x, x)\n"
         "set border 3 lw 1 lc rgb '#444444'\n"
         "set tics nomirror out scale 0.6 textcolor rgb '#222222'\n"
-        "set grid lw 0.7 lc rgb '#dddddd'\n"
-        "set key samplen 2 spacing 1.2 textcolor rgb '#222222'\n"
-        "set xlabel 'axial compression −ε_{{11}} [%]'\n"
-        "set multiplot layout 1,2 title {} noenhanced font ',15' margins 0.08,0.98,0.14,0.89 "
-        "spacing 0.10\n"
-        "set ylabel 'deviatoric stress q [kPa]'\n"
+        "set grid lt 1 lw 0.6 lc rgb '#e4e4e4'\n"
+        "set xlabel 'axial compression −ε_{{11}} [%]' offset 0,0.2\n"
+        "set multiplot layout 1,2 title {} noenhanced font ',15' margins 0.075,0.98,0.15,0.89 "
+        "spacing 0.105\n"
+        "set ylabel 'deviatoric stress q [kPa]' offset 0.5,0\n"
         "set yrange [0:*]\n"
-        "set key bottom right\n"
+        "set key bottom right Left reverse opaque samplen 1.6 spacing 1.15 width {} font ',11' "
+        "textcolor rgb '#222222'\n"
         "{}"
-        "set ylabel 'void ratio e [–]'\n"
+        "set ylabel 'void ratio e [–]' offset 0.5,0\n"
+        "set format y '%.2f'\n"
         "set yrange [*:*]\n"
         "set key off\n"
         "{}"
         "unset multiplot\n",
-        quoted(title), panel(curves, "column('q [kPa]')", "abs(column('s11')-column('s33'))"),
+        100.0 * longest / 26.0, quoted(title),
+        width, panel(curves, "column('q [kPa]')", "abs(column('s11')-column('s33'))"),
         panel(curves, "column('void_ratio [-]')", "column('e')"));
 }
 
@@ -113,12 +128,12 @@ std::string plot(const fs::path& stem, const std::string& title,
     const std::string drawing = body(title, curves);
     element::write_aside(script, [&](std::FILE* file) {
         fmt::print(file,
-                   "set terminal svg size 1000,420 dynamic enhanced font 'DejaVu Sans,13' "
+                   "set terminal svg size 1000,420 dynamic enhanced font 'sans-serif,13' "
                    "background '#ffffff'\nset output {}\n{}unset output\n",
                    quoted(svg.string()), drawing);
         fmt::print(file,
-                   "set terminal pngcairo size 2000,840 enhanced font 'DejaVu Sans,13' fontscale 2 "
-                   "linewidth 2 pointscale 2\nset output {}\n{}unset output\n",
+                   "set terminal pngcairo size 2000,840 enhanced font 'Sans,13' fontscale 1.8 "
+                   "linewidth 2 pointscale 1.8\nset output {}\n{}unset output\n",
                    quoted(png.string()), drawing);
     });
     const int status = run_gnuplot(script, log);

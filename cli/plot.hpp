@@ -11,6 +11,7 @@ struct Curve {
     std::filesystem::path csv;        // as written by element::write_csv
     std::filesystem::path reference;  // reference curve, empty: none
     std::string label;
+    double axial_strain;  // at the end, to space the reference points [-]
 };
 
 // Draw q and void ratio over axial strain with gnuplot: stem.svg and stem.png, written aside and

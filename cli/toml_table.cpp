@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -32,7 +33,11 @@ const toml::node* TomlTable::find(const std::string& key) {
 
 const toml::node& TomlTable::require(const std::string& key) {
     const toml::node* node = find(key);
-    if (!node) fail(key, full(key) + " is missing");
+    if (!node) {
+        std::vector<std::string> given;
+        for (const auto& [k, value] : values) given.emplace_back(k.str());
+        fail(key, fmt::format("{} is missing; given here: {}", full(key), fmt::join(given, ", ")));
+    }
     return *node;
 }
 
