@@ -88,7 +88,8 @@ TEST(LowStress, ExtensionFromStressSeparatesAndRemembersWhatWasOpenedSince) {
         const Outcome apart = strain_isotropically(sand, x, 5e-2);
         EXPECT_TRUE(apart.report.flags & GRIT_SAND_STRESS_FREE);
         EXPECT_TRUE(has_no_stress(x));
-        EXPECT_GT(x.state[GRIT_SAND_SEPARATION], 4e-2);  // unloading is stiff: most of it is opening
+        EXPECT_GT(x.state[GRIT_SAND_SEPARATION],
+                  4e-2);  // unloading is stiff: most of it is opening
         EXPECT_LT(x.state[GRIT_SAND_SEPARATION], 5e-2);
         EXPECT_NEAR(x.state[GRIT_SAND_VOID_RATIO], (1 + e_loaded) * std::exp(5e-2) - 1, 1e-14);
         const double opened = x.state[GRIT_SAND_SEPARATION];
@@ -123,8 +124,7 @@ TEST(LowStress, StressFreePointsReportAFiniteStiffness) {
             Point x = stress_free(sand);
             const double d[6] = {increment, 0, 0, 0, 0, 0};
             const Outcome out = update(sand, x, d, options_with(1e-5, GRIT_TANGENT_CONSISTENT));
-            for (const int diagonal : {0, 7, 14, 21, 28, 35})
-                EXPECT_GT(out.tangent[diagonal], 0.0);
+            for (const int diagonal : {0, 7, 14, 21, 28, 35}) EXPECT_GT(out.tangent[diagonal], 0.0);
         }
 }
 

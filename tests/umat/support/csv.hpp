@@ -2,6 +2,7 @@
 // Tables of verification/data: comma separated, lines of text and a header before the numbers.
 #pragma once
 
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -23,7 +24,7 @@ inline std::vector<Row> read_rows(const std::string& name) {
         std::istringstream cells(line);
         std::string cell;
         Row row;
-        while (std::getline(cells, cell, ',')) row.push_back(std::stod(cell));
+        while (std::getline(cells, cell, ',')) row.push_back(std::strtod(cell.c_str(), nullptr));
         rows.push_back(row);
     }
     return rows;

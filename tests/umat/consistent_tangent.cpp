@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "support/reference.hpp"
+#include "support/update.hpp"
+
+namespace {
+
+using namespace tests;
+
+struct Differentiated {
+    Mat tangent;
+    int substeps;
+};
+
+Differentiated with_tangent(const Sand& sand, const State& x, const Vec& dE, double tolerance) {
+    Point point = point_of(x);
+    const Outcome out = update(sand, point, voigt_strain(dE).data(),
+                               options_with(tolerance, GRIT_TANGENT_CONSISTENT));
+    EXPECT_EQ(out.status, GRIT_OK) << out.error.message;
+    return {stiffness_from(out.tangent), out.report.substeps};
+}
+
+Mat central_differences(const Sand& sand, const State& x, const Vec& dE, double probe,
+                        double tolerance) {
+    Mat C;
+    for (int j = 0; j < 6; ++j) {
+        const Vec step = probe * Vec::Unit(j);
+        const Vec up = updated(sand, x, dE + step, options_with(tolerance)).T;
+        const Vec down = updated(sand, x, dE - step, options_with(tolerance)).T;
+        C.col(j) = (up - down) / (2.0 * probe);
+    }
+    return C;
+}
+
+// Away from the kink at h:D = 0, which differences would straddle.
+State smooth_state(const Sand& sand, Random& random, const Vec& D, double length) {
+    for (;;) {
+        State x = random_state(sand, random, 50.0, 500.0);
+        const double along = x.h.dot(D);
+        if (std::fabs(along) > 0.05 * x.h.norm() + 0.01 * length &&
+            std::fabs(along + length) > 0.05 * length)
+            return x;
+    }
+}
+
+// Loose enough that each call is one step of the same kind, whatever the probe does.
+TEST(ConsistentTangent, IsTheDerivativeOfTheStepsTaken) {
+    double worst = 0.0;
+    for (const Sand& sand : four_sands())
+        for (const double length : {1e-6, 1e-5, 5e-5}) {
+            SCOPED_TRACE(sand.name + ", increment " + std::to_string(length));
+            Random random(171);
+            for (int i = 0; i < 30; ++i) {
+                const Vec D = random.direction();
+                const State x = smooth_state(sand, random, D, length);
+                const Vec dE = length * D;
+                const Differentiated r = with_tangent(sand, x, dE, 0.1);
+                const bool turns = x.h.dot(D) < 0.0 && x.h.dot(D) > -length;
+                ASSERT_EQ(r.substeps, turns ? 2 : 1);
+                const Mat C = central_differences(sand, x, dE, 1e-4 * length, 0.1);
+                const double error = (C - r.tangent).norm() / r.tangent.norm();
+                worst = std::fmax(worst, error);
+                EXPECT_LE(error, 1e-6);
+            }
+        }
+    RecordProperty("worst_error", std::to_string(worst));
+}
+
+TEST(ConsistentTangent, TracksTheExactResponseWithinTheToleranceAskedFor) {
+    for (const Sand& sand : four_sands())
+        for (const double length : {1e-5, 1e-4, 1e-3}) {
+            Random random(172);
+            for (int i = 0; i < 10; ++i) {
+                const Vec D = random.direction();
+                const State x = smooth_state(sand, random, D, length);
+                const Vec dE = length * D;
+                const Mat exact = central_differences(sand, x, dE, 1e-3 * length, 1e-12);
+                for (const double tolerance : {1e-3, 1e-5, 1e-7}) {
+                    const Mat C = with_tangent(sand, x, dE, tolerance).tangent;
+                    const double stress_error = (C - exact).norm() * length / x.T.norm();
+                    EXPECT_LE(stress_error, 10.0 * std::fmax(tolerance, 1e-6))
+                        << sand.name << ", " << length << ", " << tolerance;
+                }
+            }
+        }
+}
+
+TEST(ConsistentTangent, MatchesDifferencesOfFreeSteps) {
+    for (const Sand& sand : four_sands())
+        for (const double length : {1e-5, 1e-4, 1e-3}) {
+            Random random(173);
+            for (int i = 0; i < 10; ++i) {
+                const Vec D = random.direction();
+                const State x = smooth_state(sand, random, D, length);
+                const Vec dE = length * D;
+                for (const double tolerance : {1e-4, 1e-6}) {
+                    const Mat C = with_tangent(sand, x, dE, tolerance).tangent;
+                    const Mat free = central_differences(sand, x, dE, 0.03 * length, tolerance);
+                    const double stress_error = (C - free).norm() * length / x.T.norm();
+                    EXPECT_LE(stress_error, 10.0 * std::fmax(tolerance, 1e-3 * length / 1e-3))
+                        << sand.name << ", " << length << ", " << tolerance;
+                }
+            }
+        }
+}
+
+TEST(ConsistentTangent, ComesWithTheSameStressAsWithout) {
+    for (const Sand& sand : four_sands()) {
+        Random random(174);
+        for (int i = 0; i < 50; ++i) {
+            const Point start = point_of(random_state(sand, random));
+            const Voigt dE = voigt_strain(random.log_uniform(1e-7, 2e-3) * random.direction());
+            Point with = start, without = start;
+            update(sand, with, dE.data(), options_with(1e-5, GRIT_TANGENT_CONSISTENT));
+            update(sand, without, dE.data(), options_with(1e-5));
+            EXPECT_TRUE(same_bits(with, without)) << sand.name;
+        }
+    }
+}
+
+TEST(ContinuumTangent, IsMAtTheEndOfTheIncrement) {
+    for (const Sand& sand : four_sands()) {
+        Random random(175);
+        for (int i = 0; i < 20; ++i) {
+            const State x = random_state(sand, random);
+            const Vec dE = 1e-5 * random.direction();
+            Point point = point_of(x);
+            const Outcome out = update(sand, point, voigt_strain(dE).data(),
+                                       options_with(1e-5, GRIT_TANGENT_CONTINUUM));
+            const Mat M = stiffness_M(sand, state_of(point), dE);
+            EXPECT_LE((stiffness_from(out.tangent) - M).norm(), 1e-11 * M.norm()) << sand.name;
+        }
+    }
+}
+
+}  // namespace
