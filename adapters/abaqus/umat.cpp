@@ -40,18 +40,22 @@ grit_status check_call(const UmatArguments& call, grit_error& error) {
     return GRIT_OK;
 }
 
-// DROT as a row-major Q; false if the host has none (null or all zero) or turns no axis it carries.
+// DROT as a row-major Q. False where nothing is to be turned: null, the identity, or all zero, which
+// is how hosts without finite rotations fill it.
 bool read_rotation(const UmatArguments& call, double Q[9]) {
     if (!call.drot || *call.ntens == 3) return false;
-    double largest = 0.0;
+    bool zero = true;
+    bool identity = true;
     for (int r = 0; r < 3; ++r)
         for (int c = 0; c < 3; ++c) {
-            const double entry = call.drot[r + 3 * c];
-            const bool carried = *call.ntens == 6 || (r < 2 && c < 2);
-            Q[3 * r + c] = carried ? entry : (r == c ? 1.0 : 0.0);
-            if (carried && entry != 0.0) largest = 1.0;
+            const double unit = r == c ? 1.0 : 0.0;
+            const bool carried = *call.ntens == 6 || (r < 2 && c < 2);  // in the plane, or all
+            const double entry = carried ? call.drot[r + 3 * c] : unit;
+            zero = zero && (!carried || entry == 0.0);
+            identity = identity && entry == unit;
+            Q[3 * r + c] = entry;
         }
-    return largest != 0.0;
+    return !zero && !identity;
 }
 
 grit_status update(const UmatArguments& call, const grit_sand& sand, Point& point,

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "support/umat_call.hpp"
+
+#include <dlfcn.h>
+
+#include <cmath>
+#include <iterator>
+#include <stdexcept>
+
+UmatFunction umat() {
+    static const auto function = [] {
+        void* library = dlopen(GRIT_UMAT_LIBRARY, RTLD_NOW | RTLD_LOCAL);
+        if (!library) throw std::runtime_error(dlerror());
+        return reinterpret_cast<UmatFunction>(dlsym(library, "umat_"));
+    }();
+    return function;
+}
+
+UmatCall UmatCall::hochstetten() {
+    UmatCall call;
+    const double props[] = {33.0, 0.0, 1e6, 0.25, 0.55, 0.95, 1.05, 0.25,
+                            1.5,  5.0, 2.0, 1e-4, 0.5,  6.0,  0.0,  10.70};
+    for (int i = 0; i < static_cast<int>(std::size(props)); ++i) call.props[i] = props[i];
+    for (int c = 0; c < 3; ++c) call.stress[c] = -100.0;
+    call.statev.close_beyond(call.nstatv);
+    return call;
+}
+
+void UmatCall::use_components(int n) {
+    ntens = n;
+    nshr = n - 3;
+    stress.close_beyond(n);
+    dstran.close_beyond(n);
+    ddsdde.close_beyond(n * n);
+}
+
+bool UmatCall::in_bounds() const {
+    return stress.intact_beyond(ntens) && statev.intact_beyond(nstatv) &&
+           ddsdde.intact_beyond(ntens * ntens);
+}
+
+void UmatCall::set_dstran(double e11, double e22, double e33, double g12, double g13, double g23) {
+    const double given[] = {e11, e22, e33, g12, g13, g23};
+    for (int c = 0; c < ntens; ++c) dstran[c] = given[c];
+}
+
+bool UmatCall::same_results(const UmatCall& other) const {
+    return stress == other.stress && statev == other.statev && ddsdde == other.ddsdde;
+}
+
+bool UmatCall::finite() const {
+    double sum = 0.0;
+    for (int c = 0; c < ntens; ++c) sum += 0.0 * stress[c];
+    for (int i = 0; i < nstatv; ++i) sum += 0.0 * statev[i];
+    for (int i = 0; i < ntens * ntens; ++i) sum += 0.0 * ddsdde[i];
+    return sum == 0.0;
+}
+
+void UmatCall::run() {
+    const char cmname[80] = "SAND";
+    const double zero[6] = {}, time[2] = {}, dtime = 0.0;
+    double unused[6] = {};
+    const int one = 1;
+    if (sparse) {
+        umat()(stress.data(), statev.data(), ddsdde.data(), nullptr, nullptr, nullptr, nullptr,
+               nullptr, nullptr, nullptr, nullptr, dstran.data(), nullptr, nullptr, nullptr,
+               nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, &ntens, &nstatv, props.data(),
+               &nprops, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr,
+               nullptr, nullptr, nullptr, nullptr, 0);
+        return;
+    }
+    umat()(stress.data(), statev.data(), ddsdde.data(), &energy[0], &energy[1], &energy[2], unused,
+           unused, unused, unused, zero, dstran.data(), time, &dtime, zero, zero, zero, zero,
+           cmname, &ndi, &nshr, &ntens, &nstatv, props.data(), &nprops, zero, drot, &pnewdt, zero,
+           identity, identity, &one, &one, &one, &one, &one, &one, sizeof cmname);
+}

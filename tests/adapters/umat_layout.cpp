@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sizes, null pointers, PNEWDT: what hosts pass, rightly and wrongly.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "support/umat_call.hpp"
+
+namespace {
+
+// The call changes nothing but PNEWDT, and says why.
+void expect_refused(UmatCall call, const std::string& word) {
+    const UmatCall before = call;
+    testing::internal::CaptureStderr();
+    call.run();
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_NE(said.find(word), std::string::npos) << said;
+    EXPECT_EQ(said.find('\n'), said.size() - 1) << "one line: " << said;
+    EXPECT_TRUE(call.same_results(before));
+    if (!call.sparse) {
+        EXPECT_LT(call.pnewdt, 1.0);
+        EXPECT_GT(call.pnewdt, 0.0);
+    }
+}
+
+UmatCall loaded() {
+    UmatCall call = UmatCall::hochstetten();
+    call.set_dstran(-1e-4, 0, 0);
+    return call;
+}
+
+TEST(UmatLayout, RefusesTooFewPropsAndStatev) {
+    for (const int nprops : {-1, 0, 8, 15}) {
+        UmatCall call = loaded();
+        call.nprops = nprops;
+        call.props.close_beyond(nprops < 0 ? 0 : nprops);
+        expect_refused(call, "NPROPS must be at least 16");
+    }
+    for (const int nstatv : {-1, 0, 7, 12}) {
+        UmatCall call = loaded();
+        call.nstatv = nstatv;
+        call.statev.close_beyond(nstatv < 0 ? 0 : nstatv);
+        expect_refused(call, "NSTATV must be at least 13");
+    }
+}
+
+TEST(UmatLayout, RefusesPlaneStressAndOddSizes) {
+    UmatCall call = loaded();
+    call.use_components(3);
+    call.ndi = 2;
+    call.nshr = 1;
+    expect_refused(call, "plane stress is not supported");
+    for (const int ntens : {-1, 0, 1, 2, 5, 7, 100}) {
+        call = loaded();
+        call.ntens = ntens;
+        expect_refused(call, "NTENS must be 6, 4");
+    }
+}
+
+TEST(UmatLayout, KeepsWithinThirteenStatev) {
+    UmatCall with = loaded();
+    UmatCall without = with;
+    without.nstatv = 13;
+    without.statev.close_beyond(13);
+    with.run();
+    without.run();
+    EXPECT_TRUE(without.in_bounds());
+    EXPECT_EQ(without.stress, with.stress);
+    for (int i = 0; i < 13; ++i) EXPECT_EQ(without.statev[i], with.statev[i]);
+}
+
+TEST(UmatLayout, LeavesFurtherStatevAlone) {
+    UmatCall call = loaded();
+    call.nstatv = 16;
+    call.statev[14] = 3.0;
+    call.statev[15] = 4.0;
+    call.run();
+    EXPECT_EQ(call.statev[14], 3.0);
+    EXPECT_EQ(call.statev[15], 4.0);
+    EXPECT_TRUE(call.in_bounds());
+}
+
+TEST(UmatLayout, DoesWithoutWhateverTheLawDoesNotNeed) {
+    UmatCall full = loaded();
+    UmatCall sparse = full;
+    sparse.sparse = true;
+    full.run();
+    sparse.run();
+    EXPECT_TRUE(sparse.same_results(full));
+    sparse.dstran[0] = std::numeric_limits<double>::quiet_NaN();
+    expect_refused(sparse, "strain_increment");
+}
+
+TEST(UmatLayout, ComputesStressWithoutATangent) {
+    UmatCall with = loaded();
+    UmatCall without = with;
+    with.run();
+    umat()(without.stress.data(), without.statev.data(), nullptr, nullptr, nullptr, nullptr,
+           nullptr, nullptr, nullptr, nullptr, nullptr, without.dstran.data(), nullptr, nullptr,
+           nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, &without.ntens,
+           &without.nstatv, without.props.data(), &without.nprops, nullptr, nullptr, nullptr,
+           nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, 0);
+    EXPECT_EQ(without.stress, with.stress);
+    EXPECT_EQ(without.statev, with.statev);
+}
+
+TEST(UmatLayout, SurvivesACallOfNothingButNulls) {
+    double pnewdt = 1.0;
+    testing::internal::CaptureStderr();
+    umat()(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr,
+           nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr,
+           nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, &pnewdt, nullptr, nullptr,
+           nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, 0);
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_NE(said.find("null pointer"), std::string::npos);
+    EXPECT_LT(pnewdt, 1.0);
+}
+
+TEST(UmatLayout, WritesPnewdtOnlyOnFailureAndThenBelowOne) {
+    for (const double given : {1.0, -1.0, std::numeric_limits<double>::max(), 0.5}) {
+        UmatCall call = loaded();
+        call.pnewdt = given;
+        call.run();
+        EXPECT_EQ(call.pnewdt, given);
+        call.dstran[0] = std::numeric_limits<double>::infinity();
+        testing::internal::CaptureStderr();
+        call.run();
+        testing::internal::GetCapturedStderr();
+        EXPECT_LT(call.pnewdt, 1.0);
+        EXPECT_GT(call.pnewdt, 0.0);
+    }
+}
+
+TEST(UmatLayout, LeavesEnergiesToTheHost) {
+    UmatCall call = loaded();
+    call.run();
+    EXPECT_EQ(call.energy[0], 11.0);
+    EXPECT_EQ(call.energy[1], 12.0);
+    EXPECT_EQ(call.energy[2], 13.0);
+}
+
+}  // namespace

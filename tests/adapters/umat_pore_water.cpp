@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Undrained by penalty: K_w of the mixture, total stress outside, effective stress inside.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/umat_call.hpp"
+
+namespace {
+
+constexpr double K_w = 2.0e6;
+
+TEST(UmatPoreWater, FollowsTheVolumetricStrain) {
+    UmatCall undrained = UmatCall::hochstetten();
+    UmatCall drained = undrained;
+    undrained.props[14] = K_w;
+    double volumetric = 0.0;
+    for (int i = 0; i < 100; ++i) {
+        for (UmatCall* call : {&undrained, &drained}) {
+            call->set_dstran(-1e-4, 3e-5, 2e-5, 1e-4, 0, -2e-5);
+            call->run();
+            ASSERT_EQ(call->pnewdt, 1.0);
+        }
+        volumetric += -1e-4 + 3e-5 + 2e-5;
+    }
+    const double pore_stress = K_w * volumetric;  // minus the pore pressure: it has risen
+    EXPECT_NEAR(undrained.statev[7], pore_stress, 1e-12 * -pore_stress);
+    EXPECT_EQ(drained.statev[7], 0.0);
+    for (int c = 0; c < 6; ++c)
+        EXPECT_NEAR(undrained.stress[c], drained.stress[c] + (c < 3 ? pore_stress : 0.0),
+                    1e-9 * -pore_stress);
+    EXPECT_NEAR(undrained.statev[8], drained.statev[8], 1e-6) << "STATEV(9) is effective";
+}
+
+TEST(UmatPoreWater, StiffensTheNormalBlockOfTheTangentByItsModulus) {
+    UmatCall undrained = UmatCall::hochstetten();
+    UmatCall drained = undrained;
+    undrained.props[14] = K_w;
+    for (UmatCall* call : {&undrained, &drained}) {
+        call->set_dstran(-1e-4, 3e-5, 2e-5, 1e-4, 0, -2e-5);
+        call->run();
+    }
+    for (int r = 0; r < 6; ++r)
+        for (int c = 0; c < 6; ++c)
+            EXPECT_EQ(undrained.tangent(r, c),
+                      drained.tangent(r, c) + (r < 3 && c < 3 ? K_w : 0.0));
+}
+
+TEST(UmatPoreWater, KeepsAPorePressureWhenDrained) {
+    UmatCall dry = UmatCall::hochstetten();
+    UmatCall wet = dry;
+    wet.statev[7] = -50.0;
+    for (int c = 0; c < 3; ++c) wet.stress[c] -= 50.0;
+    for (UmatCall* call : {&dry, &wet}) {
+        call->set_dstran(-1e-4, 3e-5, 2e-5, 1e-4);
+        call->run();
+    }
+    EXPECT_EQ(wet.statev[7], -50.0);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(wet.stress[c], dry.stress[c] - 50.0, 1e-12);
+}
+
+TEST(UmatPoreWater, CostsNoBitInAZeroIncrement) {
+    UmatCall call = UmatCall::hochstetten();
+    call.props[14] = K_w;
+    call.statev[7] = -1.0 / 3.0;
+    call.stress[0] = -100.1;
+    const UmatCall before = call;
+    call.run();
+    EXPECT_EQ(call.stress, before.stress);
+    EXPECT_EQ(call.statev[7], before.statev[7]);
+}
+
+}  // namespace

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// DROT turns what Abaqus does not turn: h, but not STRESS.
+#include <grit/sand_operators.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/umat_call.hpp"
+
+namespace {
+
+// Fortran's DROT(i, j) for a turn by angle about axis 3, anticlockwise.
+void turn_about_3(UmatCall& call, double angle) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    const double columns[9] = {c, s, 0, -s, c, 0, 0, 0, 1};
+    for (int i = 0; i < 9; ++i) call.drot[i] = columns[i];
+}
+
+TEST(UmatRotation, TurnsIntergranularStrainAndNotStress) {
+    UmatCall call = UmatCall::hochstetten();
+    call.stress[0] = -150.0;
+    call.stress[3] = 10.0;
+    call.statev[6] = 0.7;
+    call.statev[0] = -5e-5;
+    const UmatCall before = call;
+    const double angle = 0.5;
+    turn_about_3(call, angle);
+    call.run();
+    EXPECT_EQ(call.stress, before.stress);
+    const double c = std::cos(angle), s = std::sin(angle);
+    EXPECT_NEAR(call.statev[0], -5e-5 * c * c, 1e-18);
+    EXPECT_NEAR(call.statev[1], -5e-5 * s * s, 1e-18);
+    EXPECT_NEAR(call.statev[3], 2.0 * -5e-5 * c * s, 1e-18) << "engineering shear";
+}
+
+TEST(UmatRotation, IsObjective) {
+    UmatCall still = UmatCall::hochstetten();
+    still.set_dstran(-1e-4, 4e-5, 1e-5, 5e-5);
+    still.run();
+    // The same point turned by a host: stress and strain increment by the host, h by DROT.
+    const double angle = 0.7;
+    const double c = std::cos(angle), s = std::sin(angle);
+    const double Q[9] = {c, -s, 0, s, c, 0, 0, 0, 1};
+    UmatCall turned = still;
+    still.set_dstran(-2e-4, 1e-5, 3e-5, -4e-5);
+    still.run();
+    ASSERT_EQ(grit_sand_rotate(Q, turned.stress.data(), nullptr), GRIT_OK);
+    double strain[6] = {-2e-4, 1e-5, 3e-5, -2e-5, 0, 0};  // tensor shear, as a stress
+    ASSERT_EQ(grit_sand_rotate(Q, strain, nullptr), GRIT_OK);
+    turned.set_dstran(strain[0], strain[1], strain[2], 2 * strain[3], 2 * strain[4], 2 * strain[5]);
+    turn_about_3(turned, angle);
+    turned.run();
+    ASSERT_EQ(turned.pnewdt, 1.0);
+    ASSERT_EQ(grit_sand_rotate(Q, still.stress.data(), still.statev.data()), GRIT_OK);
+    for (int i = 0; i < 6; ++i) {
+        EXPECT_NEAR(turned.stress[i], still.stress[i], 1e-9 * 100.0) << i;
+        EXPECT_NEAR(turned.statev[i], still.statev[i], 1e-9 * 1e-4) << i;
+    }
+}
+
+TEST(UmatRotation, TakesAZeroMatrixAsNone) {
+    UmatCall with = UmatCall::hochstetten();
+    with.set_dstran(-1e-4, 4e-5, 1e-5, 5e-5);
+    UmatCall without = with;
+    for (double& entry : without.drot) entry = 0.0;
+    with.run();
+    without.run();
+    EXPECT_TRUE(without.same_results(with));
+}
+
+TEST(UmatRotation, StaysInThePlaneWithFourComponents) {
+    UmatCall full = UmatCall::hochstetten();
+    full.statev[0] = -5e-5;
+    UmatCall plane = full;
+    plane.use_components(4);
+    for (UmatCall* call : {&full, &plane}) {
+        turn_about_3(*call, 0.3);
+        call->set_dstran(-1e-4, 4e-5, 1e-5, 5e-5);
+        call->run();
+        ASSERT_EQ(call->pnewdt, 1.0);
+    }
+    EXPECT_EQ(plane.statev, full.statev);
+    for (int c = 0; c < 4; ++c) EXPECT_EQ(plane.stress[c], full.stress[c]);
+    EXPECT_EQ(plane.statev[4], 0.0);
+    EXPECT_EQ(plane.statev[5], 0.0);
+}
+
+TEST(UmatRotation, RefusesAMatrixThatDoesNotRotate) {
+    UmatCall call = UmatCall::hochstetten();
+    call.drot[0] = 1.1;
+    const UmatCall before = call;
+    testing::internal::CaptureStderr();
+    call.run();
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("rotation_increment"), std::string::npos);
+    EXPECT_LT(call.pnewdt, 1.0);
+    EXPECT_TRUE(call.same_results(before));
+}
+
+}  // namespace
