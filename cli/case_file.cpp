@@ -89,7 +89,8 @@ Reference read_reference(TomlTable table, const std::filesystem::path& folder) {
     for (const std::string& quantity : reference_quantities())
         if (const std::optional<double> value = table.number_if(quantity)) {
             if (*value == 0.0)
-                table.fail(quantity, "reference." + quantity + " must not be 0: differences are relative");
+                table.fail(quantity,
+                           "reference." + quantity + " must not be 0: differences are relative");
             reference.values.push_back({quantity, *value});
         }
     reference.tolerance = table.number_if("tolerance");

@@ -37,7 +37,8 @@ int main(int argc, char** argv) {
     show->add_option("NAME", name, "As grit sand list prints it")->required();
     show->callback([&] { command = [&] { return cli::show_sand(name); }; });
 
-    CLI::App* element = app.add_subcommand("element", "Run element tests, see docs/element-tests.md");
+    CLI::App* element =
+        app.add_subcommand("element", "Run element tests, see docs/element-tests.md");
     cli::ElementRequest request;
     element->add_option("CASE", request.cases, "TOML files; several are compared in one picture")
         ->required();

@@ -25,7 +25,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // Okabe & Ito 2008: distinct for colour-blind readers and in grey.
-constexpr const char* colours[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00"};
+constexpr const char* colours[] = {"#0072B2", "#D55E00", "#009E73",
+                                   "#CC79A7", "#56B4E9", "#E69F00"};
 
 std::string quoted(const std::string& text) {
     std::string out = "'";
@@ -43,12 +44,13 @@ std::string panel(const std::vector<Curve>& curves, const std::string& computed,
         out += fmt::format("{}{} using (-100*column('axial_strain [-]')):({}) with lines lw 2.5 "
                            "lc rgb '{}' title {} noenhanced",
                            out.empty() ? "last = NaN; plot " : ", \\\n     ",
-                           quoted(curves[i].csv.string()), computed, colours[i % std::size(colours)],
-                           quoted(curves[i].label));
+                           quoted(curves[i].csv.string()), computed,
+                           colours[i % std::size(colours)], quoted(curves[i].label));
         if (curves[i].reference.empty()) continue;
-        out += fmt::format(", \\\n     {} using (spaced(-100*column('eps11'))):({}) with points pt 6 "
-                           "ps 0.8 lw 1.2 lc rgb '#222222' notitle",
-                           quoted(curves[i].reference.string()), reference);
+        out +=
+            fmt::format(", \\\n     {} using (spaced(-100*column('eps11'))):({}) with points pt 6 "
+                        "ps 0.8 lw 1.2 lc rgb '#222222' notitle",
+                        quoted(curves[i].reference.string()), reference);
         referenced = true;
     }
     if (referenced)
@@ -88,8 +90,8 @@ std::string body(const std::string& title, const std::vector<Curve>& curves) {
         "set key off\n"
         "{}"
         "unset multiplot\n",
-        100.0 * longest / 26.0, quoted(title),
-        width, panel(curves, "column('q [kPa]')", "abs(column('s11')-column('s33'))"),
+        100.0 * longest / 26.0, quoted(title), width,
+        panel(curves, "column('q [kPa]')", "abs(column('s11')-column('s33'))"),
         panel(curves, "column('void_ratio [-]')", "column('e')"));
 }
 
@@ -106,14 +108,16 @@ int run_gnuplot(const fs::path& script, const fs::path& log) {
     posix_spawn_file_actions_destroy(&actions);
     if (refused) return -1;
     int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {}
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
 }
 
 std::string first_line(const fs::path& path) {
     std::ifstream file(path);
     std::string line;
-    while (std::getline(file, line) && line.empty()) {}
+    while (std::getline(file, line) && line.empty()) {
+    }
     return line;
 }
 
@@ -121,8 +125,7 @@ fs::path with(fs::path stem, const char* ending) { return stem += ending; }
 
 }  // namespace
 
-std::string plot(const fs::path& stem, const std::string& title,
-                 const std::vector<Curve>& curves) {
+std::string plot(const fs::path& stem, const std::string& title, const std::vector<Curve>& curves) {
     const fs::path script = with(stem, ".gnuplot.part"), log = with(stem, ".log.part");
     const fs::path svg = with(stem, ".svg.part"), png = with(stem, ".png.part");
     const std::string drawing = body(title, curves);

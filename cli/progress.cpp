@@ -21,8 +21,8 @@ std::string Progress::line(int increment, int increments) const {
     const double elapsed = seconds();
     const double rate = elapsed > 0.0 ? increment / elapsed : 0.0;
     const double left = rate > 0.0 ? (increments - increment) / rate : 0.0;
-    return fmt::format("{}: increment {} of {} ({:.0f} %), {:.0f} increments/s, {:.0f} s left", name,
-                       increment, increments, 100.0 * increment / increments, rate, left);
+    return fmt::format("{}: increment {} of {} ({:.0f} %), {:.0f} increments/s, {:.0f} s left",
+                       name, increment, increments, 100.0 * increment / increments, rate, left);
 }
 
 void Progress::operator()(int increment, int increments) {

@@ -13,8 +13,8 @@ namespace cli {
 const std::vector<std::string>& reference_quantities();
 
 struct Comparison {
-    std::string text;   // lines: case | quantity | computed | reference | difference | limit
-    bool within = true; // every difference is within the tolerance of its case
+    std::string text;    // lines: case | quantity | computed | reference | difference | limit
+    bool within = true;  // every difference is within the tolerance of its case
 };
 
 // One table over all cases; empty if none has a reference.

@@ -21,7 +21,8 @@ ExitCode list_sands() {
 
 ExitCode show_sand(const std::string& name) {
     const int index = grit_sand_record_find(name.c_str());
-    if (index < 0) throw BadInput(fmt::format("no sand is called \"{}\": see grit sand list", name));
+    if (index < 0)
+        throw BadInput(fmt::format("no sand is called \"{}\": see grit sand list", name));
     const grit_sand_record& record = *grit_sand_record_at(index);
     grit_sand_parameters parameters;
     grit_sand_parameters_init(&parameters, sizeof parameters);

@@ -46,7 +46,8 @@ bool TomlTable::has(const std::string& key) { return find(key) != nullptr; }
 double TomlTable::number(const std::string& key) {
     const std::optional<double> value = require(key).value<double>();
     if (!value || !require(key).is_number()) fail(key, full(key) + " must be a number");
-    if (!std::isfinite(*value)) fail(key, fmt::format("{} must be finite, got {}", full(key), *value));
+    if (!std::isfinite(*value))
+        fail(key, fmt::format("{} must be finite, got {}", full(key), *value));
     return *value;
 }
 

@@ -23,9 +23,9 @@ enum class IntergranularStrain {
 };
 
 struct Start {
-    double pressure = 100.0;                  // p, isotropic [kPa]
-    std::optional<double> void_ratio;         // e at that pressure [-], or ...
-    std::optional<double> void_ratio_at_zero; // ... e_0 at zero pressure [-]
+    double pressure = 100.0;                   // p, isotropic [kPa]
+    std::optional<double> void_ratio;          // e at that pressure [-], or ...
+    std::optional<double> void_ratio_at_zero;  // ... e_0 at zero pressure [-]
     IntergranularStrain intergranular_strain = IntergranularStrain::mobilised;
 };
 

@@ -60,8 +60,7 @@ void write_csv(const std::filesystem::path& path, const Case& test, const Run& r
                      test.start.pressure, run.rows.front().void_ratio, test.numerics.tolerance);
         std::fprintf(file, "# tension positive, order 11 22 33 12 13 23, engineering shear, "
                            "logarithmic strain; h intergranular strain\n");
-        if (!run.failure.empty())
-            std::fprintf(file, "# STOPPED EARLY: %s\n", run.failure.c_str());
+        if (!run.failure.empty()) std::fprintf(file, "# STOPPED EARLY: %s\n", run.failure.c_str());
         std::fputs(header, file);
         for (const Row& row : run.rows) print(file, row);
     });

@@ -104,8 +104,8 @@ Run run(const Case& test, const Observer& observer) {
         Row counts;
         if (!advance_by_parts(path, shares[at - 1], shares[at], counts, run)) {
             const Vector6& strain = path.now().strain;
-            run.failure = text("increment %d of %d, at strain_11 = %g: %s", i, increments, strain[0],
-                               run.failure.c_str());
+            run.failure = text("increment %d of %d, at strain_11 = %g: %s", i, increments,
+                               strain[0], run.failure.c_str());
             return run;
         }
         Row row = row_of(material, path.now());

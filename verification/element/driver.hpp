@@ -11,13 +11,13 @@
 namespace element {
 
 struct Row {
-    Vector6 stress;               // [kPa]
-    Vector6 strain;               // logarithmic, since the start [-]
-    Vector6 h;                    // intergranular strain [-]
-    double void_ratio;            // e [-]
-    grit_sand_invariants invariants;
-    int iterations = 0;           // of Newton's method, in this increment
-    int evaluations = 0;          // of the stress rate, in this increment
+    Vector6 stress;           // [kPa]
+    Vector6 strain;           // logarithmic, since the start [-]
+    Vector6 h;                // intergranular strain [-]
+    double void_ratio = 0.0;  // e [-]
+    grit_sand_invariants invariants{};
+    int iterations = 0;   // of Newton's method, in this increment
+    int evaluations = 0;  // of the stress rate, in this increment
 };
 
 struct Run {

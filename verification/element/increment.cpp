@@ -44,9 +44,9 @@ Increment solve_increment(const Material& material, const Goal& goal, Point& poi
         const Eigen::FullPivLU<Eigen::MatrixXd> system(tangent(free, free));
         if (out.iterations == iteration_limit || !system.isInvertible()) {
             out.retry_smaller = true;
-            out.reason = text("residual of the prescribed stress must be <= %.3g kPa, is %.3g kPa%s",
-                              limit, residual.norm(),
-                              system.isInvertible() ? "" : " (tangent is singular)");
+            out.reason =
+                text("residual of the prescribed stress must be <= %.3g kPa, is %.3g kPa%s", limit,
+                     residual.norm(), system.isInvertible() ? "" : " (tangent is singular)");
             return out;
         }
         out.strain_increment(free) += system.solve(residual);

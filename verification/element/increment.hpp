@@ -10,9 +10,10 @@ namespace element {
 
 struct Goal {
     std::array<Control, 6> control{};
-    Vector6 strain_increment = Vector6::Zero();  // prescribed where control is strain, a guess elsewhere
-    Vector6 stress = Vector6::Zero();            // at the end, prescribed where control is stress [kPa]
-    double tolerance = 1e-6;                     // |stress residual| / |stress|
+    Vector6 strain_increment =
+        Vector6::Zero();               // prescribed where control is strain, a guess elsewhere
+    Vector6 stress = Vector6::Zero();  // at the end, prescribed where control is stress [kPa]
+    double tolerance = 1e-6;           // |stress residual| / |stress|
 };
 
 struct Increment {

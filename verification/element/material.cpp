@@ -22,8 +22,7 @@ Material::Material(const Case& test) {
     if (grit_sand_prepare(&test.parameters, &sand, &error) != GRIT_OK) throw BadCase(error.message);
     expect(grit_sand_options_init(&options, sizeof options), "grit_sand_options_init");
     if (!(test.numerics.tolerance >= 1e-12 && test.numerics.tolerance <= 0.1))
-        throw BadCase(
-            text("tolerance must be in [1e-12, 0.1], got %g", test.numerics.tolerance));
+        throw BadCase(text("tolerance must be in [1e-12, 0.1], got %g", test.numerics.tolerance));
     options.tolerance = test.numerics.tolerance;
     options.evaluation_limit = test.numerics.evaluation_limit;
     options.tangent = GRIT_TANGENT_CONSISTENT;
@@ -38,8 +37,9 @@ double Material::start_void_ratio(const Start& start) const {
         throw BadCase("give either void_ratio or void_ratio_at_zero_pressure");
     double e = start.void_ratio.value_or(0.0);
     if (!start.void_ratio)
-        expect(grit_sand_void_ratio_at_pressure(&sand, *start.void_ratio_at_zero, start.pressure, &e),
-               "grit_sand_void_ratio_at_pressure");
+        expect(
+            grit_sand_void_ratio_at_pressure(&sand, *start.void_ratio_at_zero, start.pressure, &e),
+            "grit_sand_void_ratio_at_pressure");
     double limits[3];
     expect(grit_sand_void_ratios(&sand, start.pressure, limits), "grit_sand_void_ratios");
     if (!(e >= limits[2] && e <= limits[0]))
@@ -76,10 +76,8 @@ UpdateResult Material::update(const Vector6& strain_increment, Point& point,
     UpdateResult result;
     result.status = grit_sand_update(&sand, &options, 1, &q, &report, &error);
     result.evaluations = report.evaluations;
-    if (result.status == GRIT_OK)
-        point.strain += strain_increment;
-    else
-        result.message = error.message;
+    if (result.status == GRIT_OK) point.strain += strain_increment;
+    else result.message = error.message;
     return result;
 }
 

@@ -31,7 +31,8 @@ std::vector<double> schedule(const Loading& loading) {
     const double even = 1.0 / n;
     const double first = loading.first_share > 0.0 ? loading.first_share : even;
     if (!(first <= even * (1.0 + 1e-9)))
-        throw BadCase(text("the first increment must be <= 1/%d of the path, got %g of it", n, first));
+        throw BadCase(
+            text("the first increment must be <= 1/%d of the path, got %g of it", n, first));
     std::vector<double> shares{0.0};
     const double g = first < even * (1.0 - 1e-9) ? growth(n, first) : 1.0;
     for (int i = 1; i < n; ++i)
