@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Invariants and start-up helpers.
+#include "support/states.hpp"
+#include "support/update.hpp"
+
+namespace {
+
+using namespace tests;
+
+grit_sand_invariants invariants_of(const Sand& sand, const State& x) {
+    grit_sand_invariants i{};
+    i.struct_size = sizeof i;
+    EXPECT_EQ(grit_sand_invariants_of(sand, voigt_stress(x.T).data(), state_array(x).data(), &i),
+              GRIT_OK);
+    return i;
+}
+
+TEST(Invariants, OfTriaxialCompressionAndExtensionAreTheHandWorkedOnes) {
+    const Sand& sand = four_sands()[0];
+    State x;
+    x.e = 0.7;
+    x.T = principal(-300.0, -100.0, -100.0);
+    grit_sand_invariants i = invariants_of(sand, x);
+    EXPECT_NEAR(i.p, 500.0 / 3.0, 1e-12);
+    EXPECT_NEAR(i.q, 200.0, 1e-12);
+    EXPECT_NEAR(i.lode_angle, 0.0, 1e-7);
+    EXPECT_NEAR(i.mobilised_friction_angle, M_PI / 6.0, 1e-12);
+    EXPECT_NEAR(i.tan_psi, std::sqrt(3.0) * std::sqrt(2.0 / 3.0) * 200.0 / 500.0, 1e-12);
+    x.T = principal(-300.0, -100.0, -300.0);
+    i = invariants_of(sand, x);
+    EXPECT_NEAR(i.lode_angle, M_PI / 3.0, 1e-7);
+    EXPECT_NEAR(i.q, 200.0, 1e-12);
+    EXPECT_NEAR(i.mobilised_friction_angle, M_PI / 6.0, 1e-12);
+}
+
+TEST(Invariants, AgreeWithThePrincipalStresses) {
+    for (const Sand& sand : four_sands()) {
+        Random random(30);
+        for (int k = 0; k < 50; ++k) {
+            const State x = random_state(sand, random);
+            const grit_sand_invariants i = invariants_of(sand, x);
+            const Eigen::Vector3d s =
+                Eigen::SelfAdjointEigenSolver<Full>(full(x.T)).eigenvalues();  // increasing
+            EXPECT_NEAR(std::sin(i.mobilised_friction_angle), (s[0] - s[2]) / (s[0] + s[2]), 1e-12);
+            EXPECT_NEAR(i.q, std::sqrt(1.5) * deviator(x.T).norm(), 1e-10);
+            const double b = (s[1] - s[2]) / (s[0] - s[2]);  // 0 compression, 1 extension
+            const double theta = std::atan2(std::sqrt(3.0) * b, 2.0 - b);
+            EXPECT_NEAR(i.lode_angle, theta, 1e-6);
+            EXPECT_NEAR(i.rho, x.h.norm() / sand.p.elastic_strain_radius, 1e-14);
+            const VoidRatios e = void_ratios(sand, i.p);
+            EXPECT_NEAR(i.relative_density, (e.e_c - x.e) / (e.e_c - e.e_d), 1e-12);
+        }
+    }
+}
+
+TEST(VoidRatios, FallWithPressureByBauersLaw) {
+    for (const Sand& sand : four_sands())
+        for (const double p : {0.0, 1.0, 100.0, 1e4}) {
+            const double fall =
+                std::exp(-std::pow(3.0 * p / sand.p.granulate_hardness, sand.p.stiffness_exponent));
+            const VoidRatios e = void_ratios(sand, p);
+            EXPECT_NEAR(e.e_i, sand.p.loosest_void_ratio * fall, 1e-14);
+            EXPECT_NEAR(e.e_c, sand.p.critical_void_ratio * fall, 1e-14);
+            EXPECT_NEAR(e.e_d, sand.p.densest_void_ratio * fall, 1e-14);
+            double value = 0.0;
+            ASSERT_EQ(grit_sand_void_ratio_at_pressure(sand, 0.7, p, &value), GRIT_OK);
+            EXPECT_NEAR(value, 0.7 * fall, 1e-14);
+        }
+}
+
+TEST(VoidRatios, AreRefusedAtNegativePressureOrForNoVoids) {
+    double e[3];
+    for (const double p : {-1.0, std::nan(""), HUGE_VAL})
+        EXPECT_EQ(grit_sand_void_ratios(four_sands()[0], p, e), GRIT_BAD_CALL);
+    EXPECT_EQ(grit_sand_void_ratio_at_pressure(four_sands()[0], 0.0, 1.0, e), GRIT_BAD_CALL);
+}
+
+TEST(StressAtRest, IsTheWeightAboveAndK0TimesIt) {
+    const Sand& sand = four_sands()[0];
+    double s[6];
+    ASSERT_EQ(grit_sand_stress_at_rest(sand, 18.0, 5.0, 10.0, 0.4, 1, s), GRIT_OK);
+    const double expected[6] = {-40.0, -100.0, -40.0, 0.0, 0.0, 0.0};
+    for (int c = 0; c < 6; ++c) EXPECT_DOUBLE_EQ(s[c], expected[c]);
+    ASSERT_EQ(grit_sand_stress_at_rest(sand, 18.0, 5.0, 10.0, -1.0, 2, s), GRIT_OK);
+    EXPECT_NEAR(s[0], -100.0 * (1.0 - std::sin(sand.p.critical_friction_angle)), 1e-12);
+    EXPECT_DOUBLE_EQ(s[2], -100.0);
+    EXPECT_EQ(grit_sand_stress_at_rest(sand, 18.0, -5.0, 0.0, 0.4, 2, s), GRIT_BAD_CALL);
+    EXPECT_EQ(grit_sand_stress_at_rest(sand, 18.0, 5.0, 0.0, 0.4, 3, s), GRIT_BAD_CALL);
+}
+
+TEST(Mobilise, SetsTheMemoryAlongADirection) {
+    for (const Sand& sand : four_sands()) {
+        Random random(31);
+        const Vec D = 3.0 * random.direction();
+        double state[8] = {9, 9, 9, 9, 9, 9, 0.7, 0.1};
+        ASSERT_EQ(grit_sand_mobilise(sand, voigt_strain(D).data(), 0.6, state), GRIT_OK);
+        const Vec expected = 0.6 * sand.p.elastic_strain_radius * D.normalized();
+        EXPECT_LE((strain_from(state) - expected).norm(), 1e-15 * sand.p.elastic_strain_radius);
+        EXPECT_EQ(state[GRIT_SAND_VOID_RATIO], 0.7);
+        EXPECT_EQ(state[GRIT_SAND_SEPARATION], 0.1);
+        const double nothing[6] = {};
+        EXPECT_EQ(grit_sand_mobilise(sand, nothing, 1.0, state), GRIT_BAD_CALL);
+        EXPECT_EQ(grit_sand_mobilise(sand, voigt_strain(D).data(), 1.1, state), GRIT_BAD_CALL);
+    }
+}
+
+TEST(WaveModulus, BoundsTheStiffnessInEveryDirection) {
+    for (const Sand& sand : four_sands()) {
+        Random random(32);
+        for (int i = 0; i < 50; ++i) {
+            const State x = random_state(sand, random);
+            double modulus = 0.0;
+            ASSERT_EQ(grit_sand_wave_modulus(sand, 0, voigt_stress(x.T).data(), x.e, &modulus),
+                      GRIT_OK);
+            const Eigen::Vector3d n(random.normal(), random.normal(), random.normal());
+            const Vec uniaxial = mandel(n.normalized() * n.normalized().transpose());
+            const Mat L = stiffness_L(sand, x.T, x.e);
+            const double P_wave = sand.p.reversal_stiffness * uniaxial.dot(L * uniaxial);
+            EXPECT_LE(P_wave, modulus * (1.0 + 1e-12)) << sand.name;
+        }
+    }
+}
+
+}  // namespace
