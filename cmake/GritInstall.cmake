@@ -10,6 +10,8 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/GritConfig.cmake.in Grit
 write_basic_package_version_file(GritConfigVersion.cmake COMPATIBILITY SameMajorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/GritConfig.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/GritConfigVersion.cmake DESTINATION ${GRIT_CMAKE_DIR})
+# Relative to the file itself, so that the installed tree may be moved.
+file(RELATIVE_PATH GRIT_PC_TO_PREFIX /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/grit.pc.in grit.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/grit.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 if(TARGET grit_umat)
