@@ -1,0 +1,2 @@
+// A host that looks inside.
+#include "umat/material.hpp"

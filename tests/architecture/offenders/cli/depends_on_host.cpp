@@ -1,0 +1,2 @@
+// A program that depends on a host.
+#include "adapters/host/entry.hpp"

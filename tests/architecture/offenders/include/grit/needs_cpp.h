@@ -1,0 +1,2 @@
+// A header of the product that needs C++.
+#include <vector>

@@ -1,0 +1,2 @@
+// What all share knows one of them.
+#include "umat/material.hpp"

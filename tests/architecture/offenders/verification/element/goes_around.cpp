@@ -1,0 +1,2 @@
+// An element test that goes around the ABI.
+#include <umat/material.hpp>
