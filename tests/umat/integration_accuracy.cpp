@@ -46,7 +46,7 @@ Delivered delivered(const std::vector<Task>& tasks, Intergranular igs, double to
     options.intergranular_off = igs == Intergranular::off;
     for (const Task& t : tasks) {
         const State x = updated(*t.sand, t.start, t.dE, options);
-        const double error = (x.T - t.exact.T).norm() / t.exact.T.norm() / tolerance;
+        const double error = (x.T - t.exact.T).norm() / std::fmax(t.exact.T.norm(), t.start.T.norm()) / tolerance;
         d.within += (error <= 1.0) / static_cast<double>(tasks.size());
         d.worst = std::fmax(d.worst, error);
         if (igs == Intergranular::on) {

@@ -3,6 +3,7 @@
 #define GRIT_TARGET kernel_test
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <unsupported/Eigen/AutoDiff>
 
 #include "support/dual.hpp"

@@ -20,7 +20,7 @@ class Random {
     }
     double uniform(double low, double high) { return low + (high - low) * uniform(); }
     double log_uniform(double low, double high) {
-        return low * std::exp(std::log(high / low) * uniform());
+        return std::exp(uniform(std::log(low), std::log(high)));
     }
     double normal() {
         const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
