@@ -76,7 +76,7 @@ std::string body(const std::string& title, const std::vector<Curve>& curves) {
         "set border 3 lw 1 lc rgb '#444444'\n"
         "set tics nomirror out scale 0.6 textcolor rgb '#222222'\n"
         "set grid lt 1 lw 0.6 lc rgb '#e4e4e4'\n"
-        "set xlabel 'axial compression −ε_{{11}} [%]' offset 0,0.2\n"
+        "set xlabel 'axial compression −ε_{{11}} [%]' offset 0,0.2\n"
         "set multiplot layout 1,2 title {} noenhanced font ',15' margins 0.075,0.98,0.15,0.89 "
         "spacing 0.105\n"
         "set ylabel 'deviatoric stress q [kPa]' offset 0.5,0\n"

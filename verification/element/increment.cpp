@@ -46,7 +46,10 @@ Increment solve_increment(const Material& material, const Goal& goal, Point& poi
             out.retry_smaller = true;
             out.reason =
                 text("residual of the prescribed stress must be <= %.3g kPa, is %.3g kPa%s", limit,
-                     residual.norm(), system.isInvertible() ? "" : " (tangent is singular)");
+                     residual.norm(),
+                     update.stress_free      ? ": the point has separated"
+                     : system.isInvertible() ? ""
+                                             : ": the tangent is singular");
             return out;
         }
         out.strain_increment(free) += system.solve(residual);

@@ -76,6 +76,7 @@ UpdateResult Material::update(const Vector6& strain_increment, Point& point,
     UpdateResult result;
     result.status = grit_sand_update(&sand, &options, 1, &q, &report, &error);
     result.evaluations = report.evaluations;
+    result.stress_free = (report.flags & GRIT_SAND_STRESS_FREE) != 0;
     if (result.status == GRIT_OK) point.strain += strain_increment;
     else result.message = error.message;
     return result;

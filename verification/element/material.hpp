@@ -18,6 +18,7 @@ struct Point {
 struct UpdateResult {
     grit_status status = GRIT_OK;
     int evaluations = 0;
+    bool stress_free = false;  // separated or below the pressure floor of the library
     std::string message;
 };
 
