@@ -53,7 +53,6 @@ TEST(Integration, LongIncrementsConvergeWithOrderFive) {
     for (const Sand& sand : four_sands())
         for (const auto igs : {Intergranular::off, Intergranular::on}) {
             const double order = observed_order(sand, igs);
-            std::printf("%s: order %.2f\n", sand.name.c_str(), order);
             EXPECT_GE(order, 4.5) << sand.name;
         }
 }
@@ -80,7 +79,6 @@ TEST(Integration, ShortIncrementsConvergeWithOrderTwo) {
             const double fine = (in_parts(sand, x, dE, 16, loose).T - exact).norm();
             ratio += std::log2(coarse / fine) / count;
         }
-        std::printf("%s: order %.3f\n", sand.name.c_str(), ratio);
         EXPECT_NEAR(ratio, 2.0, 0.15) << sand.name;
     }
 }
@@ -98,7 +96,8 @@ TEST(Integration, ResultDoesNotDependOnHowTheHostCutsAStraightIncrement) {
                 for (const int parts : {2, 3, 10}) {
                     const State cut = in_parts(sand, x, dE, parts, options);
                     const double allowed = (1 + parts) * tolerance;  // one for each call
-                    EXPECT_LE((cut.T - whole.T).norm(), allowed * std::fmax(x.T.norm(), whole.T.norm()));
+                    EXPECT_LE((cut.T - whole.T).norm(),
+                              allowed * std::fmax(x.T.norm(), whole.T.norm()));
                     EXPECT_LE((cut.h - whole.h).norm(),
                               10.0 * allowed * sand.p.elastic_strain_radius);
                     EXPECT_NEAR(cut.e, whole.e, 1e-14);

@@ -28,8 +28,6 @@ Worst worst_along(const std::string& file, double tolerance) {
         worst.h = std::fmax(worst.h, (x.h - strain_from(&rows[i][memory])).norm() / 1e-4);
         worst.e = std::fmax(worst.e, std::fabs(x.e - rows[i][void_ratio]));
     }
-    std::printf("%s, tolerance %.0e: stress %.1e, h/R %.1e, e %.1e\n", file.c_str(), tolerance,
-                worst.stress, worst.h, worst.e);
     return worst;
 }
 
