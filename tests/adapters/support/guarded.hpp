@@ -2,8 +2,10 @@
 // An array with canaries on both sides: whoever writes out of bounds is found out.
 #pragma once
 
+#include <algorithm>
 #include <array>
-#include <cstring>
+#include <bit>
+#include <cstdint>
 
 template <int size> class Guarded {
   public:
@@ -34,7 +36,9 @@ template <int size> class Guarded {
 
     // Same bits, NaN included.
     bool operator==(const Guarded& other) const {
-        return std::memcmp(memory.data(), other.memory.data(), sizeof memory) == 0;
+        const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+        return std::equal(memory.begin(), memory.end(), other.memory.begin(),
+                          [&](double a, double b) { return bits(a) == bits(b); });
     }
 
   private:
