@@ -91,8 +91,9 @@ TEST(Objectivity, UpdatesTurnWithStressMemoryAndStrain) {
             const Full Q = random_rotation_of_both(random, point);
             const State still = updated(sand, x, dE);
             const State turned = updated(sand, state_of(point), rotated(Q, dE));
-            EXPECT_LE((turned.T - rotated(Q, still.T)).norm(), 1e-9 * still.T.norm());
-            EXPECT_LE((turned.h - rotated(Q, still.h)).norm(), 1e-9 * sand.p.elastic_strain_radius);
+            EXPECT_LE((turned.T - rotated(Q, still.T)).norm(), 1e-12 * still.T.norm());
+            EXPECT_LE((turned.h - rotated(Q, still.h)).norm(),
+                      1e-12 * sand.p.elastic_strain_radius);
         }
     }
 }
