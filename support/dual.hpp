@@ -58,10 +58,14 @@ struct Dual {
         return r;
     }
 
-    friend GRIT_INLINE Dual operator+(const Dual& a, const Dual& b) { return {a.v + b.v, a.d + b.d}; }
+    friend GRIT_INLINE Dual operator+(const Dual& a, const Dual& b) {
+        return {a.v + b.v, a.d + b.d};
+    }
     friend GRIT_INLINE Dual operator+(const Dual& a, double b) { return {a.v + b, a.d}; }
     friend GRIT_INLINE Dual operator+(double a, const Dual& b) { return {a + b.v, b.d}; }
-    friend GRIT_INLINE Dual operator-(const Dual& a, const Dual& b) { return {a.v - b.v, a.d - b.d}; }
+    friend GRIT_INLINE Dual operator-(const Dual& a, const Dual& b) {
+        return {a.v - b.v, a.d - b.d};
+    }
     friend GRIT_INLINE Dual operator-(const Dual& a, double b) { return {a.v - b, a.d}; }
     friend GRIT_INLINE Dual operator-(double a, const Dual& b) { return {a - b.v, b.d * -1.0}; }
     friend GRIT_INLINE Dual operator-(const Dual& a) { return {-a.v, a.d * -1.0}; }
@@ -75,7 +79,9 @@ struct Dual {
         const double inverse = 1.0 / b.v;
         return {q, scaled_sum(b.d, -q * inverse, a.d * inverse)};
     }
-    friend GRIT_INLINE Dual operator/(const Dual& a, double b) { return {a.v / b, a.d * (1.0 / b)}; }
+    friend GRIT_INLINE Dual operator/(const Dual& a, double b) {
+        return {a.v / b, a.d * (1.0 / b)};
+    }
     friend GRIT_INLINE Dual operator/(double a, const Dual& b) {
         const double q = a / b.v;
         return {q, b.d * (-q / b.v)};

@@ -46,7 +46,8 @@ template <class Plain> GRIT_INLINE Plain log_plain(Plain x) {
     const Plain g = fma(z, Plain(2.0 / 21.0), Plain(2.0 / 19.0));
     const Plain series = fma(z4, fma(z4, g, fma(z2, d, c)), fma(z2, b, a));
     const Plain half_square = Plain(0.5) * f * f;
-    const Plain tail = s * fma(z, series, half_square);  // log m = f - (f^2/2 - s (f^2/2 + z series))
+    const Plain tail =
+        s * fma(z, series, half_square);  // log m = f - (f^2/2 - s (f^2/2 + z series))
     const Plain low = fma(k, Plain(0x1.a39ef35793c76p-33), tail);
     return fma(k, Plain(0x1.62e42fee00000p-1), f - (half_square - low));
 }

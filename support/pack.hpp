@@ -79,7 +79,8 @@ template <int W> struct Pack {
         if constexpr (W == 4) return (Vector)_mm256_fmadd_pd((__m256d)a, (__m256d)b, (__m256d)c);
 #endif
         Vector sum;
-        for (int lane = 0; lane < W; ++lane) sum[lane] = grit::GRIT_TARGET::fma(a[lane], b[lane], c[lane]);
+        for (int lane = 0; lane < W; ++lane)
+            sum[lane] = grit::GRIT_TARGET::fma(a[lane], b[lane], c[lane]);
         return sum;
     }
 };

@@ -11,10 +11,8 @@
 namespace grit {
 
 // Fill error (may be null) and return status.
-__attribute__((format(printf, 4, 5))) inline grit_status failure(grit_error* error,
-                                                                 grit_status status,
-                                                                 std::ptrdiff_t point,
-                                                                 const char* format, ...) {
+__attribute__((format(printf, 4, 5))) inline grit_status
+failure(grit_error* error, grit_status status, std::ptrdiff_t point, const char* format, ...) {
     if (error) {
         error->status = status;
         error->reserved = 0;

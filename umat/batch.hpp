@@ -19,8 +19,8 @@ struct Queued {
 class Batch {
   public:
     explicit Batch(const UpdateRequest& request)
-        : q(request), m(*request.material),
-          control{request.options->tolerance, request.options->evaluation_limit} {}
+        : q(request), m(*request.material), control{request.options->tolerance,
+                                                    request.options->evaluation_limit} {}
 
     UpdateOutcome run() {
         for (std::ptrdiff_t i = 0; i < q.n; ++i) take(i);
@@ -90,7 +90,8 @@ class Batch {
         const Start<Dual> start = start_of<Dual>(m, p, dE);
         const auto path = straight_path(m, start.strain_increment, start.h, start.e);
         const Integrated<Dual> end = integrated<Dual>(path, start.T, p.advised_step);
-        Queued x{p, {value(start.T), value(start.h), value(start.strain_increment), start.e.v}, i, at};
+        Queued x{
+            p, {value(start.T), value(start.h), value(start.strain_increment), start.e.v}, i, at};
         if (end.failed) return fail(x, end.progress, static_cast<int>(end.evaluations));
         PointResult r = result_of(m, q.igs, p, plain(path), plain(end));
         r.has_tangent = true;

@@ -139,9 +139,8 @@ inline void write_resting(const UpdateRequest& q, std::ptrdiff_t i, std::ptrdiff
     const int n = host.components == 0 ? 6 : host.components;
     const bool stress_free = p.separated;
     if (q.options->tangent != GRIT_TANGENT_NONE) {
-        const Matrix M = stress_free
-                             ? floor_tangent(m, q.igs, p.e)
-                             : resting_M(m, q.igs, point_factors(m, p.T, p.e), p.h);
+        const Matrix M = stress_free ? floor_tangent(m, q.igs, p.e)
+                                     : resting_M(m, q.igs, point_factors(m, p.T, p.e), p.h);
         write_tangent(host, at, M);
     }
     if (raw.rotates) {
@@ -153,12 +152,11 @@ inline void write_resting(const UpdateRequest& q, std::ptrdiff_t i, std::ptrdiff
         if (!q.options->stress_is_rotated) {
             stress_to_voigt(rotated(raw.Q, stress_from_voigt(raw.stress)), turned);
             for (int c = 0; c < n; ++c)
-                host.stress.base[at * host.stress.point_stride +
-                                 c * host.stress.component_stride] = turned[c];
+                host.stress.base[at * host.stress.point_stride + c * host.stress.component_stride] =
+                    turned[c];
         }
     }
-    const int flags =
-        p.flags | (stress_free ? GRIT_SAND_STRESS_FREE : void_flag(m, p.T, p.e));
+    const int flags = p.flags | (stress_free ? GRIT_SAND_STRESS_FREE : void_flag(m, p.T, p.e));
     write_report(q.reports ? q.reports + i : nullptr, flags, 0, 0, 0.0);
 }
 

@@ -19,24 +19,28 @@ struct Control {
 
 template <class Real> struct Integrated {
     Marched<Real> y;
-    InPlane<Real> h;              // at the end
-    MaskOf<Real> failed;          // evaluation limit or step underflow
-    MaskOf<Real> separated;       // p fell below the floor: stress-free from separation_at on
+    InPlane<Real> h;         // at the end
+    MaskOf<Real> failed;     // evaluation limit or step underflow
+    MaskOf<Real> separated;  // p fell below the floor: stress-free from separation_at on
     MaskOf<Real> outside_cone;
-    Real separation_at;           // arc length
-    PlainOf<Real> progress;       // fraction of the path done (where it failed)
+    Real separation_at;      // arc length
+    PlainOf<Real> progress;  // fraction of the path done (where it failed)
     PlainOf<Real> error, substeps, evaluations, next_step;
 };
 
 // Constants of the step control, calibrated so that single calls deliver what was asked: see the
 // table of docs/accuracy.md.
-constexpr double error_safety = 12.0; // embedded estimates are optimistic where h changes
-constexpr double heun_safety = 0.5;   // ... and pessimistic for steps far below R
-constexpr double memory_reach = 2.2;  // longest step while h changes, in R tolerance^(1/5)
-constexpr double smallest_fraction = 1e-9;
+constexpr double error_safety = 12.0;  // embedded estimates are optimistic where h changes
+constexpr double heun_safety = 0.5;    // ... and pessimistic for steps far below R
+constexpr double memory_reach = 2.2;   // longest step while h changes, in R tolerance^(1/5)
+constexpr double growth_reach = 1.0;   // longest step, in relative stress change / tolerance^(1/5)
+constexpr double memory_price = 5.0;   // stress error per error of h, in |stress rate| R
+constexpr double slowest_rate =
+    10.0;  // of relative stress change per strain that is told from none
+constexpr double smallest_fraction = 1e-13;
 
-template <class Real> GRIT_INLINE void assign(const MaskOf<Real>& where, const Marched<Real>& from,
-                                              Marched<Real>& to) {
+template <class Real>
+GRIT_INLINE void assign(const MaskOf<Real>& where, const Marched<Real>& from, Marched<Real>& to) {
     to.T = select(where, from.T, to.T);
     to.P = select(where, from.P, to.P);
     to.G = select(where, from.G, to.G);
@@ -66,7 +70,7 @@ template <class Real, bool igs> class Integrator {
         out.progress = Plain(1.0);
         for (int i = 0; i < 6; ++i) k1.T[i] = Real(0.0);
         k1.P = k1.G = Real(0.0);
-        step = change = Plain(0.0);
+        step = change = allowed = Plain(0.0);
         active = needs_rate = fresh = Mask(true);
         quick = Mask(false);
     }
@@ -102,22 +106,29 @@ template <class Real, bool igs> class Integrator {
     // At the start of a segment: is it short enough for Heun, and if not, what is the first step?
     void choose_step() {
         const Plain memory = memory_rate<Real, igs>(m, path, out.y, k1, seg.loading);
+        const Plain relative_rate = norm(value(k1.T)) / stress_scale;
+        memory_weight = min(memory_price * m.R * relative_rate, Plain(1.0));
         const Mask starting = active & fresh;
-        change = Plain(0.0);  // of h over the segment, in R
+        change = Plain(0.0);  // of the stiffness over the segment, relative
         if (any(starting)) {
-            const Plain relative_rate = norm(value(k1.T)) / stress_scale;
-            change = memory * (m.inverse_R * plain_length);
+            // Stiffness changes by up to m_R chi (1 - rho): more than h itself where rho is near 1.
+            const Plain stiffness_change = min(m.m_R * m.chi * memory, Plain(1.0));
+            change = stiffness_change * (m.inverse_R * plain_length);
             const Plain growth = relative_rate * plain_length;
             const Plain guess = heun_safety * 0.1 * growth * square(growth + change);
-            quick = starting & (guess <= Plain(control.tolerance));
+            allow(relative_rate);
+            quick = starting & (guess <= allowed);
             const Plain first =
                 reach / max(0.1 * m.inverse_R * memory + 0.3 * relative_rate, Plain(1e-30));
             const Plain none(0.0);
             step = select(starting, select(advised_step > none, advised_step, first), step);
+            if constexpr (igs)
+                step = select(starting & seg.loading, min(step, gentle_start()), step);
         }
         // Near saturation h changes ever more slowly; before it, a step much beyond R looks past
         // the change of h and its error estimate cannot be trusted.
         if constexpr (igs) step = min(step, m.R * memory_reach * reach / max(memory, Plain(1e-30)));
+        step = min(step, growth_reach * reach / max(relative_rate, Plain(1e-30)));
         // The last two steps of a segment are made equal.
         const Plain left = 1.0 - seg.done;
         fraction = step / plain_length;
@@ -126,8 +137,29 @@ template <class Real, bool igs> class Integrator {
         fraction = select(to_end, left, fraction);
     }
 
+    // (G3) has no derivative where h = 0: rho^beta_r. Steps grow from the one whose error, of order
+    // 1 + beta_r, is within what is allowed, or with rho itself.
+    Plain gentle_start() const {
+        const Plain rho = sqrt(fma(value(path.u_0), value(path.u_0), value(path.tau_sq)));
+        const Plain crossing = sqrt(value(path.tau_sq));  // rho at a turn
+        const Plain start = select(path.u_0 >= Real(0.0), rho, crossing);
+        const Plain error = allowed / (error_safety * max(memory_weight, Plain(1e-30)));
+        const Plain smooth = exp(log(max(error, Plain(1e-30))) * (1.0 / (1.0 + m.beta_r)));
+        return m.R * max(smooth, 3.0 * start);
+    }
+
+    // What the call may add to the error: the tolerance times the share of the stress it changes, so
+    // that errors over many small increments sum to what one large increment is allowed.
+    void allow(const Plain& relative_rate) {
+        const Plain length = value(path.length);
+        const Plain share = length * max(relative_rate, Plain(slowest_rate));
+        const Plain asked = control.tolerance * min(share, Plain(1.0));
+        allowed = select(allowed > Plain(0.0), allowed, asked);
+    }
+
     void attempt() {
-        const StepContext<Real> c{m, path, s, segment_length * fraction, seg.loading, stress_scale};
+        const StepContext<Real> c{
+            m, path, s, segment_length * fraction, seg.loading, stress_scale, memory_weight};
         stepped = active & !quick;
         const Mask quickly = active & quick;
         if (any(stepped)) {
@@ -151,7 +183,7 @@ template <class Real, bool igs> class Integrator {
         const Plain zero(0.0);
         const Plain p_0 = trace(value(out.y.T)) * (-1.0 / 3.0);
         const Plain p_1 = trace(value(trial.y.T)) * (-1.0 / 3.0);
-        const Mask good = trial.error <= Plain(control.tolerance);
+        const Mask good = trial.error <= allowed;
         above = (p_1 >= Plain(p_open)) | ((p_1 >= p_0) & (p_1 > zero));
         accepted = active & good & above;
         // Falling below the opening pressure: the point separates, from close above it only.
@@ -200,9 +232,9 @@ template <class Real, bool igs> class Integrator {
     }
 
     void adapt_step() {
-        const Plain ratio = control.tolerance / max(trial.error, Plain(1e-30 * control.tolerance));
+        const Plain ratio = allowed / max(trial.error, 1e-30 * allowed);
         Plain factor = 0.9 * fifth_root(max(ratio, Plain(1e-30)));
-        factor = min(max(factor, Plain(0.2)), Plain(3.0));
+        factor = min(max(factor, Plain(0.2)), Plain(8.0));
         const Plain largest = select(above, Plain(0.9), Plain(0.5));
         factor = select(rejected, min(factor, largest), factor);
         factor = select(trial.error <= Plain(1e300), factor, Plain(0.2));
@@ -235,6 +267,7 @@ template <class Real, bool igs> class Integrator {
     Integrated<Real> out;
     Marched<Real> k1;  // rate at the current position
     Plain step;        // next step to try [strain]
+    Plain allowed;     // error of the call, of the stress norm
     Mask active;
     Mask needs_rate;
     Mask fresh;  // at the start of a segment
@@ -242,7 +275,7 @@ template <class Real, bool igs> class Integrator {
 
     // of the current attempt
     Real s, segment_length;
-    Plain plain_length, stress_scale, change, fraction;
+    Plain plain_length, stress_scale, memory_weight, change, fraction;
     Mask to_end, stepped, accepted, separating, rejected, above;
     Trial<Real> trial;
 };

@@ -29,9 +29,7 @@ GRIT_INLINE Mobilisation<Real> mobilisation(const Real& u, const Real& g, const 
 }
 
 // M = A L + B (L:h_hat) (x) h_hat + C N (x) h_hat     (G1)
-template <class Real> struct Interpolation {
-    Real A, B, C;
-};
+template <class Real> struct Interpolation { Real A, B, C; };
 
 template <class Real>
 GRIT_INLINE Interpolation<Real> interpolation(const Material& m, const Real& log_rho,
@@ -46,9 +44,7 @@ GRIT_INLINE Interpolation<Real> interpolation(const Material& m, const Real& log
 
 // Rates per arc length of P and G while loading:
 //   du/ds = (1 - rho^beta_r c^2)/R,  dg/ds = -rho^(beta_r - 1) c g/R                     (G3)
-template <class Real> struct MobilisationRate {
-    Real P, G;
-};
+template <class Real> struct MobilisationRate { Real P, G; };
 
 template <class Real>
 GRIT_INLINE MobilisationRate<Real> mobilisation_rate(const Material& m, const Mobilisation<Real>& h,

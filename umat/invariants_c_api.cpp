@@ -7,30 +7,14 @@
 
 #include "support/versioned.hpp"
 #include "umat/material.hpp"
-#include "umat/notation.hpp"
+#include "umat/principal.hpp"
 
 using namespace grit;
 using namespace grit::c_api;
 
 namespace {
 
-bool prepared(const grit_sand* sand) {
-    return sand && material_of(*sand).stamp == material_stamp;
-}
-
-// Principal values of a deviator, largest first, by the trigonometric formula.
-void principal_deviator(const Tensor<double>& s, double out[3], double& cos_3theta) {
-    const double J2_2 = contract(s, s);  // 2 J2
-    const double radius = std::sqrt(2.0 / 3.0 * J2_2);
-    const double raw =
-        J2_2 > 0.0 ? std::sqrt(6.0) * 3.0 * determinant(s) / (J2_2 * std::sqrt(J2_2)) : 0.0;
-    cos_3theta = std::fmax(-1.0, std::fmin(1.0, raw));
-    const double theta = std::acos(cos_3theta) / 3.0;
-    constexpr double third_turn = 2.0943951023931953;
-    out[0] = radius * std::cos(theta);
-    out[1] = radius * std::cos(theta - third_turn);
-    out[2] = radius * std::cos(theta + third_turn);
-}
+bool prepared(const grit_sand* sand) { return sand && material_of(*sand).stamp == material_stamp; }
 
 double void_ratio_scale(const Material& m, double p) {
     return p > 0.0 ? std::exp(-std::pow(m.three_over_hs * p, m.n)) : 1.0;  // (H6)
@@ -49,22 +33,22 @@ grit_status grit_sand_invariants_of(const grit_sand* sand, const double stress[6
     grit_sand_invariants ours{};
     ours.p = trace(T) * (-1.0 / 3.0);
     ours.q = std::sqrt(1.5 * contract(dev, dev));
-    double principal[3];
-    double cos_3theta = 0.0;
-    principal_deviator(dev, principal, cos_3theta);
-    // Compression-positive Lode angle: cos 3 theta changes sign with the stress.
-    ours.lode_angle = std::acos(-cos_3theta) / 3.0;
+    const Eigen::Vector3d principal = principal_values(dev);
+    // Lode angle from the intermediate value: 0 in triaxial compression, where it equals the largest.
+    const double spread = principal[2] - principal[0];
+    if (spread > 0.0)
+        ours.lode_angle = std::atan2(std::sqrt(3.0) * (principal[2] - principal[1]),
+                                     principal[1] + principal[2] - 2.0 * principal[0]);
     const double shifted = ours.p + m.p_t;  // (H10)
     if (shifted > 0.0) {
         ours.tan_psi = std::sqrt(3.0 * contract(dev, dev)) / (3.0 * shifted);
-        const double sine =
-            (principal[0] - principal[2]) / (2.0 * shifted - principal[0] - principal[2]);
-        ours.mobilised_friction_angle = sine < 1.0 && sine >= 0.0 ? std::asin(sine) : std::asin(1.0);
+        const double sine = spread / (2.0 * shifted - principal[0] - principal[2]);
+        ours.mobilised_friction_angle =
+            sine < 1.0 && sine >= 0.0 ? std::asin(sine) : std::asin(1.0);
     }
     if (m.has_intergranular_strain != 0.0) ours.rho = norm(strain_from_voigt(state)) * m.inverse_R;
     const double E = void_ratio_scale(m, std::fmax(shifted, 0.0));
-    ours.relative_density =
-        (m.e_c0 * E - state[GRIT_SAND_VOID_RATIO]) / ((m.e_c0 - m.e_d0) * E);
+    ours.relative_density = (m.e_c0 * E - state[GRIT_SAND_VOID_RATIO]) / ((m.e_c0 - m.e_d0) * E);
     return write_versioned(ours, *invariants) ? GRIT_OK : GRIT_BAD_CALL;
 }
 
@@ -80,8 +64,8 @@ grit_status grit_sand_stress_at_rest(const grit_sand* sand, double unit_weight, 
                                      double surcharge, double K0, int axis, double stress[6]) {
     if (!prepared(sand) || !stress || axis < 0 || axis > 2) return GRIT_BAD_CALL;
     const double vertical = unit_weight * depth + surcharge;
-    if (!(depth >= 0.0) || !(surcharge >= 0.0) || !(unit_weight >= 0.0) || !std::isfinite(vertical) ||
-        !std::isfinite(K0))
+    if (!(depth >= 0.0) || !(surcharge >= 0.0) || !(unit_weight >= 0.0) ||
+        !std::isfinite(vertical) || !std::isfinite(K0))
         return GRIT_BAD_CALL;
     const double ratio = K0 < 0.0 ? 1.0 - std::sin(material_of(*sand).phi_c) : K0;
     for (int c = 0; c < 6; ++c) stress[c] = c == axis ? -vertical : c < 3 ? -ratio * vertical : 0.0;
@@ -90,7 +74,8 @@ grit_status grit_sand_stress_at_rest(const grit_sand* sand, double unit_weight, 
 
 grit_status grit_sand_mobilise(const grit_sand* sand, const double direction[6], double rho,
                                double* state) {
-    if (!prepared(sand) || !direction || !state || !(rho >= 0.0 && rho <= 1.0)) return GRIT_BAD_CALL;
+    if (!prepared(sand) || !direction || !state || !(rho >= 0.0 && rho <= 1.0))
+        return GRIT_BAD_CALL;
     const Material& m = material_of(*sand);
     const Tensor<double> d = strain_from_voigt(direction);
     const double length = norm(d);

@@ -19,12 +19,12 @@ struct Material {
     double m_R, m_T, R, beta_r, chi;
     double has_intergranular_strain;  // 1 or 0
     // derived
-    double a;             // (H4)
-    double stiffness;     // h_s/n (e_i0/e_c0)^beta / [3 + a^2 - sqrt 3 a (...)^alpha]   (H8)
+    double a;          // (H4)
+    double stiffness;  // h_s/n (e_i0/e_c0)^beta / [3 + a^2 - sqrt 3 a (...)^alpha]   (H8)
     double three_over_hs;
     double log_e_c0;
     double inverse_R;
-    double p_floor;       // below it the sand carries no stress: docs/adr/0002
+    double p_floor;  // below it the sand carries no stress: docs/adr/0002
 };
 
 static_assert(sizeof(Material) <= sizeof(grit_sand));
@@ -32,9 +32,10 @@ static_assert(alignof(Material) <= alignof(grit_sand));
 
 // docs/adr/0002-low-stress.md
 constexpr double floor_per_hardness = 1e-8;  // p_floor / h_s
-constexpr double opening_per_floor = 2.0;    // a loaded point separates here, a closed one starts at 1
-constexpr double cone_limit = 0.999;         // tan psi / sqrt 2 kept: F > 0 up to 1
-constexpr double linear_density = 1e-4;      // below this (e-e_d)/(e_c-e_d), f_d is linear
+constexpr double opening_per_floor =
+    2.0;                                 // a loaded point separates here, a closed one starts at 1
+constexpr double cone_limit = 0.999;     // tan psi / sqrt 2 kept: F > 0 up to 1
+constexpr double linear_density = 1e-4;  // below this (e-e_d)/(e_c-e_d), f_d is linear
 
 inline const Material& material_of(const grit_sand& sand) {
     return *reinterpret_cast<const Material*>(sand.opaque);

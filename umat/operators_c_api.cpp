@@ -9,15 +9,14 @@
 #include "support/versioned.hpp"
 #include "umat/dense_operators.hpp"
 #include "umat/low_stress.hpp"
+#include "umat/principal.hpp"
 
 using namespace grit;
 using namespace grit::c_api;
 
 namespace {
 
-bool prepared(const grit_sand* sand) {
-    return sand && material_of(*sand).stamp == material_stamp;
-}
+bool prepared(const grit_sand* sand) { return sand && material_of(*sand).stamp == material_stamp; }
 
 Tensor<double> shifted_stress(const Material& m, const double stress[6]) {
     Tensor<double> T = stress_from_voigt(stress);
@@ -89,8 +88,7 @@ grit_status grit_sand_intergranular_stiffness(const grit_sand* sand, const doubl
         material_of(*sand).has_intergranular_strain == 0.0)
         return GRIT_BAD_CALL;
     const Material& m = material_of(*sand);
-    const PointFactors k =
-        point_factors(m, shifted_stress(m, stress), state[GRIT_SAND_VOID_RATIO]);
+    const PointFactors k = point_factors(m, shifted_stress(m, stress), state[GRIT_SAND_VOID_RATIO]);
     matrix_to_voigt(intergranular_M(m, k, strain_from_voigt(state), strain_from_voigt(D)), M);
     return GRIT_OK;
 }
@@ -108,8 +106,8 @@ grit_status grit_sand_rate(const grit_sand* sand, int intergranular_off, const d
     Tensor<double> h_rate = isotropic(0.0);
     if (speed > 0.0) {
         const Tensor<double> T = shifted_stress(m, stress);
-        const auto path = straight_path(m, rate_of_strain, strain_from_voigt(state),
-                                        state[GRIT_SAND_VOID_RATIO]);
+        const auto path =
+            straight_path(m, rate_of_strain, strain_from_voigt(state), state[GRIT_SAND_VOID_RATIO]);
         const bool loading = path.u_0 > 0.0;
         const double u = loading ? min(path.u_0, 1.0) : path.u_0;
         const Marched<double> y{T, loading ? -c_api::log(max(1.0 - u, 1e-16)) : 0.0, 0.0};
@@ -140,16 +138,7 @@ grit_status grit_sand_wave_modulus(const grit_sand* sand, int intergranular_off,
     if (!(trace(T) * (-1.0 / 3.0) >= m.p_floor)) T = isotropic(-m.p_floor);
     back_into_cone(T, true);
     const PointFactors k = point_factors(m, T, void_ratio);
-    // |principal T_hat| <= 1/3 + |T_hat*| sqrt(2/3), reached in triaxial states.
-    const double dev_sq = contract(k.shape.T_hat_dev, k.shape.T_hat_dev);
-    const double cosine = std::fmin(
-        1.0, std::fmax(-1.0, std::sqrt(6.0) * 3.0 * determinant(k.shape.T_hat_dev) /
-                                 std::fmax(dev_sq * std::sqrt(dev_sq), 1e-300)));
-    const double theta = std::acos(cosine) / 3.0;
-    const double radius = std::sqrt(2.0 / 3.0 * dev_sq);
-    const double largest = 1.0 / 3.0 + radius * std::cos(theta);
-    const double smallest = 1.0 / 3.0 + radius * std::cos(theta + 2.0943951023931953);
-    const double t_max = std::fmax(std::fabs(largest), std::fabs(smallest));
+    const double t_max = principal_values(k.shape.T_hat).cwiseAbs().maxCoeff();
     const bool igs = m.has_intergranular_strain != 0.0 && !intergranular_off;
     *modulus = (igs ? m.m_R : 1.0) * k.f.f_s / k.shape.T_hat_sq *
                (square(k.shape.F) + square(m.a * t_max));

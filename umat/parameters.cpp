@@ -54,9 +54,8 @@ grit_status check_range(const Entry& entry, double value, grit_error* error) {
                        i.symbol);
     if (value >= i.lowest && value <= i.highest && std::isfinite(value)) return GRIT_OK;
     if (std::strcmp(i.unit, "rad") == 0)
-        return failure(error, GRIT_BAD_PARAMETER, -1,
-                       "%s must be in [%.4g, %.4g] rad, got %g%s", i.name, i.lowest, i.highest,
-                       value, value > i.highest ? ": degrees?" : "");
+        return failure(error, GRIT_BAD_PARAMETER, -1, "%s must be in [%.4g, %.4g] rad, got %g%s",
+                       i.name, i.lowest, i.highest, value, value > i.highest ? ": degrees?" : "");
     return failure(error, GRIT_BAD_PARAMETER, -1, "%s (%s) must be in [%g, %g] %s, got %g", i.name,
                    i.symbol, i.lowest, i.highest, unit, value);
 }
@@ -82,18 +81,18 @@ grit_status prepare(const grit_sand_parameters& p, Material& m, grit_error* erro
         return failure(error, GRIT_BAD_PARAMETER, -1,
                        "intergranular strain needs m_R, m_T, R, beta_r and chi: %d of 5 are given",
                        given);
-    if (const grit_status s = check_order("densest_void_ratio (e_d0)", p.densest_void_ratio,
-                                          "critical_void_ratio (e_c0)", p.critical_void_ratio,
-                                          false, error))
+    if (const grit_status s =
+            check_order("densest_void_ratio (e_d0)", p.densest_void_ratio,
+                        "critical_void_ratio (e_c0)", p.critical_void_ratio, false, error))
         return s;
-    if (const grit_status s = check_order("critical_void_ratio (e_c0)", p.critical_void_ratio,
-                                          "loosest_void_ratio (e_i0)", p.loosest_void_ratio, false,
-                                          error))
+    if (const grit_status s =
+            check_order("critical_void_ratio (e_c0)", p.critical_void_ratio,
+                        "loosest_void_ratio (e_i0)", p.loosest_void_ratio, false, error))
         return s;
     if (given == 5)
-        if (const grit_status s = check_order("transverse_stiffness (m_T)", p.transverse_stiffness,
-                                              "reversal_stiffness (m_R)", p.reversal_stiffness,
-                                              true, error))
+        if (const grit_status s =
+                check_order("transverse_stiffness (m_T)", p.transverse_stiffness,
+                            "reversal_stiffness (m_R)", p.reversal_stiffness, true, error))
             return s;
     if (!(p.pressure_shift <= p.granulate_hardness))
         return failure(error, GRIT_BAD_PARAMETER, -1,
@@ -123,10 +122,11 @@ grit_status prepare(const grit_sand_parameters& p, Material& m, grit_error* erro
     const double looseness = std::pow((r.e_i0 - r.e_d0) / (r.e_c0 - r.e_d0), r.alpha);
     const double bracket = 3.0 + r.a * r.a - std::sqrt(3.0) * r.a * looseness;
     if (!(bracket > 0.0))
-        return failure(error, GRIT_BAD_PARAMETER, -1,
-                       "isotropic stiffness is not positive: 3 + a^2 - sqrt(3) a "
-                       "((e_i0-e_d0)/(e_c0-e_d0))^alpha must be > 0, got %g; alpha (%g) is too large",
-                       bracket, r.alpha);
+        return failure(
+            error, GRIT_BAD_PARAMETER, -1,
+            "isotropic stiffness is not positive: 3 + a^2 - sqrt(3) a "
+            "((e_i0-e_d0)/(e_c0-e_d0))^alpha must be > 0, got %g; alpha (%g) is too large",
+            bracket, r.alpha);
     r.stiffness = r.h_s / r.n * std::pow(r.e_i0 / r.e_c0, r.beta) / bracket;  // (H8)
     r.three_over_hs = 3.0 / r.h_s;
     r.log_e_c0 = std::log(r.e_c0);

@@ -26,10 +26,8 @@ inline RawPoint read_point(const grit_sand_points& q, std::ptrdiff_t at) {
     for (int c = 0; c < 6; ++c) {
         const auto& d = q.strain_increment;
         const auto& t = q.stress;
-        raw.strain[c] =
-            c < n ? element(d.base, d.point_stride, d.component_stride, at, c) : 0.0;
-        raw.stress[c] =
-            c < n ? element(t.base, t.point_stride, t.component_stride, at, c) : 0.0;
+        raw.strain[c] = c < n ? element(d.base, d.point_stride, d.component_stride, at, c) : 0.0;
+        raw.stress[c] = c < n ? element(t.base, t.point_stride, t.component_stride, at, c) : 0.0;
     }
     const auto& s = q.state;
     for (int c = 0; c < GRIT_SAND_STATE_SIZE; ++c)
@@ -79,8 +77,7 @@ inline Fault check_point(const Material& m, bool igs, int components, const RawP
     if (!(e > 0.0 && e <= 100.0)) return Fault::void_ratio_out_of_range;
     if (!(raw.state[GRIT_SAND_SEPARATION] >= 0.0)) return Fault::separation_negative;
     if (igs) {
-        if (components == 4 &&
-            (raw.state[GRIT_SAND_H13] != 0.0 || raw.state[GRIT_SAND_H23] != 0.0))
+        if (components == 4 && (raw.state[GRIT_SAND_H13] != 0.0 || raw.state[GRIT_SAND_H23] != 0.0))
             return Fault::h_out_of_plane;
         if (!(norm(strain_from_voigt(raw.state)) <= tolerated_h_excess * m.R))
             return Fault::h_too_long;

@@ -8,15 +8,15 @@
 GRIT_KERNEL_BEGIN
 
 template <class Real> struct Trial {
-    Marched<Real> y;          // at the end of the step
-    Marched<Real> rate;       // there, if the method evaluated it (first same as last)
-    PlainOf<Real> error;      // estimated error of T / scale and of h / R, the larger
+    Marched<Real> y;      // at the end of the step
+    Marched<Real> rate;   // there, if the method evaluated it (first same as last)
+    PlainOf<Real> error;  // estimate for the stress, over its scale
 };
 
 // y + ds * sum of weight_i * rate_i
 template <class Real, int count>
-GRIT_INLINE Marched<Real> advanced(const Marched<Real>& y, const Real& ds, const double (&weight)[count],
-                                   const Marched<Real>* rates) {
+GRIT_INLINE Marched<Real> advanced(const Marched<Real>& y, const Real& ds,
+                                   const double (&weight)[count], const Marched<Real>* rates) {
     const auto sum = [&](auto member) {
         Real total = weight[0] * member(rates[0]);
         for (int i = 1; i < count; ++i)
@@ -33,27 +33,31 @@ GRIT_INLINE Marched<Real> advanced(const Marched<Real>& y, const Real& ds, const
 template <class Real> struct StepContext {
     const Material& m;
     const StraightPath<Real>& path;
-    Real s;               // arc length at the start of the step
+    Real s;  // arc length at the start of the step
     Real ds;
     MaskOf<Real> loading;
     PlainOf<Real> stress_scale;
+    PlainOf<Real> memory_weight;  // stress error per error of h/R
 };
 
-// Errors of P and G as errors of h: dh/R = (1 - u) dP along, g |tau| dG across.
+template <class Plain> struct StepError {
+    Plain stress;  // |dT| / scale
+    Plain memory;  // |dh| / R: (1 - u) dP along D_hat, g |tau| dG across
+};
+
 template <class Real>
-GRIT_INLINE PlainOf<Real> step_error(const StepContext<Real>& c, const Marched<Real>& y,
-                                     const Tensor<PlainOf<Real>>& dT, const PlainOf<Real>& dP,
-                                     const PlainOf<Real>& dG) {
+GRIT_INLINE StepError<PlainOf<Real>> step_error(const StepContext<Real>& c, const Marched<Real>& y,
+                                                const Tensor<PlainOf<Real>>& dT,
+                                                const PlainOf<Real>& dP, const PlainOf<Real>& dG) {
     using Plain = PlainOf<Real>;
-    const Plain stress = norm(dT) / c.stress_scale;
     const Plain along = exp(-value(y.P)) * fabs(dP);
     const Plain across = exp(-value(y.G)) * sqrt(value(c.path.tau_sq)) * fabs(dG);
-    return max(stress, max(along, across));
+    return {norm(dT) / c.stress_scale, max(along, across)};
 }
 
 template <class Real, bool igs>
 GRIT_INLINE Trial<Real> heun_step(const StepContext<Real>& c, const Marched<Real>& y,
-                                  const Marched<Real>& k1, const PlainOf<Real>& rate_of_change) {
+                                  const Marched<Real>& k1, const PlainOf<Real>& stiffness_change) {
     using Plain = PlainOf<Real>;
     constexpr double euler[] = {1.0};
     constexpr double half[] = {0.5, 0.5};
@@ -64,13 +68,15 @@ GRIT_INLINE Trial<Real> heun_step(const StepContext<Real>& c, const Marched<Real
     trial.y = advanced(y, c.ds, half, k);
     const Plain half_ds = 0.5 * value(c.ds);
     const Tensor<Plain> dT = scaled(difference(value(k[1].T), value(k[0].T)), half_ds);
-    const Plain second_order = step_error(c, trial.y, dT, half_ds * (value(k[1].P) - value(k[0].P)),
-                                          half_ds * (value(k[1].G) - value(k[0].G)));
+    const StepError<Plain> euler_error =
+        step_error(c, trial.y, dT, half_ds * (value(k[1].P) - value(k[0].P)),
+                   half_ds * (value(k[1].G) - value(k[0].G)));
     // The difference to Euler's result is of second order; the error left is of third: smaller by
     // the relative change of the rate over the step.
     const Plain first_order = value(c.ds) * norm(value(k[0].T)) / c.stress_scale;
-    const Plain change = rate_of_change + second_order / max(first_order, Plain(1e-300));
-    trial.error = second_order * min(change, Plain(1.0));
+    const Plain change = stiffness_change + euler_error.stress / max(first_order, Plain(1e-300));
+    trial.error = euler_error.stress * min(change, Plain(1.0)) +
+                  c.memory_weight * euler_error.memory * min(stiffness_change, Plain(1.0));
     trial.rate = k[1];
     return trial;
 }
@@ -85,8 +91,8 @@ GRIT_INLINE Trial<Real> dormand_prince_step(const StepContext<Real>& c, const Ma
     constexpr double a5[] = {19372.0 / 6561.0, -25360.0 / 2187.0, 64448.0 / 6561.0, -212.0 / 729.0};
     constexpr double a6[] = {9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0,
                              -5103.0 / 18656.0};
-    constexpr double b[] = {35.0 / 384.0,      0.0,        500.0 / 1113.0, 125.0 / 192.0,
-                            -2187.0 / 6784.0,  11.0 / 84.0};
+    constexpr double b[] = {35.0 / 384.0,     0.0,        500.0 / 1113.0, 125.0 / 192.0,
+                            -2187.0 / 6784.0, 11.0 / 84.0};
     constexpr double d[] = {71.0 / 57600.0,      0.0,          -71.0 / 16695.0, 71.0 / 1920.0,
                             -17253.0 / 339200.0, 22.0 / 525.0, -1.0 / 40.0};
     Marched<Real> k[7];
@@ -113,8 +119,10 @@ GRIT_INLINE Trial<Real> dormand_prince_step(const StepContext<Real>& c, const Ma
     Tensor<Plain> dT;
     for (int i = 0; i < 6; ++i)
         dT[i] = difference_of([i](const Marched<Real>& x) { return x.T[i]; });
-    trial.error = step_error(c, trial.y, dT, difference_of([](const auto& x) { return x.P; }),
-                             difference_of([](const auto& x) { return x.G; }));
+    const StepError<Plain> error =
+        step_error(c, trial.y, dT, difference_of([](const auto& x) { return x.P; }),
+                   difference_of([](const auto& x) { return x.G; }));
+    trial.error = max(error.stress, c.memory_weight * error.memory);
     return trial;
 }
 

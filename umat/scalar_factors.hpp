@@ -7,9 +7,7 @@
 
 GRIT_KERNEL_BEGIN
 
-template <class Real> struct VoidRatios {
-    Real e_i, e_c, e_d;
-};
+template <class Real> struct VoidRatios { Real e_i, e_c, e_d; };
 
 // log(3p/h_s); p is kept above half the floor, where no stress is left to compute.
 template <class Real> GRIT_INLINE Real log_pressure(const Material& m, const Real& p) {

@@ -19,7 +19,8 @@ template <class Real> struct StraightPath {
 };
 
 template <class Real>
-GRIT_INLINE StraightPath<Real> straight_path(const Material& m, const Tensor<Real>& strain_increment,
+GRIT_INLINE StraightPath<Real> straight_path(const Material& m,
+                                             const Tensor<Real>& strain_increment,
                                              const Tensor<Real>& h, const Real& e) {
     StraightPath<Real> path;
     path.length = norm(strain_increment);
@@ -49,19 +50,18 @@ template <class Real> struct InPlane {  // h/R = u D_hat + g tau
 };
 
 template <class Real>
-GRIT_INLINE InPlane<Real> intergranular_strain(const Material& m,
-                                                    const StraightPath<Real>& path, const Real& s,
-                                                    const Marched<Real>& y,
-                                                    const MaskOf<Real>& loading) {
+GRIT_INLINE InPlane<Real> intergranular_strain(const Material& m, const StraightPath<Real>& path,
+                                               const Real& s, const Marched<Real>& y,
+                                               const MaskOf<Real>& loading) {
     const Real unloading_u = fma(m.inverse_R, s, path.u_0);
     return {select(loading, 1.0 - exp(-y.P), min(unloading_u, Real(0.0))), exp(-y.G)};
 }
 
 // d/ds of T, P and G at arc length s. Finite for every finite T: see stress_shape, scalar_factors.
 template <class Real, bool with_intergranular_strain>
-inline __attribute__((noinline)) Marched<Real> marched_rate(const Material& m, const StraightPath<Real>& path,
-                                       const Real& s, const Marched<Real>& y,
-                                       const MaskOf<Real>& loading) {
+inline __attribute__((noinline)) Marched<Real>
+marched_rate(const Material& m, const StraightPath<Real>& path, const Real& s,
+             const Marched<Real>& y, const MaskOf<Real>& loading) {
     const StressShape<Real> shape = stress_shape(m, y.T);
     const Real p = trace(y.T) * (-1.0 / 3.0);
     const ScalarFactors<Real> f = scalar_factors(m, p, void_ratio(path, s));

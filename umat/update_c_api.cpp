@@ -127,8 +127,9 @@ grit_status describe(const Material& m, const grit_sand_options& o, const grit_s
             return say("point %td: stress components must be within 10 h_s = %g: units?",
                        c_api::largest_stress_per_h_s * m.h_s);
         case Fault::increment_too_large:
-            return say("point %td: |strain increment| must be at most %g, got %g: use smaller steps",
-                       c_api::largest_increment, increment);
+            return say(
+                "point %td: |strain increment| must be at most %g, got %g: use smaller steps",
+                c_api::largest_increment, increment);
         case Fault::void_ratio_vanishes:
             return say("point %td: the increment (volumetric strain %g) leaves no voids at e = %g",
                        raw.strain[0] + raw.strain[1] + raw.strain[2],

@@ -9,7 +9,7 @@ extern "C" {
 #endif
 
 typedef struct grit_sand_record {
-    const char* name;   /* key for grit_sand_record_find, e.g. "lausitz"                      */
+    const char* name; /* key for grit_sand_record_find, e.g. "lausitz"                      */
     const char* title;
     const char* status; /* "A" taken from the primary source, "B" from a secondary one        */
     const char* source; /* where the numbers were published                                   */

@@ -28,10 +28,12 @@ int main() {
     const auto calls = read_calls(GRIT_DATA "/speed_states.csv");
     const grit_sand sand = lausitz();
 
-    std::printf("increment  tolerance   evaluations      stress error / |stress|         h error/R  "
-                "delivered <= asked\n");
-    std::printf("                       p50 p90  max     p50      p90      max           max        "
-                "share   worst ratio\n");
+    std::printf(
+        "increment  tolerance   evaluations      stress error / |stress|         h error/R  "
+        "delivered <= asked\n");
+    std::printf(
+        "                       p50 p90  max     p50      p90      max           max        "
+        "share   worst ratio\n");
     for (const auto& [increment, list] : calls)
         for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10}) {
             std::vector<double> evaluations, errors, h_errors;
@@ -47,7 +49,8 @@ int main() {
                 q.stress = grit_mutable_view_of(x.stress, 6, 1);
                 q.state = grit_mutable_view_of(x.state, 8, 1);
                 grit_sand_report report;
-                if (grit_sand_update(&sand, &options, 1, &q, &report, nullptr) != GRIT_OK) ++failures;
+                if (grit_sand_update(&sand, &options, 1, &q, &report, nullptr) != GRIT_OK)
+                    ++failures;
                 double dT[6], dh[6];
                 for (int i = 0; i < 6; ++i) {
                     dT[i] = x.stress[i] - c.stress_end[i];
@@ -63,8 +66,8 @@ int main() {
                         increment, tolerance, percentile(evaluations, 0.5),
                         percentile(evaluations, 0.9), percentile(evaluations, 1.0),
                         percentile(errors, 0.5), percentile(errors, 0.9), percentile(errors, 1.0),
-                        percentile(h_errors, 1.0),
-                        within / static_cast<double>(list.size()), percentile(errors, 1.0) / tolerance);
+                        percentile(h_errors, 1.0), within / static_cast<double>(list.size()),
+                        percentile(errors, 1.0) / tolerance);
             std::printf(failures ? "  %d FAILED\n" : "\n", failures);
         }
 }

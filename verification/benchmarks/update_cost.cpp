@@ -62,9 +62,8 @@ void update(benchmark::State& state) {
         benchmark::DoNotOptimize(work.stress.data());
     }
     const auto points = static_cast<double>(calls.size() / n * n);
-    state.counters["per_point"] =
-        benchmark::Counter(points, benchmark::Counter::kIsIterationInvariantRate |
-                                       benchmark::Counter::kInvert);
+    state.counters["per_point"] = benchmark::Counter(
+        points, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 void dependent_exp(benchmark::State& state) {

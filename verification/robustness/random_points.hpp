@@ -27,7 +27,8 @@ class Random {
     }
     int below(int n) { return static_cast<int>(uniform() * n); }
     double normal() {
-        return std::sqrt(-2.0 * std::log(1.0 - uniform())) * std::cos(6.283185307179586 * uniform());
+        return std::sqrt(-2.0 * std::log(1.0 - uniform())) *
+               std::cos(6.283185307179586 * uniform());
     }
 
   private:
@@ -73,8 +74,8 @@ struct Points {
 enum class Kind { inside, outside_cone, tension, zero_stress, bad_number };
 
 // One point: p 1 Pa ... 10 MPa, e from e_d - 0.1 to e_i + 0.3, |h| <= R, increments 1e-12 ... 1e-1.
-inline Kind random_point(Random& random, const Sand& sand, bool wild, double* strain, double* stress,
-                         double* state) {
+inline Kind random_point(Random& random, const Sand& sand, bool wild, double* strain,
+                         double* stress, double* state) {
     Kind kind = Kind::inside;
     if (wild) {
         const int dice = random.below(100);

@@ -81,8 +81,9 @@ int main(int argc, char** argv) {
     Tally tally;
     for (long done = 0; done < count;) {
         const int n = static_cast<int>(std::min<long>(1 + random.below(64), count - done));
-        run_batch(random, sands[static_cast<std::size_t>(random.below(static_cast<int>(sands.size())))],
-                  n, tally);
+        run_batch(random,
+                  sands[static_cast<std::size_t>(random.below(static_cast<int>(sands.size())))], n,
+                  tally);
         done += n;
     }
     std::printf("%ld random updates, %.2f evaluations each, %ld at most\n", count,
@@ -98,7 +99,8 @@ int main(int argc, char** argv) {
             if (f >> b & 1) std::printf(" %s", names[b]);
         std::printf("\n");
     }
-    std::printf("%10ld NaN or infinite results\n%10ld failed points changed\n%10ld wrong statuses\n",
-                tally.nan_out, tally.touched, tally.silent);
+    std::printf(
+        "%10ld NaN or infinite results\n%10ld failed points changed\n%10ld wrong statuses\n",
+        tally.nan_out, tally.touched, tally.silent);
     return tally.nan_out || tally.touched || tally.silent ? EXIT_FAILURE : EXIT_SUCCESS;
 }

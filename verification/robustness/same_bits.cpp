@@ -63,7 +63,8 @@ int main(int argc, char** argv) {
     double worst_across = 0.0;
     constexpr std::size_t n = 1000;
     while (points_done < count) {
-        const Sand& sand = sands[static_cast<std::size_t>(random.below(static_cast<int>(sands.size())))];
+        const Sand& sand =
+            sands[static_cast<std::size_t>(random.below(static_cast<int>(sands.size())))];
         Points points(n);
         for (std::size_t i = 0; i < n; ++i)
             random_point(random, sand, points_done % 2 == 0, &points.strain[6 * i],
@@ -78,8 +79,8 @@ int main(int argc, char** argv) {
             for (std::size_t i = 0; i < n; ++i) update(sand, options, alone, i, 1);
             Results together = start(points, n);
             for (std::size_t i = 0; i < n;) {  // every batch size and so every lane
-                const auto size = std::min<std::size_t>(
-                    static_cast<std::size_t>(1 + random.below(23)), n - i);
+                const auto size =
+                    std::min<std::size_t>(static_cast<std::size_t>(1 + random.below(23)), n - i);
                 update(sand, options, together, i, static_cast<int>(size));
                 i += size;
             }
