@@ -21,26 +21,22 @@ extern "C" {
 /* Stress in any unit, the same for hardness and p_t; angle in radians. Set by name after
  * grit_sand_parameters_init, which marks all but the optional ones as missing (NaN). */
 typedef struct grit_sand_parameters {
-    size_t struct_size; /* set by init */
-    double
-        critical_friction_angle; /* phi_c [rad]     [10, 60] degrees                            */
-    double granulate_hardness;   /* h_s   [stress]  > 0                                         */
-    double stiffness_exponent;   /* n     [-]       in (0, 1)                                   */
-    double densest_void_ratio;   /* e_d0  [-]       0 < e_d0 < e_c0, at zero pressure           */
-    double critical_void_ratio;  /* e_c0  [-]       e_d0 < e_c0 < e_i0                          */
-    double loosest_void_ratio;   /* e_i0  [-]       e_c0 < e_i0 <= 5                            */
-    double pyknotropy_exponent;  /* alpha [-]       (0, 2]                                      */
-    double
-        stiffness_void_exponent; /* beta  [-]       [0, 5]                                      */
-    double pressure_shift;       /* p_t   [stress]  >= 0, (H10); 0 unless set                   */
+    size_t struct_size;             /* set by init */
+    double critical_friction_angle; /* phi_c [rad]     [10, 60] degrees */
+    double granulate_hardness;      /* h_s   [stress]  > 0 */
+    double stiffness_exponent;      /* n     [-]       in (0, 1) */
+    double densest_void_ratio;      /* e_d0  [-]       0 < e_d0 < e_c0, at zero pressure */
+    double critical_void_ratio;     /* e_c0  [-]       e_d0 < e_c0 < e_i0 */
+    double loosest_void_ratio;      /* e_i0  [-]       e_c0 < e_i0 <= 5 */
+    double pyknotropy_exponent;     /* alpha [-]       (0, 2] */
+    double stiffness_void_exponent; /* beta  [-]       [0, 5] */
+    double pressure_shift;          /* p_t   [stress]  >= 0, (H10); 0 unless set */
     /* Intergranular strain: give all five, or none (then it is off for this material). */
-    double reversal_stiffness;   /* m_R    [-]  [1, 20]                                           */
-    double transverse_stiffness; /* m_T    [-]  [1, m_R]                                          */
-    double
-        elastic_strain_radius; /* R      [-]  [1e-6, 1e-2]                                      */
-    double evolution_exponent; /* beta_r [-]  [0.01, 2]                                         */
-    double
-        stiffness_interpolation_exponent; /* chi [-]  [0.5, 20]                                 */
+    double reversal_stiffness;               /* m_R    [-]  [1, 20] */
+    double transverse_stiffness;             /* m_T    [-]  [1, m_R] */
+    double elastic_strain_radius;            /* R      [-]  [1e-6, 1e-2] */
+    double evolution_exponent;               /* beta_r [-]  [0.01, 2] */
+    double stiffness_interpolation_exponent; /* chi [-]  [0.5, 20] */
 } grit_sand_parameters;
 
 /* struct_size = sizeof(grit_sand_parameters) as the caller compiled it. */
@@ -50,10 +46,10 @@ GRIT_API grit_status grit_sand_parameters_init(grit_sand_parameters* parameters,
 enum { GRIT_SAND_PARAMETER_COUNT = 14 };
 
 typedef struct grit_sand_parameter_info {
-    const char* name;   /* as the member of grit_sand_parameters       */
-    const char* symbol; /* as in the papers: "phi_c", "h_s", ...       */
-    const char* unit;   /* "rad", "stress" or "-"                      */
-    double lowest;      /* limits that need no other parameter         */
+    const char* name;   /* as the member of grit_sand_parameters */
+    const char* symbol; /* as in the papers: "phi_c", "h_s", ... */
+    const char* unit;   /* "rad", "stress" or "-" */
+    double lowest;      /* limits that need no other parameter */
     double highest;
     int optional; /* 0 required, 1 optional, 2 one of the five of the intergranular strain */
 } grit_sand_parameter_info;
@@ -85,17 +81,14 @@ GRIT_API grit_status grit_sand_parameters_of(const grit_sand* sand,
 
 /* Components of the state of a point. A new point is all zero but for the void ratio. */
 enum {
-    GRIT_SAND_H11 =
-        0, /* h, intergranular strain, Voigt with engineering shear, extension positive */
+    GRIT_SAND_H11 = 0, /* h, intergranular strain: engineering shear, extension + */
     GRIT_SAND_H22 = 1,
     GRIT_SAND_H33 = 2,
     GRIT_SAND_H12 = 3,
     GRIT_SAND_H13 = 4,
     GRIT_SAND_H23 = 5,
-    GRIT_SAND_VOID_RATIO =
-        6, /* e [-]                                                             */
-    GRIT_SAND_SEPARATION =
-        7, /* w >= 0 [-], volumetric strain to be closed before stress returns  */
+    GRIT_SAND_VOID_RATIO = 6, /* e [-] */
+    GRIT_SAND_SEPARATION = 7, /* w >= 0 [-], opening to be closed before stress returns */
     GRIT_SAND_STATE_SIZE = 8
 };
 
@@ -103,58 +96,54 @@ enum {
 
 enum {
     GRIT_TANGENT_NONE = 0,
-    GRIT_TANGENT_CONTINUUM =
-        1, /* M of (G1) at the end of the increment, along its direction      */
-    GRIT_TANGENT_CONSISTENT =
-        2 /* derivative of the returned stress by the strain increment       */
+    GRIT_TANGENT_CONTINUUM = 1, /* M of (G1) at the end, along the increment */
+    GRIT_TANGENT_CONSISTENT = 2 /* derivative of the stress by the strain increment */
 };
 
 typedef struct grit_sand_options {
-    size_t struct_size; /* set by init */
-    double tolerance;   /* stress error of a call / |stress|, [1e-12, 0.1], default 1e-5         */
-    int evaluation_limit; /* evaluations of the rate per point, [2, 1000000], default 20000        */
-    int intergranular_off; /* 1: basic hypoplasticity (H1), h is left alone; default 0              */
-    int tangent;         /* GRIT_TANGENT_..., default NONE                                        */
-    int instruction_set; /* GRIT_ISA_..., default best                                            */
-    int stress_is_rotated; /* 1: the host has rotated the stress with rotation_increment already    */
-    int validate_only; /* 1: check every point and report, change nothing                       */
+    size_t struct_size;    /* set by init */
+    double tolerance;      /* stress error / |stress|, [1e-12, 0.1], default 1e-5 */
+    int evaluation_limit;  /* of the rate per point, [2, 1000000], default 20000 */
+    int intergranular_off; /* 1: basic hypoplasticity (H1), h left alone; default 0 */
+    int tangent;           /* GRIT_TANGENT_..., default NONE */
+    int instruction_set;   /* GRIT_ISA_..., default best */
+    int stress_is_rotated; /* 1: the host has applied rotation_increment to it */
+    int validate_only;     /* 1: check every point and report, change nothing */
 } grit_sand_options;
 
 GRIT_API grit_status grit_sand_options_init(grit_sand_options* options, size_t struct_size);
 
-/* n points as the host stores them. Zero-initialise, set struct_size, then what is needed. */
+/* n points as the host stores them. Zero-initialise, set struct_size, then what is needed.
+ * The tangent, d stress / d strain, may be left out with GRIT_TANGENT_NONE; substep is advice that is
+ * handed back for the next call. */
 typedef struct grit_sand_points {
     size_t struct_size;
-    int components; /* 6, or 4 (11 22 33 12: axisymmetric, plane strain); 0 means 6               */
-    int reserved;   /* 0                                                                          */
-    const ptrdiff_t* index;           /* [n] points of the views to be taken; null: 0 ... n-1   */
-    grit_view strain_increment;       /* [components] engineering shear, in the end configuration */
-    grit_view rotation_increment;     /* [9] row-major Q, proper orthogonal; base null: none     */
-    grit_mutable_view stress;         /* [components] Cauchy, in: start, out: end                */
-    grit_mutable_view state;          /* [GRIT_SAND_STATE_SIZE], in: start, out: end             */
-    grit_mutable_matrix_view tangent; /* [components x components] d stress / d strain; unsymmetric;
-                                            base null only with GRIT_TANGENT_NONE                   */
-    grit_mutable_view substep;        /* [1] in: first step to try [strain], 0 none; out: advice
-                                            for the next call; base null: not used                  */
+    int components;               /* 6, or 4 (11 22 33 12: axisymmetric, plane strain); 0 means 6 */
+    int reserved;                 /* 0 */
+    const ptrdiff_t* index;       /* [n] points of the views to be taken; null: 0 ... n-1 */
+    grit_view strain_increment;   /* [components] engineering shear, end configuration */
+    grit_view rotation_increment; /* [9] row-major Q, proper orthogonal; base null: none */
+    grit_mutable_view stress;     /* [components] Cauchy, in: start, out: end */
+    grit_mutable_view state;      /* [GRIT_SAND_STATE_SIZE], in: start, out: end */
+    grit_mutable_matrix_view tangent; /* [components x components], unsymmetric */
+    grit_mutable_view substep;        /* [1] first step to try [strain], 0 none; base null: off */
 } grit_sand_points;
 
 /* Bits of grit_sand_report.flags */
 enum {
-    GRIT_SAND_STRESS_FREE = 1,  /* the point is separated or below the pressure floor           */
-    GRIT_SAND_VOID_CLAMPED = 2, /* e below e_d or above e_i: f_d and f_e taken at the limit     */
-    GRIT_SAND_OUTSIDE_CONE = 4, /* tan psi >= sqrt 2: deviator scaled back                      */
-    GRIT_SAND_H_CLAMPED = 8     /* |h| above R by no more than 1 %: scaled to R                 */
+    GRIT_SAND_STRESS_FREE = 1,  /* the point is separated or below the pressure floor */
+    GRIT_SAND_VOID_CLAMPED = 2, /* e below e_d or above e_i: f_d and f_e taken at the limit */
+    GRIT_SAND_OUTSIDE_CONE = 4, /* tan psi >= sqrt 2: deviator scaled back */
+    GRIT_SAND_H_CLAMPED = 8     /* |h| above R by no more than 1 %: scaled to R */
 };
 
 typedef struct grit_sand_report {
     grit_status status;
     int flags;
-    int substeps;    /* accepted                                                              */
-    int evaluations; /* of the stress rate, rejected steps included                           */
-    double
-        error_estimate; /* estimated stress error / |stress|                                     */
-    double
-        step_reduction; /* 1, or the factor (0, 1) a host should apply before it tries again     */
+    int substeps;          /* accepted */
+    int evaluations;       /* of the stress rate, rejected steps included */
+    double error_estimate; /* estimated stress error / |stress| */
+    double step_reduction; /* 1, or the factor (0, 1) to apply before trying again */
     double reserved[2];
 } grit_sand_report;
 

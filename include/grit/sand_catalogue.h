@@ -9,11 +9,11 @@ extern "C" {
 #endif
 
 typedef struct grit_sand_record {
-    const char* name; /* key for grit_sand_record_find, e.g. "lausitz"                      */
+    const char* name; /* key for grit_sand_record_find, e.g. "lausitz" */
     const char* title;
-    const char* status; /* "A" taken from the primary source, "B" from a secondary one        */
-    const char* source; /* where the numbers were published                                   */
-    const char* note;   /* what a user must know, may be empty                                */
+    const char* status; /* "A" taken from the primary source, "B" from a secondary one */
+    const char* source; /* where the numbers were published */
+    const char* note;   /* what a user must know, may be empty */
 } grit_sand_record;
 
 GRIT_API int grit_sand_record_count(void);

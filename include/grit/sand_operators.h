@@ -17,13 +17,13 @@ extern "C" {
 GRIT_API grit_status grit_sand_void_ratios(const grit_sand* sand, double p, double void_ratios[3]);
 
 typedef struct grit_sand_scalar_factors {
-    size_t struct_size; /* set by the caller               */
-    double a;           /* (H4)                            */
-    double F;           /* (H5)                            */
-    double f_d;         /* density factor (H7)             */
-    double f_e;         /* (H7)                            */
-    double f_b;         /* barotropy factor [stress] (H8)  */
-    double f_s;         /* f_b f_e [stress]                */
+    size_t struct_size; /* set by the caller */
+    double a;           /* (H4) */
+    double F;           /* (H5) */
+    double f_d;         /* density factor (H7) */
+    double f_e;         /* (H7) */
+    double f_b;         /* barotropy factor [stress] (H8) */
+    double f_s;         /* f_b f_e [stress] */
 } grit_sand_scalar_factors;
 
 GRIT_API grit_status grit_sand_factors(const grit_sand* sand, const double stress[6],
@@ -54,13 +54,13 @@ GRIT_API grit_status grit_sand_wave_modulus(const grit_sand* sand, int intergran
 GRIT_API grit_status grit_sand_rotate(const double Q[9], double* stress, double* state);
 
 typedef struct grit_sand_invariants {
-    size_t struct_size; /* set by the caller                                           */
-    double p;           /* mean pressure [stress], compression positive               */
-    double q;           /* sqrt(3/2) |deviator| [stress], >= 0                        */
-    double lode_angle;  /* [rad] 0 triaxial compression ... pi/3 triaxial extension   */
-    double tan_psi;     /* sqrt 3 |T_hat*|, 0 where p = 0                             */
-    double mobilised_friction_angle; /* asin((s1 - s3)/(s1 + s3)) [rad] of T - p_t I        */
-    double rho;              /* |h|/R, 0 without intergranular strain                      */
+    size_t struct_size;              /* set by the caller */
+    double p;                        /* mean pressure [stress], compression positive */
+    double q;                        /* sqrt(3/2) |deviator| [stress], >= 0 */
+    double lode_angle;               /* [rad] 0 triaxial compression ... pi/3 triaxial extension */
+    double tan_psi;                  /* sqrt 3 |T_hat*|, 0 where p = 0 */
+    double mobilised_friction_angle; /* asin((s1 - s3)/(s1 + s3)) [rad] of T - p_t I */
+    double rho;                      /* |h|/R, 0 without intergranular strain */
     double relative_density; /* (e_c - e)/(e_c - e_d) at the current p: 1 densest, 0 critical */
 } grit_sand_invariants;
 

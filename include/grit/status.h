@@ -15,11 +15,11 @@ typedef int grit_status;
 
 enum {
     GRIT_OK = 0,
-    GRIT_BAD_CALL = 1,      /* fix the call: null pointer, wrong size, unknown option           */
-    GRIT_BAD_PARAMETER = 2, /* fix the material: a parameter is missing or out of range         */
-    GRIT_BAD_STATE = 3,     /* fix the state of that point: not finite, e <= 0, |h| > R         */
+    GRIT_BAD_CALL = 1,      /* fix the call: null pointer, wrong size, unknown option */
+    GRIT_BAD_PARAMETER = 2, /* fix the material: a parameter is missing or out of range */
+    GRIT_BAD_STATE = 3,     /* fix the state of that point: not finite, e <= 0, |h| > R */
     GRIT_NOT_CONVERGED = 4, /* retry with a smaller increment: step_reduction suggests how much */
-    GRIT_INTERNAL = 5       /* report a bug                                                     */
+    GRIT_INTERNAL = 5       /* report a bug */
 };
 
 enum { GRIT_MESSAGE_SIZE = 256 };
@@ -30,7 +30,7 @@ typedef struct grit_error {
     grit_status status;
     int reserved;
     ptrdiff_t point;                 /* index of the first failed point, -1 if no point is meant */
-    char message[GRIT_MESSAGE_SIZE]; /* names value, limit and unit; always terminated           */
+    char message[GRIT_MESSAGE_SIZE]; /* names value, limit and unit; always terminated */
 } grit_error;
 
 /* A short English name of a status ("not converged"), never null. */
