@@ -78,7 +78,7 @@ template <int W> struct Pack {
 #if defined(__FMA__)
         if constexpr (W == 4) return (Vector)_mm256_fmadd_pd((__m256d)a, (__m256d)b, (__m256d)c);
 #endif
-        Vector sum;
+        Vector sum{};
         for (int lane = 0; lane < W; ++lane)
             sum[lane] = grit::GRIT_TARGET::fma(a[lane], b[lane], c[lane]);
         return sum;
@@ -121,7 +121,7 @@ template <int W> GRIT_INLINE Pack<W> sqrt(Pack<W> x) {
 #if defined(__SSE2__)
     if constexpr (W == 2) return typename Pack<W>::Vector(_mm_sqrt_pd((__m128d)x.v));
 #endif
-    Pack<W> root;
+    Pack<W> root(0.0);
     for (int lane = 0; lane < W; ++lane) root.v[lane] = __builtin_sqrt(x.v[lane]);
     return root;
 }
