@@ -3,18 +3,14 @@
 // 11 22 33 12 13 23 with engineering shear, strains logarithmic.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 
-#include <Eigen/Dense>
-
 #include <grit/grit.h>
 
-namespace element {
+#include "element/control.hpp"
 
-using Vector6 = Eigen::Matrix<double, 6, 1>;
-using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
+namespace element {
 
 enum class IntergranularStrain {
     off,       // basic hypoplasticity
@@ -29,11 +25,9 @@ struct Start {
     IntergranularStrain intergranular_strain = IntergranularStrain::mobilised;
 };
 
-enum class Control { strain, stress };
-
 // A straight path: each component has either its strain or its stress prescribed.
 struct Loading {
-    std::array<Control, 6> control{};
+    Controls control{};
     Vector6 change = Vector6::Zero();  // of the prescribed strain [-] or stress [kPa]
     int increments = 400;
     double first_share = 0.0;  // of the path in the first increment, growing geometrically; 0: even
