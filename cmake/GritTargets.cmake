@@ -16,8 +16,9 @@ function(grit_library_part target)
   grit_warnings(${target})
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include)
   target_compile_definitions(${target} PRIVATE GRIT_BUILDING)
+  # Instrumented kernels take minutes to optimise.
   target_compile_options(
-    ${target} PRIVATE -O3 -ffp-contract=off -fno-math-errno -fno-trapping-math -Wno-psabi
+    ${target} PRIVATE $<IF:$<BOOL:${GRIT_SANITIZE}>,-O1,-O3> -ffp-contract=off -fno-math-errno -fno-trapping-math -Wno-psabi
                       -Wno-ignored-attributes)
   set_target_properties(
     ${target}
