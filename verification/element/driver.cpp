@@ -1,120 +1,89 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "element/driver.hpp"
 
-#include <algorithm>
+#include <cmath>
 
-#include "element/increment.hpp"
-#include "element/schedule.hpp"
+#include "element/errors.hpp"
+#include "element/grit_law.hpp"
+#include "element/laboratory.hpp"
+#include "element/simulate.hpp"
 #include "element/text.hpp"
 
 namespace element {
 namespace {
 
-constexpr double smallest_cut = 1.0 / (1 << 20);  // of an increment
-
-Row row_of(const Material& material, const Point& point) {
-    Row row;
-    row.stress = point.stress;
-    row.strain = point.strain;
-    row.h = Vector6::Map(point.state.data() + GRIT_SAND_H11);
-    row.void_ratio = point.state[GRIT_SAND_VOID_RATIO];
-    row.invariants = material.invariants(point);
-    return row;
+GritLawOptions options_of(const Case& test) {
+    GritLawOptions out;
+    out.tolerance = test.numerics.tolerance;
+    out.evaluation_limit = test.numerics.evaluation_limit;
+    out.intergranular_strain = test.start.intergranular_strain != IntergranularStrain::off;
+    return out;
 }
 
-// A point on its way along a loading; the strain per share of the last increment guesses the next.
-class Path {
-  public:
-    Path(const Case& test, const Material& m)
-        : loading(test.loading), tolerance(test.numerics.tolerance), material(m),
-          point(m.start(test.start)), start_stress(point.stress), slope(first_guess()) {}
+double start_void_ratio(const GritLaw& law, const Start& start) {
+    if (start.void_ratio.has_value() == start.void_ratio_at_zero.has_value())
+        throw BadCase("give either void_ratio or void_ratio_at_zero_pressure");
+    double e = start.void_ratio.value_or(0.0), limits[3] = {};
+    const grit_sand& sand = law.sand();
+    if ((start.void_ratio_at_zero &&
+         grit_sand_void_ratio_at_pressure(&sand, *start.void_ratio_at_zero, start.pressure, &e)) ||
+        grit_sand_void_ratios(&sand, start.pressure, limits))
+        throw BadCase(text("no void ratio belongs to a pressure of %g kPa", start.pressure));
+    if (!(e >= limits[2] && e <= limits[0]))
+        throw BadCase(text("void ratio at %g kPa must be in [e_d, e_i] = [%.4f, %.4f], got %g",
+                           start.pressure, limits[2], limits[0], e));
+    return e;
+}
 
-    const Point& now() const { return point; }
+Sample start_of(const GritLaw& law, const Start& start) {
+    if (!(start.pressure > 0.0) || !std::isfinite(start.pressure))
+        throw BadCase(text("pressure must be > 0 kPa, got %g kPa", start.pressure));
+    Sample sample;
+    sample.point = law.start(-start.pressure * unit_tensor(), start_void_ratio(law, start));
+    if (start.intergranular_strain == IntergranularStrain::mobilised)
+        law.mobilise(sample.point, -unit_tensor(), 1.0);
+    return sample;
+}
 
-    Increment advance(double from, double to) {
-        Goal goal;
-        goal.control = loading.control;
-        goal.tolerance = tolerance;
-        goal.stress = start_stress + to * stress_change();
-        goal.strain_increment = (to - from) * slope;
-        const Increment increment = solve_increment(material, goal, point);
-        if (increment.converged) slope = increment.strain_increment / (to - from);
-        return increment;
-    }
+Program program_of(const Loading& loading) {
+    Step step = component_control(loading.control, loading.change);
+    step.increments = loading.increments;
+    step.first_share = loading.first_share;
+    return {step};
+}
 
-  private:
-    bool is(int component, Control control) const {
-        return loading.control[static_cast<std::size_t>(component)] == control;
-    }
-    Vector6 first_guess() const {
-        Vector6 guess = loading.change;
-        for (int i = 0; i < 6; ++i)
-            if (is(i, Control::stress)) guess[i] = 0.0;
-        return guess;
-    }
-    Vector6 stress_change() const {
-        Vector6 change = loading.change;
-        for (int i = 0; i < 6; ++i)
-            if (is(i, Control::strain)) change[i] = 0.0;
-        return change;
-    }
-
-    Loading loading;
-    double tolerance;
-    const Material& material;
-    Point point;
-    Vector6 start_stress;
-    Vector6 slope;
-};
-
-// From one scheduled share to the next, in as many parts as it takes.
-bool advance_by_parts(Path& path, double from, double to, Row& counts, Run& run) {
-    double part = to - from;
-    while (from < to) {
-        const double next = from + part >= to - 1e-9 * part ? to : from + part;
-        const Increment increment = path.advance(from, next);
-        counts.iterations += increment.iterations;
-        counts.evaluations += increment.evaluations;
-        if (increment.converged) {
-            from = next;
-            part *= 2.0;
-            continue;
-        }
-        part = 0.5 * (next - from);
-        ++run.halvings;
-        if (!increment.retry_smaller || part < smallest_cut * to) {
-            run.failure = increment.reason;
-            return false;
-        }
-    }
-    return true;
+Row row_of(const GritLaw& law, const Record& record) {
+    Row row;
+    row.stress = record.stress;
+    row.strain = record.strain;
+    row.h = Vector6::Map(record.state.data() + GRIT_SAND_H11);
+    row.void_ratio = record.void_ratio;
+    row.invariants = law.invariants({record.stress, record.state});
+    row.iterations = record.iterations;
+    row.evaluations = record.evaluations;
+    return row;
 }
 
 }  // namespace
 
 Run run(const Case& test, const Observer& observer) {
-    const Material material(test);
-    const std::vector<double> shares = schedule(test.loading);
-    const int increments = static_cast<int>(shares.size()) - 1;
-    Path path(test, material);
-    Run run;
-    run.rows.push_back(row_of(material, path.now()));
-    for (int i = 1; i <= increments; ++i) {
-        const auto at = static_cast<std::size_t>(i);
-        Row counts;
-        if (!advance_by_parts(path, shares[at - 1], shares[at], counts, run)) {
-            const Vector6& strain = path.now().strain;
-            run.failure = text("increment %d of %d, at strain_11 = %g: %s", i, increments,
-                               strain[0], run.failure.c_str());
-            return run;
-        }
-        Row row = row_of(material, path.now());
-        row.iterations = counts.iterations;
-        row.evaluations = counts.evaluations;
-        run.rows.push_back(row);
-        if (observer) observer(i, increments);
+    const GritLaw law(test.parameters, options_of(test));
+    Sample sample = start_of(law, test.start);
+    Settings settings;
+    settings.tolerance = test.numerics.tolerance;
+    const auto report = [&](const Progress& progress) {
+        if (observer)
+            observer(static_cast<int>(progress.increment), static_cast<int>(progress.increments));
+        return true;
+    };
+    const History history = simulate(law, sample, program_of(test.loading), settings, report);
+    Run out;
+    for (const Record& record : history.records) {
+        out.rows.push_back(row_of(law, record));
+        out.halvings += record.cut_backs;
     }
-    return run;
+    if (history.failure) out.failure = history.failure->message;
+    return out;
 }
 
 }  // namespace element

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs a case.
+// Runs a case: one straight loading from an isotropic state.
 #pragma once
 
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "element/material.hpp"
+#include "element/case.hpp"
 
 namespace element {
 

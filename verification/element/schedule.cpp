@@ -9,8 +9,6 @@
 namespace element {
 namespace {
 
-constexpr int increment_limit = 10000000;
-
 // g of (g^n - 1)/(g - 1) = 1/first, by bisection: the sum grows with g, and g = 1 gives n.
 double growth(int n, double first) {
     double low = 1.0, high = 1.0 / first;
@@ -24,12 +22,11 @@ double growth(int n, double first) {
 
 }  // namespace
 
-std::vector<double> schedule(const Loading& loading) {
-    const int n = loading.increments;
+std::vector<double> schedule(int n, double first_share) {
     if (n < 1 || n > increment_limit)
         throw BadCase(text("increments must be in [1, %d], got %d", increment_limit, n));
     const double even = 1.0 / n;
-    const double first = loading.first_share > 0.0 ? loading.first_share : even;
+    const double first = first_share > 0.0 ? first_share : even;
     if (!(first <= even * (1.0 + 1e-9)))
         throw BadCase(
             text("the first increment must be <= 1/%d of the path, got %g of it", n, first));

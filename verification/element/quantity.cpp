@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "element/errors.hpp"
+#include "element/exit_condition.hpp"
+#include "element/text.hpp"
+
+namespace element {
+namespace {
+
+constexpr const char* known[] = {"s1",  "s2",  "s3",  "s12",  "s13", "s23", "e1",  "e2", "e3",
+                                 "g12", "g13", "g23", "p",    "q",   "P",   "Q",   "ev", "eq",
+                                 "eP",  "eQ",  "pw",  "time", "sI",  "sII", "sIII"};
+
+double principal(const Vector6& stress, int from_smallest) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
+        Eigen::Matrix3d(stress_tensor(stress)), Eigen::EigenvaluesOnly);
+    return eigen.eigenvalues()[from_smallest];
+}
+
+double known_quantity(std::size_t index, const Record& record) {
+    const Vector6 &s = record.stress, &e = record.strain;
+    const double root3 = std::sqrt(3.0);
+    const double p = -(s[0] + s[1] + s[2]) / 3.0, q = -(s[0] - s[2]);
+    const double ev = -(e[0] + e[1] + e[2]), e13 = e[0] - e[2];
+    switch (index) {
+        case 12: return p;
+        case 13: return q;
+        case 14: return root3 * p;
+        case 15: return q;
+        case 16: return ev;
+        case 17: return -2.0 / 3.0 * e13;
+        case 18: return ev / root3;
+        case 19: return -std::sqrt(2.0 / 3.0) * e13;
+        case 20: return record.pore_pressure;
+        case 21: return record.time;
+        case 22: return principal(s, 2);
+        case 23: return principal(s, 1);
+        case 24: return principal(s, 0);
+        default: break;
+    }
+    return index < 6 ? s[static_cast<int>(index)] : e[static_cast<int>(index) - 6];
+}
+
+// 1 for "v1", 0 if the name is not of this form.
+std::size_t state_number(const std::string& name) {
+    if (name.size() < 2 || name.size() > 7 || name[0] != 'v') return 0;
+    const bool digits = std::all_of(name.begin() + 1, name.end(),
+                                    [](unsigned char c) { return c >= '0' && c <= '9'; });
+    return digits ? std::strtoul(name.c_str() + 1, nullptr, 10) : 0;
+}
+
+}  // namespace
+
+double quantity(const std::string& name, const Record& record,
+                const std::vector<std::string>& state_names) {
+    const auto found = std::find(std::begin(known), std::end(known), name);
+    if (found != std::end(known))
+        return known_quantity(static_cast<std::size_t>(found - std::begin(known)), record);
+    if (const std::size_t number = state_number(name)) {
+        if (number <= record.state.size()) return record.state[number - 1];
+        throw BadCase(text("there is no %s: the law has %d state variables", name.c_str(),
+                           static_cast<int>(record.state.size())));
+    }
+    const auto state = std::find(state_names.begin(), state_names.end(), name);
+    if (state != state_names.end())
+        return record.state[static_cast<std::size_t>(state - state_names.begin())];
+    std::string list;
+    for (const char* each : known) list += std::string(" ") + each;
+    throw BadCase(text("unknown quantity \"%s\"; known are%s, v1 v2 ... and the names of the "
+                       "state variables",
+                       name.c_str(), list.c_str()));
+}
+
+}  // namespace element

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "element/stage.hpp"
+
+#include <algorithm>
+
+#include "element/gradient.hpp"
+#include "element/path.hpp"
+
+namespace element {
+namespace {
+
+StrainIncrement increment_of(const Step& step, const Sample& now, const StageContext& context,
+                             double from, double to, double time_from, double time_to) {
+    StrainIncrement out;
+    out.total_strain = now.strain;
+    out.step_time = time_from;
+    out.total_time = now.time;
+    out.duration = time_to - time_from;
+    out.temperature = now.temperature;
+    out.temperature_change = (to - from) * step.temperature_change;
+    out.step = context.step;
+    out.number = context.increment;
+    return out;
+}
+
+Sample after(const Sample& now, const StrainIncrement& increment, const Solution& solution) {
+    Sample end;
+    end.point = solution.end;
+    end.strain = increment.total_strain + solution.strain_increment;
+    end.pore_pressure = solution.pore_pressure;
+    end.time = now.time + increment.duration;
+    end.temperature = now.temperature + increment.temperature_change;
+    return end;
+}
+
+class ControlledStage : public Stage {
+  public:
+    ControlledStage(const Step& s, const Sample& start, const StageContext& c)
+        : step(s), context(c), path(path_of(s, start)),
+          origin(path.rows.stress * (start.point.stress - start.pore_pressure * unit_tensor()) +
+                 path.rows.strain * start.strain) {}
+
+    Attempt attempt(const Sample& now, double from, double to) override {
+        Task task;
+        task.point = now.point;
+        task.strain = now.strain;
+        task.pore_pressure = now.pore_pressure;
+        task.increment = increment_of(step, now, context, from, to, time(from), time(to));
+        task.rows = path.rows;
+        task.goal = origin + path.change(to);
+        task.undrained = step.undrained;
+        task.tolerance = context.settings.tolerance;
+        task.iteration_limit =
+            step.iteration_limit > 0 ? step.iteration_limit : context.settings.iteration_limit;
+        task.guess = guess(task, to - from);
+        Attempt out;
+        out.solution = solve(context.law, task);
+        out.end = after(now, task.increment, out.solution);
+        return out;
+    }
+
+    void keep(const Attempt& attempt, double from, double to) override {
+        if (path.straight) slope = attempt.solution.strain_increment / (to - from);
+        else tangent = attempt.solution.tangent;
+    }
+
+    void forget() override {
+        slope.reset();
+        tangent.reset();
+    }
+
+    double time(double share) const override { return path.time(share); }
+
+  private:
+    // On a straight path the strain goes on as it went; otherwise the stress answers as it did.
+    Vector6 guess(const Task& task, double share) const {
+        if (slope) return share * *slope;
+        if (tangent)
+            if (const auto linear = linear_guess(task, *tangent)) return *linear;
+        return strain_only_guess(task);
+    }
+
+    const Step& step;
+    const StageContext& context;
+    Path path;
+    Vector6 origin;  // of the rows, at the start of the step
+    std::optional<Vector6> slope;
+    std::optional<Matrix6> tangent;
+};
+
+class GradientStage : public Stage {
+  public:
+    GradientStage(const Step& s, const StageContext& c)
+        : step(s), context(c), gradient(std::get<DeformationGradient>(s.kind)) {}
+
+    Attempt attempt(const Sample& now, double from, double to) override {
+        StrainIncrement increment =
+            increment_of(step, now, context, from, to, time(from), time(to));
+        increment.gradient_before = gradient_at(gradient, from);
+        increment.gradient_after = gradient_at(gradient, to);
+        const Motion motion = motion_between(increment.gradient_before, increment.gradient_after,
+                                             gradient.increments);
+        const Matrix3& Q = motion.rotation;
+        increment.strain = motion.strain;
+        increment.rotation = Q;
+        increment.total_strain = strain_components(Q * strain_tensor(now.strain) * Q.transpose());
+        Response response = context.law.advance(now.point, increment);
+        Attempt out;
+        out.solution.outcome = response.outcome;
+        out.solution.message = response.message;
+        out.solution.reduction = response.reduction;
+        out.solution.end = std::move(response.end);
+        out.solution.strain_increment = motion.strain;
+        out.solution.evaluations = response.evaluations;
+        out.solution.pore_pressure = now.pore_pressure;
+        out.end = after(now, increment, out.solution);
+        return out;
+    }
+
+    void keep(const Attempt&, double, double) override {}
+    void forget() override {}
+    double time(double share) const override { return share * step.duration; }
+
+  private:
+    const Step& step;
+    const StageContext& context;
+    const DeformationGradient& gradient;
+};
+
+}  // namespace
+
+std::unique_ptr<Stage> begin_stage(const Step& step, const Sample& sample,
+                                   const StageContext& context) {
+    if (std::holds_alternative<DeformationGradient>(step.kind))
+        return std::make_unique<GradientStage>(step, context);
+    return std::make_unique<ControlledStage>(step, sample, context);
+}
+
+Advance advance(Stage& stage, Sample& sample, double from, double to, double smallest_part) {
+    Advance out;
+    const double whole = to - from;
+    double part = whole;
+    while (from < to) {
+        const double next = from + part >= to - 1e-9 * part ? to : from + part;
+        Attempt attempt = stage.attempt(sample, from, next);
+        const Solution& solution = attempt.solution;
+        out.iterations += solution.iterations;
+        out.evaluations += solution.evaluations;
+        if (solution.outcome == Outcome::done) {
+            stage.keep(attempt, from, next);
+            out.residuals = solution.residuals;
+            sample = std::move(attempt.end);
+            from = next;
+            part *= 2.0;
+            continue;
+        }
+        stage.forget();
+        part = std::clamp(solution.reduction, 0.1, 0.5) * (next - from);
+        ++out.cut_backs;
+        if (solution.outcome == Outcome::hopeless || part < smallest_part * whole) {
+            out.done = false;
+            out.message = solution.message;
+            return out;
+        }
+    }
+    return out;
+}
+
+}  // namespace element

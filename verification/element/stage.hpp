@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A step in progress: parts of it are attempted, and kept or not.
+#pragma once
+
+#include <memory>
+
+#include "element/newton.hpp"
+#include "element/simulate.hpp"
+
+namespace element {
+
+struct Attempt {
+    Solution solution;
+    Sample end;  // meaningful if the solution is done
+};
+
+class Stage {
+  public:
+    Stage() = default;
+    Stage(const Stage&) = delete;
+    Stage& operator=(const Stage&) = delete;
+    virtual ~Stage() = default;
+
+    // From share `from` of the step, where the sample is now, to share `to`.
+    virtual Attempt attempt(const Sample& now, double from, double to) = 0;
+    // The last attempt is kept: it may guide the next.
+    virtual void keep(const Attempt& attempt, double from, double to) = 0;
+    // The last attempt failed: what guided it is not to be trusted.
+    virtual void forget() = 0;
+    // Since the step began.
+    virtual double time(double share) const = 0;
+};
+
+// number: KSTEP; number of the increment: set_increment. The step outlives the stage.
+struct StageContext {
+    const Law& law;
+    const Settings& settings;
+    int step = 1;
+    int increment = 1;
+};
+
+std::unique_ptr<Stage> begin_stage(const Step& step, const Sample& sample,
+                                   const StageContext& context);
+
+// Attempts from `from` to `to`, halving what fails and doubling again what succeeds.
+struct Advance {
+    bool done = true;
+    std::string message;  // of the failure
+    int iterations = 0, evaluations = 0, cut_backs = 0;
+    std::vector<double> residuals;  // of the last part
+};
+Advance advance(Stage& stage, Sample& sample, double from, double to, double smallest_part);
+
+}  // namespace element

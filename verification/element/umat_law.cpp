@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "element/umat_law.hpp"
+
+#include <dlfcn.h>
+
+#include <cmath>
+#include <cstddef>
+
+#include "element/errors.hpp"
+#include "element/guarded.hpp"
+#include "element/text.hpp"
+
+namespace element {
+namespace {
+
+using UmatFunction = void (*)(double* stress, double* statev, double* ddsdde, double* sse,
+                              double* spd, double* scd, double* rpl, double* ddsddt, double* drplde,
+                              double* drpldt, double* stran, double* dstran, double* time,
+                              double* dtime, double* temp, double* dtemp, double* predef,
+                              double* dpred, char* cmname, int* ndi, int* nshr, int* ntens,
+                              int* nstatv, double* props, int* nprops, double* coords, double* drot,
+                              double* pnewdt, double* celent, double* dfgrd0, double* dfgrd1,
+                              int* noel, int* npt, int* layer, int* kspt, int* kstep, int* kinc,
+                              std::size_t cmname_length);
+
+// Fortran's order.
+void copy_columns(const Matrix3& from, double* to) {
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row) *to++ = from(row, column);
+}
+
+// The memory of one call, all of it the callee's to spoil.
+struct Arguments {
+    Guarded stress, statev, ddsdde{36}, props, dstran{6}, stran{6};
+    double energy[3] = {}, rpl = 0.0, ddsddt[6] = {}, drplde[6] = {}, drpldt = 0.0;
+    double time[2], dtime, temp, dtemp, predef[1] = {}, dpred[1] = {}, coords[3] = {};
+    double drot[9], pnewdt = 1.0, celent = 1.0, dfgrd0[9], dfgrd1[9];
+    int ndi = 3, nshr = 3, ntens = 6, nstatv, nprops, noel = 1, npt = 1, layer = 1, kspt = 1;
+    int kstep, kinc;
+    std::string cmname;
+
+    Arguments(const UmatSource& source, const MaterialPoint& start, const StrainIncrement& d)
+        : stress(6), statev(source.state_size),
+          props(source.props.size()), time{d.step_time, d.total_time}, dtime(d.duration),
+          temp(d.temperature), dtemp(d.temperature_change), nstatv(source.state_size),
+          nprops(static_cast<int>(source.props.size())), kstep(d.step), kinc(d.number),
+          cmname(source.material_name) {
+        const Matrix3& Q = d.rotation;
+        Vector6 rotated = start.stress;
+        if (Q != Matrix3::Identity())
+            rotated = stress_components(Q * stress_tensor(start.stress) * Q.transpose());
+        stress.fill(rotated.data());
+        statev.fill(start.state.data());
+        props.fill(source.props.data());
+        dstran.fill(d.strain.data());
+        stran.fill(d.total_strain.data());
+        copy_columns(Q, drot);
+        copy_columns(d.gradient_before, dfgrd0);
+        copy_columns(d.gradient_after, dfgrd1);
+        cmname.resize(80, ' ');
+    }
+
+    void call(UmatFunction umat) {
+        umat(stress.data(), statev.data(), ddsdde.data(), &energy[0], &energy[1], &energy[2], &rpl,
+             ddsddt, drplde, &drpldt, stran.data(), dstran.data(), time, &dtime, &temp, &dtemp,
+             predef, dpred, cmname.data(), &ndi, &nshr, &ntens, &nstatv, props.data(), &nprops,
+             coords, drot, &pnewdt, &celent, dfgrd0, dfgrd1, &noel, &npt, &layer, &kspt, &kstep,
+             &kinc, cmname.size());
+    }
+
+    // Names of the arrays written beyond their end, empty if none.
+    std::string overrun() const {
+        std::string out;
+        if (!stress.intact()) out += " STRESS(6)";
+        if (!statev.intact()) out += text(" STATEV(%d)", nstatv);
+        if (!ddsdde.intact()) out += " DDSDDE(6,6)";
+        if (!props.intact()) out += text(" PROPS(%d)", nprops);
+        if (!dstran.intact()) out += " DSTRAN(6)";
+        if (!stran.intact()) out += " STRAN(6)";
+        return out;
+    }
+
+    bool finite() const { return stress.finite() && statev.finite() && ddsdde.finite(); }
+};
+
+}  // namespace
+
+UmatLaw::UmatLaw(UmatSource given) : source(std::move(given)) {
+    if (source.state_size < 0)
+        throw BadCase(text("NSTATV must be >= 0, got %d", source.state_size));
+    const auto size = static_cast<std::size_t>(source.state_size);
+    for (std::size_t i = source.state_names.size(); i < size; ++i)
+        source.state_names.push_back(text("statev(%d)", static_cast<int>(i) + 1));
+    source.state_names.resize(size);
+    for (const int index : {source.void_ratio, source.minus_pore_pressure})
+        if (index >= source.state_size)
+            throw BadCase(
+                text("NSTATV is %d: there is no STATEV(%d)", source.state_size, index + 1));
+    // A bare name would be looked up in the folders of the system.
+    const std::string path = std::filesystem::absolute(source.library).string();
+    void* opened = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (!opened) {
+        const char* why = dlerror();
+        throw BadCase(text("cannot load the UMAT: %s", why ? why : path.c_str()));
+    }
+    handle = std::shared_ptr<void>(opened, [](void* library) { dlclose(library); });
+    for (const char* name : {"umat_", "UMAT", "umat"}) {
+        if (void* symbol = dlsym(opened, name)) {
+            function = reinterpret_cast<void (*)()>(symbol);
+            found = name;
+            return;
+        }
+    }
+    throw BadCase(text("%s has no symbol umat_, UMAT or umat", path.c_str()));
+}
+
+MaterialPoint UmatLaw::start(const Vector6& stress, std::vector<double> state) const {
+    const auto size = static_cast<std::size_t>(source.state_size);
+    if (state.size() > size)
+        throw BadCase(text("%d state variables are given, NSTATV is %d",
+                           static_cast<int>(state.size()), source.state_size));
+    state.resize(size, 0.0);
+    return {stress, std::move(state)};
+}
+
+Response UmatLaw::advance(const MaterialPoint& start, const StrainIncrement& increment) const {
+    Arguments arguments(source, start, increment);
+    arguments.call(reinterpret_cast<UmatFunction>(function));
+    Response out;
+    if (const std::string overrun = arguments.overrun(); !overrun.empty()) {
+        out.outcome = Outcome::hopeless;
+        out.message = "the UMAT wrote beyond" + overrun + ": is NSTATV or NPROPS too small?";
+        return out;
+    }
+    if (!(arguments.pnewdt >= 1.0) || !arguments.finite()) {
+        out.outcome = Outcome::retry_smaller;
+        out.reduction = arguments.pnewdt > 0.0 && arguments.pnewdt < 1.0 ? arguments.pnewdt : 0.5;
+        out.message =
+            arguments.pnewdt >= 1.0
+                ? "the UMAT returned a value that is not finite"
+                : text("the UMAT asked for a smaller increment (PNEWDT = %g)", arguments.pnewdt);
+        return out;
+    }
+    out.end.stress = Vector6::Map(arguments.stress.data());
+    out.end.state.assign(arguments.statev.data(), arguments.statev.data() + source.state_size);
+    out.tangent = Eigen::Map<Eigen::Matrix<double, 6, 6>>(arguments.ddsdde.data());  // by columns
+    return out;
+}
+
+Observation UmatLaw::observe(const MaterialPoint& point) const {
+    Observation out;
+    if (source.void_ratio >= 0)
+        out.void_ratio = point.state[static_cast<std::size_t>(source.void_ratio)];
+    if (source.minus_pore_pressure >= 0)
+        out.pore_pressure = -point.state[static_cast<std::size_t>(source.minus_pore_pressure)];
+    return out;
+}
+
+}  // namespace element
