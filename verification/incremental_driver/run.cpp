@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "incremental_driver/run.hpp"
+
+#include <functional>
+#include <memory>
+
+#include "element/errors.hpp"
+#include "element/simulate.hpp"
+#include "element/text.hpp"
+#include "element/umat_law.hpp"
+#include "incremental_driver/classic_law.hpp"
+#include "incremental_driver/initial_conditions.hpp"
+#include "incremental_driver/output_file.hpp"
+#include "incremental_driver/test_file.hpp"
+
+namespace incremental_driver {
+namespace {
+
+using element::text;
+
+struct Inputs {
+    std::filesystem::path parameters_path, initial_path, test_path;
+    Parameters parameters;
+    InitialConditions initial;
+};
+
+std::shared_ptr<const element::Law> own_law(const Inputs& in, const element::MaterialPoint& start) {
+    const int nstatv = static_cast<int>(in.initial.statev.size());
+    ClassicSand sand = read_classic_props(in.parameters, in.parameters_path);
+    const auto refuse = [&](const std::string& why) -> BadInput {
+        return BadInput(text("%s:%d: %s", in.initial_path.string().c_str(), in.initial.nstatv_line,
+                             why.c_str()));
+    };
+    if (nstatv < classic_nstatv)
+        throw refuse(text("nstatv must be at least %d in the classic layout, better %d, got %d",
+                          classic_nstatv, classic_nstatv + 1, nstatv));
+    auto law = std::make_shared<ClassicLaw>(std::move(sand), nstatv);
+    try {
+        law->check(start);
+    } catch (const element::BadCase& error) {
+        throw refuse(text("the sand cannot start from this state: %s", error.what()));
+    }
+    return law;
+}
+
+std::shared_ptr<const element::Law> foreign_law(const Inputs& in,
+                                                const std::filesystem::path& library) {
+    element::UmatSource source;
+    source.library = library;
+    source.props = in.parameters.props;
+    source.state_size = static_cast<int>(in.initial.statev.size());
+    source.material_name = in.parameters.name;
+    try {
+        return std::make_shared<element::UmatLaw>(std::move(source));
+    } catch (const element::BadCase& error) {
+        throw BadInput(error.what());
+    }
+}
+
+// Rows 1, 1 + every, ... of each step go to the file while the run is going on.
+class Writer {
+  public:
+    Writer(OutputFile& f, const std::vector<StepNote>& n, const element::RunObserver& o)
+        : file(f), notes(n), observer(o) {}
+
+    bool operator()(const element::Progress& progress) {
+        const element::Record& record = *progress.record;
+        const StepNote& note = notes[static_cast<std::size_t>(record.step) - 1];
+        if ((record.increment - 1) % note.every == 0) file.row(record);
+        increments = progress.increment;
+        return !observer || observer(progress);
+    }
+
+    long increments = 0;
+
+  private:
+    OutputFile& file;
+    const std::vector<StepNote>& notes;
+    const element::RunObserver& observer;
+};
+
+Report simulate(const Request& request, const Inputs& in, const element::Law& law, const Test& test,
+                element::Sample sample, const element::RunObserver& observer) {
+    Report report;
+    report.output = (request.out.empty() ? request.folder : request.out) / test.output;
+    const int nstatv = static_cast<int>(in.initial.statev.size());
+    OutputFile file(report.output, test.heading, nstatv);
+    element::Record start;
+    start.stress = sample.point.stress;
+    start.state = sample.point.state;
+    file.row(start);
+    element::Settings settings;
+    settings.record_start = false;
+    Writer writer(file, test.notes, observer);
+    const element::History history =
+        element::simulate(law, sample, test.program, settings, std::ref(writer));
+    file.complete();
+    report.increments = writer.increments;
+    report.rows = file.rows();
+    report.exits = history.exits;
+    if (history.failure) {
+        const StepNote& note = test.notes[static_cast<std::size_t>(history.failure->step) - 1];
+        report.failure = text("%s:%d: %s", in.test_path.string().c_str(), note.line,
+                              history.failure->message.c_str());
+    }
+    return report;
+}
+
+}  // namespace
+
+Report run(const Request& request, const element::RunObserver& observer) {
+    Inputs in;
+    in.parameters_path = request.folder / "parameters.inp";
+    in.initial_path = request.folder / "initialconditions.inp";
+    in.test_path = request.folder / "test.inp";
+    in.parameters = read_parameters(in.parameters_path);
+    in.initial = read_initial_conditions(in.initial_path);
+    element::Sample sample;
+    sample.point = {in.initial.stress, in.initial.statev};
+    sample.temperature = in.initial.temperature;
+    const auto law =
+        request.umat.empty() ? own_law(in, sample.point) : foreign_law(in, request.umat);
+    const Test test = read_test(in.test_path, law->state_names());
+    return simulate(request, in, *law, test, std::move(sample), observer);
+}
+
+}  // namespace incremental_driver

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// test.inp: the name of the output file, then steps up to *End or the end of the file.
+#pragma once
+
+#include "element/step.hpp"
+#include "incremental_driver/step_reader.hpp"
+
+namespace incremental_driver {
+
+// Of every step as element::simulate counts them, repetitions counted through.
+struct StepNote {
+    int line = 0;  // of its keyword
+    std::string name;
+    int every = 1;  // increments 1, 1 + every, ... are written
+};
+
+struct Test {
+    std::string output;   // name of the file
+    std::string heading;  // behind # on the first line, empty: none
+    element::Program program;
+    std::vector<StepNote> notes;
+};
+
+// Throws BadInput. Files of *ImportFile are read too, from the folder of path.
+Test read_test(const std::filesystem::path& path, const std::vector<std::string>& state_names);
+
+}  // namespace incremental_driver
