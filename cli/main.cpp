@@ -8,6 +8,7 @@
 
 #include "cli/element_command.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/incremental_driver_command.hpp"
 #include "cli/sand_command.hpp"
 
 namespace {
@@ -40,11 +41,27 @@ int main(int argc, char** argv) {
     CLI::App* element =
         app.add_subcommand("element", "Run element tests, see docs/element-tests.md");
     cli::ElementRequest request;
-    element->add_option("CASE", request.cases, "TOML files; several are compared in one picture")
-        ->required();
-    element->add_option("--out", request.out, "Folder for data and pictures, made if missing [.]");
+    CLI::Option* cases = element->add_option("CASE", request.cases,
+                                             "TOML files; several are compared in one picture");
+    CLI::Option* out = element->add_option("--out", request.out,
+                                           "Folder for data and pictures, made if missing [.]");
     element->add_flag("--no-plot", request.no_plot, "Data only");
-    element->callback([&] { command = [&] { return cli::run_element_tests(request); }; });
+    cli::IncrementalDriverRequest driver;
+    CLI::Option* folder =
+        element->add_option("--incremental-driver", driver.folder,
+                            "Folder of incrementalDriver's input files, see "
+                            "docs/incremental-driver.md; output goes there or to --out");
+    folder->excludes(cases);
+    element->add_option("--umat", driver.umat, "Library with the law, instead of Grit's sand")
+        ->needs(folder);
+    element->callback([&] {
+        if (!*cases && !*folder) throw CLI::RequiredError("CASE or --incremental-driver");
+        if (*folder && *out) driver.out = request.out;
+        command = [&, of_folder = static_cast<bool>(*folder)] {
+            return of_folder ? cli::run_incremental_driver(driver)
+                             : cli::run_element_tests(request);
+        };
+    });
 
     try {
         app.parse(argc, argv);

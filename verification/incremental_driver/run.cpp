@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <system_error>
 
 #include "element/errors.hpp"
 #include "element/simulate.hpp"
@@ -57,6 +58,14 @@ std::shared_ptr<const element::Law> foreign_law(const Inputs& in,
     }
 }
 
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code refused;
+    std::filesystem::create_directories(folder, refused);
+    if (refused)
+        throw BadInput(text("%s: cannot make this folder: %s", folder.string().c_str(),
+                            refused.message().c_str()));
+}
+
 // Rows 1, 1 + every, ... of each step go to the file while the run is going on.
 class Writer {
   public:
@@ -84,6 +93,7 @@ Report simulate(const Request& request, const Inputs& in, const element::Law& la
     Report report;
     report.output = (request.out.empty() ? request.folder : request.out) / test.output;
     const int nstatv = static_cast<int>(in.initial.statev.size());
+    if (!request.out.empty()) make_folder(request.out);
     OutputFile file(report.output, test.heading, nstatv);
     element::Record start;
     start.stress = sample.point.stress;

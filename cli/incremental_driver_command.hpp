@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+
+#include "cli/exit_code.hpp"
+
+namespace cli {
+
+struct IncrementalDriverRequest {
+    std::filesystem::path folder;  // of parameters.inp, initialconditions.inp, test.inp
+    std::filesystem::path out;     // folder for the output file, empty: the same
+    std::filesystem::path umat;    // empty: Grit's own sand
+};
+
+// Run the folder (docs/incremental-driver.md) and write the file that test.inp names.
+// Throws BadInput before anything is computed or written if any of the files is wrong.
+ExitCode run_incremental_driver(const IncrementalDriverRequest& request);
+
+}  // namespace cli
