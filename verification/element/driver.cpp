@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "element/driver.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "element/errors.hpp"
@@ -38,10 +39,13 @@ double start_void_ratio(const GritLaw& law, const Start& start) {
 Sample start_of(const GritLaw& law, const Start& start) {
     if (!(start.pressure > 0.0) || !std::isfinite(start.pressure))
         throw BadCase(text("pressure must be > 0 kPa, got %g kPa", start.pressure));
+    Vector6 stress = Vector6::Zero(), compression = Vector6::Zero();
+    stress.head<3>().setConstant(-start.pressure);
+    compression.head<3>().setConstant(-1.0);
     Sample sample;
-    sample.point = law.start(-start.pressure * unit_tensor(), start_void_ratio(law, start));
+    sample.point = law.start(stress, start_void_ratio(law, start));
     if (start.intergranular_strain == IntergranularStrain::mobilised)
-        law.mobilise(sample.point, -unit_tensor(), 1.0);
+        law.mobilise(sample.point, compression, 1.0);
     return sample;
 }
 
@@ -70,7 +74,7 @@ Run run(const Case& test, const Observer& observer) {
     const GritLaw law(test.parameters, options_of(test));
     Sample sample = start_of(law, test.start);
     Settings settings;
-    settings.tolerance = test.numerics.tolerance;
+    settings.tolerance = std::min(settings.tolerance, test.numerics.tolerance);
     const auto report = [&](const Progress& progress) {
         if (observer)
             observer(static_cast<int>(progress.increment), static_cast<int>(progress.increments));

@@ -58,8 +58,12 @@ Matrix3 gradient_at(const DeformationGradient& step, double x) {
 
 Motion motion_between(const Matrix3& F_0, const Matrix3& F_1,
                       DeformationGradient::Increments increments) {
-    return increments == DeformationGradient::Increments::polar ? polar_motion(F_0, F_1)
-                                                                : midpoint_motion(F_0, F_1);
+    Motion motion = increments == DeformationGradient::Increments::polar
+                        ? polar_motion(F_0, F_1)
+                        : midpoint_motion(F_0, F_1);
+    // The roundoff of F is no strain: a law with a memory would take it for a direction.
+    if (motion.strain.norm() < 1e-14) motion.strain.setZero();
+    return motion;
 }
 
 }  // namespace element

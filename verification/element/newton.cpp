@@ -32,8 +32,17 @@ class Equations {
         return r.cwiseQuotient(sizes());
     }
 
-    // Correction of strain and pore pressure; nothing if the rows do not determine it.
-    std::optional<Values> correction(const Values& residual) const {
+    // Pore pressure with which the rows are met best; it enters them linearly.
+    double pore_pressure(const Vector6& stress, const Vector6& strain_increment) const {
+        if (!task.undrained) return task.pore_pressure;
+        const Values at_zero = residual(stress, strain_increment, 0.0);
+        const Vector6 slope =
+            (task.rows.stress * unit_tensor()).cwiseQuotient(Vector6(sizes().head<6>()));
+        return slope.dot(at_zero.head<6>()) / slope.squaredNorm();
+    }
+
+    // Correction of the strain; nothing if the rows do not determine it.
+    std::optional<Vector6> correction(const Values& residual) const {
         System J = System::Zero(n, n);
         J.topLeftCorner<6, 6>() = task.rows.stress * tangent + task.rows.strain;
         if (task.undrained) {
@@ -43,9 +52,8 @@ class Equations {
         const System scaled = sizes().cwiseInverse().asDiagonal() * J;
         const Eigen::FullPivLU<System> factors(scaled);
         if (!factors.isInvertible()) return std::nullopt;
-        Values x = factors.solve(-residual);
-        if (task.undrained) x[6] *= stiffness;
-        return x;
+        const Values x = factors.solve(-residual);
+        return Vector6(x.head<6>());
     }
 
     double stress_level() const { return level; }
@@ -77,7 +85,7 @@ Solution solve(const Law& law, const Task& task) {
     out.strain_increment = task.guess;
     out.pore_pressure = task.pore_pressure;
     StrainIncrement increment = task.increment;
-    Values last;  // correction
+    Vector6 last = Vector6::Zero();  // correction
     int damped = 0;
     for (;;) {
         increment.strain = out.strain_increment;
@@ -88,8 +96,7 @@ Solution solve(const Law& law, const Task& task) {
             if (out.iterations > 0 && damped < 4) {
                 ++damped;
                 last *= 0.5;
-                out.strain_increment -= last.head<6>();
-                if (task.undrained) out.pore_pressure -= last[6];
+                out.strain_increment -= last;
                 continue;
             }
             out.outcome = out.iterations > 0 ? Outcome::retry_smaller : response.outcome;
@@ -98,6 +105,7 @@ Solution solve(const Law& law, const Task& task) {
             return out;
         }
         const Equations equations(task, response.end, response.tangent);
+        out.pore_pressure = equations.pore_pressure(response.end.stress, out.strain_increment);
         const Values residual =
             equations.residual(response.end.stress, out.strain_increment, out.pore_pressure);
         out.residuals.push_back(residual.norm());
@@ -106,7 +114,7 @@ Solution solve(const Law& law, const Task& task) {
             out.tangent = response.tangent;
             return out;
         }
-        const std::optional<Values> correction = equations.correction(residual);
+        const std::optional<Vector6> correction = equations.correction(residual);
         if (!correction || out.iterations == task.iteration_limit) {
             out.outcome = Outcome::retry_smaller;
             out.reduction = 0.5;
@@ -120,27 +128,27 @@ Solution solve(const Law& law, const Task& task) {
         }
         last = *correction;
         damped = 0;
-        out.strain_increment += last.head<6>();
-        if (task.undrained) out.pore_pressure += last[6];
+        out.strain_increment += last;
         ++out.iterations;
     }
 }
 
 std::optional<Vector6> linear_guess(const Task& task, const Matrix6& tangent) {
     const Equations equations(task, task.point, tangent);
-    const auto x = equations.correction(
+    return equations.correction(
         equations.residual(task.point.stress, Vector6::Zero(), task.pore_pressure));
-    if (!x) return std::nullopt;
-    return Vector6(x->head<6>());
 }
 
 Vector6 strain_only_guess(const Task& task) {
-    Vector6 missing = task.goal - task.rows.strain * task.strain;
-    for (int r = 0; r < 6; ++r)
-        if (!task.rows.stress.row(r).isZero(0.0)) missing[r] = 0.0;
-    Matrix6 rows = task.rows.strain;
-    for (int r = 0; r < 6; ++r)
-        if (!task.rows.stress.row(r).isZero(0.0)) rows.row(r).setZero();
+    Eigen::Matrix<double, 7, 6> rows = Eigen::Matrix<double, 7, 6>::Zero();
+    Eigen::Matrix<double, 7, 1> missing = Eigen::Matrix<double, 7, 1>::Zero();
+    const Vector6 change = task.goal - task.rows.strain * task.strain;
+    for (int r = 0; r < 6; ++r) {
+        if (!task.rows.stress.row(r).isZero(0.0)) continue;
+        rows.row(r) = task.rows.strain.row(r);
+        missing[r] = change[r];
+    }
+    if (task.undrained) rows.row(6) = unit_tensor().transpose();
     return rows.completeOrthogonalDecomposition().solve(missing);
 }
 
