@@ -1,48 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <numbers>
 
-#include "support/elastic.hpp"
-#include "support/lausitz.hpp"
+#include "support/runs.hpp"
 
 namespace {
 
 using namespace tests;
 using namespace element;
-
-constexpr double pi = std::numbers::pi;
-
-struct Outcome {
-    History history;
-    Sample sample;
-};
-
-Outcome run_elastic(const Program& program) {
-    const Elastic law;
-    Outcome out;
-    out.sample.point = elastic_point();
-    out.history = simulate(law, out.sample, program);
-    EXPECT_FALSE(out.history.failure) << out.history.failure->message;
-    return out;
-}
-
-Outcome run_sand(const Program& program, double e = 0.7) {
-    const GritLaw law = lausitz_law();
-    Outcome out;
-    out.sample = isotropic_sample(law, 100.0, e);
-    out.history = simulate(law, out.sample, program);
-    EXPECT_FALSE(out.history.failure) << out.history.failure->message;
-    return out;
-}
-
-template <typename Kind> Step step_of(const Kind& kind, int increments) {
-    Step step;
-    step.kind = kind;
-    step.increments = increments;
-    return step;
-}
 
 TEST(Step, IsDividedEvenlyOrGeometricallyOrAsGiven) {
     const auto strains = [](Step step) {
@@ -75,7 +39,7 @@ TEST(Step, IsRecordedEachSoManyIncrementsAndAtItsEnd) {
 }
 
 TEST(Step, MayAimAtAValueInsteadOfAChange) {
-    const Outcome out = run_sand(
+    const Finished out = run_sand(
         {oedometer_to_stress(-200.0), oedometer_to_stress(-20.0), oedometer_to_stress(-400.0)});
     EXPECT_NEAR(out.history.records[100].stress[0], -200.0, 1e-6);
     EXPECT_NEAR(out.history.records[200].stress[0], -20.0, 1e-6);
@@ -87,8 +51,8 @@ TEST(Repetition, EqualsTheStepsWrittenOutAndMayBeNested) {
     const Step down = oedometer_strain(-0.002), up = oedometer_strain(0.001);
     const Step pair = step_of(Repetition{{down, up}, 2}, 1);
     const Step nested = step_of(Repetition{{pair, down}, 2}, 1);
-    const Outcome a = run_sand({nested});
-    const Outcome b = run_sand({down, up, down, up, down, down, up, down, up, down});
+    const Finished a = run_sand({nested});
+    const Finished b = run_sand({down, up, down, up, down, down, up, down, up, down});
     ASSERT_EQ(a.history.records.size(), b.history.records.size());
     EXPECT_EQ(a.history.records.size(), 1001u);
     EXPECT_EQ(a.sample.point.stress, b.sample.point.stress);
@@ -97,112 +61,8 @@ TEST(Repetition, EqualsTheStepsWrittenOutAndMayBeNested) {
     EXPECT_EQ(count_increments({nested}), 1000);
 }
 
-TEST(Cycles, OfTheLaboratoryGoBackAndForthAboutTheStart) {
-    Step quarter = triaxial_drained(-0.001);
-    quarter.increments = 50;
-    const Outcome out = run_sand(triangular_cycles(quarter, 3));
-    double lowest = 0.0, highest = 0.0;
-    for (const Record& r : out.history.records) {
-        lowest = std::min(lowest, r.strain[0]);
-        highest = std::max(highest, r.strain[0]);
-        EXPECT_NEAR(r.stress[2], -100.0, 1e-6);
-    }
-    EXPECT_NEAR(lowest, -0.001, 1e-14);
-    EXPECT_NEAR(highest, 0.001, 1e-14);
-    EXPECT_NEAR(out.sample.strain[0], -0.001, 1e-14);
-    EXPECT_EQ(out.history.records.back().step, 7);
-}
-
-TEST(CirculatingLoad, FollowsTheSineWithPhaseAndDriftAndComesBack) {
-    Circulating kind;
-    kind.rows = mixed_control({Control::stress, Control::stress, Control::stress, Control::strain,
-                               Control::strain, Control::strain});
-    kind.amplitude << 20.0, 0.0, 10.0, 1e-4, 0.0, 0.0;
-    kind.phase << 0.0, 0.0, pi / 2.0, pi, 0.0, 0.0;
-    kind.drift << 0.0, -5.0, 0.0, 0.0, 0.0, 0.0;
-    const Outcome out = run_sand({step_of(kind, 64)});
-    for (std::size_t i = 0; i <= 64; ++i) {
-        const Record& r = out.history.records[i];
-        const double x = static_cast<double>(i) / 64.0, angle = 2.0 * pi * x;
-        EXPECT_NEAR(r.stress[0], -100.0 + 20.0 * std::sin(angle), 1e-6);
-        EXPECT_NEAR(r.stress[1], -100.0 - 5.0 * x, 1e-6);
-        EXPECT_NEAR(r.stress[2], -100.0 + 10.0 * (std::cos(angle) - 1.0), 1e-6);
-        EXPECT_NEAR(r.strain[3], -1e-4 * std::sin(angle), 1e-12);
-    }
-}
-
-TEST(CirculatingLoad, TakesTheRateAtMidpointWhereIncrementalDriverIsToBeMatched) {
-    Circulating kind;
-    kind.rows = strain_control();
-    kind.amplitude[0] = 1e-3;
-    kind.rate_at_midpoint = true;
-    constexpr int n = 20;
-    const Outcome out = run_elastic({step_of(kind, n)});
-    double strain = 0.0;
-    for (int i = 0; i < n; ++i) {
-        strain += 1e-3 * 2.0 * pi / n * std::cos(2.0 * pi * (i + 0.5) / n);
-        EXPECT_NEAR(out.history.records[static_cast<std::size_t>(i) + 1].strain[0], strain, 1e-15);
-    }
-}
-
-TEST(ImportedHistory, TakesItsColumnsTimesTheirFactors) {
-    Imported kind;
-    kind.rows = mixed_control({Control::strain, Control::stress, Control::stress, Control::strain,
-                               Control::strain, Control::strain});
-    kind.table = {{10.0, 5.0, 100.0}, {12.0, 5.1, 101.0}, {13.0, 4.9, 105.0}};
-    kind.columns[0] = {1, 0.01};
-    kind.columns[1] = {2, -2.0};
-    kind.time = {0, 60.0};
-    const Outcome out = run_elastic({step_of(kind, 999)});
-    ASSERT_EQ(out.history.records.size(), 3u);
-    EXPECT_NEAR(out.history.records[1].strain[0], 0.001, 1e-15);
-    EXPECT_NEAR(out.history.records[1].stress[1], -2.0, 1e-9);
-    EXPECT_NEAR(out.history.records[1].time, 120.0, 1e-12);
-    EXPECT_NEAR(out.sample.strain[0], -0.001, 1e-15);
-    EXPECT_NEAR(out.sample.point.stress[1], -10.0, 1e-9);
-    EXPECT_NEAR(out.sample.time, 180.0, 1e-12);
-}
-
-TEST(Perturbations, ProbeEveryDirectionFromOneStateAndLeaveIt) {
-    Perturbations kind;
-    kind.rows = mixed_control({Control::stress, Control::stress, Control::stress, Control::stress,
-                               Control::stress, Control::stress},
-                              Variables::roscoe_isomorph);
-    kind.first[0] = kind.second[1] = 0.1;  // a circle of 0.1 kPa in the P-Q plane
-    const Outcome out = run_sand({triaxial_drained(-0.002), step_of(kind, 36)});
-    const Record& origin = out.history.records[100];
-    for (std::size_t i = 0; i < 36; ++i) {
-        const Record& probe = out.history.records[101 + i];
-        EXPECT_NEAR((probe.stress - origin.stress).norm(), 0.1, 1e-6);
-        EXPECT_GT((probe.strain - origin.strain).norm(), 0.0);
-    }
-    EXPECT_EQ(out.sample.point.stress, origin.stress);
-    EXPECT_EQ(out.sample.strain, origin.strain);
-    EXPECT_EQ(out.sample.point.state, origin.state);
-}
-
-TEST(RandomWalk, IsTheSameForOneSeedAndStaysWithinItsSteps) {
-    RandomWalk kind;
-    kind.rows = strain_control();
-    kind.amplitude << 1e-4, 1e-4, 1e-4, 2e-4, 0.0, 0.0;
-    kind.seed = 7;
-    const Outcome a = run_sand({step_of(kind, 200)}), b = run_sand({step_of(kind, 200)});
-    EXPECT_EQ(a.sample.point.stress, b.sample.point.stress);
-    kind.seed = 8;
-    EXPECT_NE(run_sand({step_of(kind, 200)}).sample.strain, a.sample.strain);
-    double largest = 0.0;
-    for (std::size_t i = 1; i < a.history.records.size(); ++i) {
-        const Vector6 d = a.history.records[i].strain - a.history.records[i - 1].strain;
-        largest = std::max(largest, std::abs(d[0]));
-        EXPECT_LE(std::abs(d[3]), 2e-4);
-        EXPECT_EQ(d[4], 0.0);
-    }
-    EXPECT_LE(largest, 1e-4);
-    EXPECT_GT(largest, 0.9e-4);
-}
-
 TEST(RestSteps, LetTimePassAndHoldWhatTheirNameSays) {
-    const Outcome out =
+    const Finished out =
         run_sand({triaxial_drained(-0.005), relaxation(60.0), creep(30.0), undrained_creep(10.0)});
     EXPECT_NEAR(out.sample.time, 100.0, 1e-9);
     EXPECT_EQ(out.sample.strain, out.history.records[100].strain);  // sand does not creep

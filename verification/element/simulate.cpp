@@ -7,26 +7,40 @@
 #include "element/check.hpp"
 #include "element/errors.hpp"
 #include "element/path.hpp"
-#include "element/stage.hpp"
+#include "element/recorder.hpp"
 #include "element/text.hpp"
 
 namespace element {
 namespace {
 
+// Number `index` of a step of perturbations, as a step of its own.
+Step probe_of(const Step& step, int index) {
+    const auto& probes = std::get<Perturbations>(step.kind);
+    const double angle = 2.0 * std::numbers::pi * (index - 1) / step.increments;
+    Linear kind;
+    kind.rows = probes.rows;
+    kind.change = std::cos(angle) * probes.first + std::sin(angle) * probes.second;
+    Step probe;
+    probe.kind = kind;
+    probe.increments = 1;
+    probe.duration = step.duration / step.increments;
+    probe.iteration_limit = step.iteration_limit;
+    probe.undrained = step.undrained;
+    return probe;
+}
+
 // A run in progress; every function that returns bool returns false where the run is over.
 class Runner {
   public:
     Runner(const Law& l, Sample& s, const Settings& set, const RunObserver& o)
-        : law(l), sample(s), settings(set), observer(o) {
-        history.state_names = law.state_names();
-    }
+        : law(l), sample(s), settings(set), observer(o), recorder(l, set.keep_residuals) {}
 
     History run(const Program& program) {
         progress.steps = count_steps(program);
         progress.increments = count_increments(program);
-        if (settings.record_start) record(Advance{}, 0.0);
+        if (settings.record_start) recorder.record(sample, place, 0.0);
         run_steps(program);
-        return std::move(history);
+        return recorder.take();
     }
 
   private:
@@ -37,8 +51,8 @@ class Runner {
                     if (!run_steps(repetition->steps)) return false;
                 continue;
             }
-            ++progress.step;
-            increment = 0;
+            ++place.step;
+            place.increment = 0;
             const bool go_on =
                 std::holds_alternative<Perturbations>(step.kind) ? probe(step) : follow(step);
             if (!go_on) return false;
@@ -47,76 +61,66 @@ class Runner {
     }
 
     bool follow(const Step& step) {
-        StageContext context{law, settings, progress.step, 1};
+        StageContext context{law, settings, place.step, 1};
         const auto stage = begin_stage(step, sample, context);
         const std::vector<double> knots = knots_of(step);
-        const auto last = knots.size() - 1;
-        for (std::size_t i = 1; i <= last; ++i) {
-            context.increment = increment = static_cast<int>(i);
+        const int last = static_cast<int>(knots.size()) - 1;
+        for (int i = 1; i <= last; ++i) {
+            const double from = knots[static_cast<std::size_t>(i) - 1];
+            double to = knots[static_cast<std::size_t>(i)];
+            context.increment = place.increment = i;
             const Sample before = step.exit.exactly ? sample : Sample{};
-            Advance done = advance(*stage, sample, knots[i - 1], knots[i], settings.smallest_part);
-            if (!done.done) return fail(step, done.message, static_cast<int>(last));
-            double share = knots[i];
+            Advance work = advance(*stage, sample, from, to, settings.smallest_part);
+            if (!work.done) return fail(step, work.message, last);
             const Condition* exit = first_exit(step);
-            if (exit && step.exit.exactly)
-                share = locate(step, *stage, *exit, before, knots[i - 1], knots[i], done);
-            add(done);
-            if (exit || i % static_cast<std::size_t>(step.every) == 0 ||
-                (i == last && step.record_end))
-                record(take(), stage->time(share));
-            if (!report()) return stop(step, static_cast<int>(last));
-            if (!exit) continue;
-            history.exits.push_back(
-                text("step %d, increment %d: %s", progress.step, increment, exit->text.c_str()));
-            return true;
+            if (exit && step.exit.exactly) to = locate(*stage, *exit, before, from, to, work);
+            recorder.add(work);
+            if (exit || i % step.every == 0 || (i == last && step.record_end))
+                recorder.record(sample, place, stage->time(to));
+            if (exit) recorder.exit(place, *exit);
+            if (!report()) return fail(step, "stopped on request", last);
+            if (exit) return true;
         }
         return true;
     }
 
     // Every increment from the same state.
     bool probe(const Step& step) {
-        const auto& probes = std::get<Perturbations>(step.kind);
         const Sample origin = sample;
-        const double part = step.duration / step.increments;
         for (int i = 1; i <= step.increments; ++i) {
-            increment = i;
-            const double angle = 2.0 * std::numbers::pi * (i - 1) / step.increments;
-            Step single = step;
-            single.kind = Linear{
-                probes.rows, std::cos(angle) * probes.first + std::sin(angle) * probes.second, {}};
-            single.increments = 1;
-            single.shares.clear();
-            single.first_share = 0.0;
-            single.duration = part;
-            const StageContext context{law, settings, progress.step, i};
+            place.increment = i;
+            const Step single = probe_of(step, i);
+            const StageContext context{law, settings, place.step, i};
             const auto stage = begin_stage(single, sample, context);
+            const Advance work = advance(*stage, sample, 0.0, 1.0, settings.smallest_part);
+            if (!work.done) return fail(step, work.message, step.increments);
+            recorder.add(work);
+            recorder.record(sample, place, i * single.duration);
+            if (!report()) return fail(step, "stopped on request", step.increments);
             const double time = sample.time;
-            const Advance done = advance(*stage, sample, 0.0, 1.0, settings.smallest_part);
-            if (!done.done) return fail(step, done.message, step.increments);
-            record(done, i * part);
-            if (!report()) return stop(step, step.increments);
             sample = origin;
-            sample.time = time + part;
+            sample.time = time;
         }
         return true;
     }
 
-    const Condition* first_exit(const Step& step) {
-        if (step.exit.any_of.empty()) return nullptr;
-        const Record now = snapshot();
+    bool holds_now(const Condition& condition) const {
+        return holds(condition, recorder.snapshot(sample, place), recorder.state_names());
+    }
+
+    const Condition* first_exit(const Step& step) const {
         for (const Condition& condition : step.exit.any_of)
-            if (holds(condition, now, history.state_names)) return &condition;
+            if (holds_now(condition)) return &condition;
         return nullptr;
     }
 
-    // Leaves the sample where the condition begins to hold, and returns that share. The increment has
-    // been taken as a whole and the condition holds at its end.
-    double locate(const Step& step, Stage& stage, const Condition& exit, const Sample& before,
-                  double from, double to, Advance& work) {
-        Sample end = sample;
+    // The increment from `before` has been taken as a whole and the condition holds at its end. Leaves
+    // the sample where it begins to hold, and returns that share.
+    double locate(Stage& stage, const Condition& exit, const Sample& before, double from, double to,
+                  Advance& work) {
+        Sample beyond = sample;
         sample = before;
-        if (first_exit(step)) return sample = end, to;  // held from the start
-        double low = from, high = to;
+        double low = from, high = holds_now(exit) ? from : to;  // held before: nothing to find
         while (high - low > 1e-9 * (to - from)) {
             const double middle = 0.5 * (low + high);
             sample = before;
@@ -125,58 +129,19 @@ class Runner {
             work.iterations += part.iterations;
             work.evaluations += part.evaluations;
             if (!part.done) break;
-            const bool beyond = holds(exit, snapshot(), history.state_names);
-            (beyond ? high : low) = middle;
-            if (beyond) end = sample;
+            const bool reached = holds_now(exit);
+            (reached ? high : low) = middle;
+            if (reached) beyond = sample;
         }
-        sample = end;
-        return high;
-    }
-
-    Record snapshot() const {
-        Record out;
-        out.step = progress.step;
-        out.increment = increment;
-        out.time = sample.time;
-        out.strain = sample.strain;
-        out.stress = sample.point.stress;
-        out.state = sample.point.state;
-        const Observation seen = law.observe(sample.point);
-        const double carried = std::isnan(seen.pore_pressure) ? 0.0 : seen.pore_pressure;
-        out.void_ratio = seen.void_ratio;
-        out.pore_pressure = carried + sample.pore_pressure;
-        out.effective_stress = out.stress + carried * unit_tensor();
-        out.total_stress = out.stress - sample.pore_pressure * unit_tensor();
-        return out;
-    }
-
-    void record(const Advance& work, double step_time) {
-        Record out = snapshot();
-        out.step_time = step_time;
-        out.iterations = work.iterations;
-        out.evaluations = work.evaluations;
-        out.cut_backs = work.cut_backs;
-        if (settings.keep_residuals) out.residuals = work.residuals;
-        history.records.push_back(std::move(out));
-    }
-
-    void add(const Advance& work) {
-        unrecorded.iterations += work.iterations;
-        unrecorded.evaluations += work.evaluations;
-        unrecorded.cut_backs += work.cut_backs;
-        unrecorded.residuals = work.residuals;
-    }
-
-    Advance take() {
-        Advance out = std::move(unrecorded);
-        unrecorded = Advance{};
-        return out;
+        sample = beyond;
+        return high > from ? high : to;
     }
 
     bool report() {
         ++progress.increment;
+        progress.step = place.step;
         if (!observer) return true;
-        const Record now = snapshot();
+        const Record now = recorder.snapshot(sample, place);
         progress.record = &now;
         const bool go_on = observer(progress);
         progress.record = nullptr;
@@ -184,28 +149,17 @@ class Runner {
     }
 
     bool fail(const Step& step, const std::string& why, int increments) {
-        const std::string name = step.name.empty() ? "" : " (" + step.name + ")";
-        const Vector6& e = sample.strain;
-        history.failure = Failure{
-            progress.step, increment,
-            text("step %d%s, increment %d of %d, at strain %.6g %.6g %.6g %.6g %.6g %.6g: %s",
-                 progress.step, name.c_str(), increment, increments, e[0], e[1], e[2], e[3], e[4],
-                 e[5], why.c_str())};
+        recorder.fail(step, sample, place, increments, why);
         return false;
-    }
-
-    bool stop(const Step& step, int increments) {
-        return fail(step, "stopped on request", increments);
     }
 
     const Law& law;
     Sample& sample;
     const Settings& settings;
     const RunObserver& observer;
-    History history;
+    Recorder recorder;
     Progress progress;
-    Advance unrecorded;  // work since the last record
-    int increment = 0;
+    Place place;
 };
 
 }  // namespace

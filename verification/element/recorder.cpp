@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "element/recorder.hpp"
+
+#include <cmath>
+
+#include "element/text.hpp"
+
+namespace element {
+
+Recorder::Recorder(const Law& l, bool keep) : law(l), keep_residuals(keep) {
+    history.state_names = law.state_names();
+}
+
+Record Recorder::snapshot(const Sample& sample, Place place) const {
+    Record out;
+    out.step = place.step;
+    out.increment = place.increment;
+    out.time = sample.time;
+    out.strain = sample.strain;
+    out.stress = sample.point.stress;
+    out.state = sample.point.state;
+    const Observation seen = law.observe(sample.point);
+    const double carried = std::isnan(seen.pore_pressure) ? 0.0 : seen.pore_pressure;
+    out.void_ratio = seen.void_ratio;
+    out.pore_pressure = carried + sample.pore_pressure;
+    out.effective_stress = out.stress + carried * unit_tensor();
+    out.total_stress = out.stress - sample.pore_pressure * unit_tensor();
+    return out;
+}
+
+void Recorder::add(const Advance& more) {
+    work.iterations += more.iterations;
+    work.evaluations += more.evaluations;
+    work.cut_backs += more.cut_backs;
+    work.residuals = more.residuals;
+}
+
+void Recorder::record(const Sample& sample, Place place, double step_time) {
+    Record out = snapshot(sample, place);
+    out.step_time = step_time;
+    out.iterations = work.iterations;
+    out.evaluations = work.evaluations;
+    out.cut_backs = work.cut_backs;
+    if (keep_residuals) out.residuals = std::move(work.residuals);
+    work = Advance{};
+    history.records.push_back(std::move(out));
+}
+
+void Recorder::exit(Place place, const Condition& condition) {
+    history.exits.push_back(
+        text("step %d, increment %d: %s", place.step, place.increment, condition.text.c_str()));
+}
+
+void Recorder::fail(const Step& step, const Sample& sample, Place place, int increments,
+                    const std::string& why) {
+    const std::string name = step.name.empty() ? "" : " (" + step.name + ")";
+    const Vector6& e = sample.strain;
+    history.failure =
+        Failure{place.step, place.increment,
+                text("step %d%s, increment %d of %d, at strain %.6g %.6g %.6g %.6g %.6g %.6g: %s",
+                     place.step, name.c_str(), place.increment, increments, e[0], e[1], e[2], e[3],
+                     e[4], e[5], why.c_str())};
+}
+
+}  // namespace element
