@@ -61,9 +61,10 @@ void update(benchmark::State& state) {
         }
         benchmark::DoNotOptimize(work.stress.data());
     }
-    const auto points = static_cast<double>(calls.size() / n * n);
-    state.counters["per_point"] = benchmark::Counter(
-        points, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    const std::size_t points = calls.size() / n * n;
+    state.counters["per_point"] = benchmark::Counter(static_cast<double>(points),
+                                                     benchmark::Counter::kIsIterationInvariantRate |
+                                                         benchmark::Counter::kInvert);
 }
 
 void dependent_exp(benchmark::State& state) {
