@@ -116,6 +116,30 @@ TEST(DeformationGradient, ThatStretchesAlongTheAxesIsLogarithmicStrain) {
     EXPECT_NEAR(1.0 + by_gradient.point.state[GRIT_SAND_VOID_RATIO], 1.6 * F.determinant(), 1e-12);
 }
 
+// F = R U: what was stretched along the axes lies along the turned axes at the end.
+TEST(DeformationGradient, GivesStrainInTheConfigurationAtTheEnd) {
+    const Matrix3 R = rotation(0.7, {1.0, -2.0, 3.0});
+    const Eigen::Vector3d stretch(1.05, 0.97, 1.01);
+    const Matrix3 F = R * Matrix3(stretch.asDiagonal());
+    const Motion motion =
+        motion_between(Matrix3::Identity(), F, DeformationGradient::Increments::polar);
+    const Eigen::Vector3d logarithm = stretch.array().log();
+    const Matrix3 expected = R * Matrix3(logarithm.asDiagonal()) * R.transpose();
+    EXPECT_LE((strain_tensor(motion.strain) - expected).norm(), 1e-14);
+    EXPECT_LE((motion.rotation - R).norm(), 1e-14);
+}
+
+TEST(DeformationGradient, TurnsTheTotalStrainToo) {
+    const Elastic law;
+    Sample sample;
+    sample.point = elastic_point();
+    simulate(law, sample,
+             {oedometer_strain(-0.01), turned(rotation(std::acos(0.0), {0.0, 0.0, 1.0}), 10)});
+    EXPECT_NEAR(sample.strain[0], 0.0, 1e-14);
+    EXPECT_NEAR(sample.strain[1], -0.01, 1e-14);
+    EXPECT_NEAR(sample.point.stress[1], law.C(0, 0) * -0.01, 1e-10);
+}
+
 TEST(DeformationGradient, StartsFromTheIdentityInEveryStep) {
     Matrix3 F = Matrix3::Identity();
     F(0, 0) = 0.99;

@@ -39,6 +39,19 @@ TEST(CutBack, HalvesWhatTheLawRefusesAndArrives) {
     EXPECT_GE(history.records[1].cut_backs, 3);
 }
 
+TEST(CutBack, GrowsAgainOnceTheHardPartIsOver) {
+    Elastic law;
+    law.largest_increment = 1.5e-3;
+    law.hard_increments = 2.0;
+    Sample sample;
+    sample.point = elastic_point();
+    Step step = oedometer_strain(-0.04);
+    step.increments = 1;
+    const History history = simulate(law, sample, {step});
+    ASSERT_FALSE(history.failure) << history.failure->message;
+    EXPECT_LE(sample.point.state[0], 8.0);  // 32 if every part stayed as small as the first
+}
+
 TEST(CutBack, GivesUpWithStepIncrementAndReason) {
     Elastic law;
     law.largest_increment = 1e-12;

@@ -85,6 +85,9 @@ TEST(PoreWater, OfTheLawApproachesTheIncompressibleWaterOfTheDriver) {
         const Record& end = history.records.back();
         EXPECT_NEAR(end.total_stress[2], -100.0, 1e-6);
         EXPECT_NEAR(end.pore_pressure, -K_w * end.strain.head<3>().sum(), 1e-6);
+        EXPECT_LE(
+            (end.effective_stress - end.total_stress - end.pore_pressure * unit_tensor()).norm(),
+            1e-9);
         const double difference = std::abs(end.pore_pressure - incompressible.pore_pressure);
         EXPECT_LT(difference, 0.2 * last);
         last = difference;

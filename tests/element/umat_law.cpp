@@ -76,6 +76,18 @@ TEST(UmatLaw, OfGritsOwnLibraryEqualsGritWithPoreWaterOfItsOwn) {
     EXPECT_LE(worst_difference(with_increments({triaxial_drained(-0.02)}, 200), 2e6), 1e-8);
 }
 
+TEST(UmatLaw, TakesTheTangentByColumns) {
+    const GritLaw grit = lausitz_law();
+    const UmatLaw umat(grit_umat());
+    const Sample a = isotropic_sample(grit, 100.0, 0.7);
+    StrainIncrement increment;
+    increment.strain << -0.01, 0.004, 0.001, 0.003, -0.002, 0.001;
+    const Matrix6 expected = grit.advance(a.point, increment).tangent;
+    EXPECT_GT((expected - expected.transpose()).norm(), 0.01 * expected.norm());
+    EXPECT_LE((umat.advance(umat_sample(umat, a).point, increment).tangent - expected).norm(),
+              1e-8 * expected.norm());
+}
+
 TEST(UmatLaw, RotatesStressAndMemoryAsGritDoes) {
     Step turn;
     DeformationGradient motion;

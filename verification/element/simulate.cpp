@@ -124,7 +124,6 @@ class Runner {
         while (high - low > 1e-9 * (to - from)) {
             const double middle = 0.5 * (low + high);
             sample = before;
-            stage.forget();
             const Advance part = advance(stage, sample, from, middle, settings.smallest_part);
             work.iterations += part.iterations;
             work.evaluations += part.evaluations;

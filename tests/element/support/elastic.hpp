@@ -19,7 +19,7 @@ class Elastic : public element::Law {
                               const element::StrainIncrement& increment) const override {
         element::Response out;
         out.end = start;
-        if (increment.strain.norm() > largest_increment) {
+        if (increment.strain.norm() > largest_increment && start.state[0] < hard_increments) {
             out.outcome = element::Outcome::retry_smaller;
             out.reduction = 0.5;
             out.message = "increment must be small";
@@ -42,6 +42,7 @@ class Elastic : public element::Law {
 
     element::Matrix6 C = element::Matrix6::Zero();
     double largest_increment = 1e300;
+    double hard_increments = 1e300;  // the first so many know a largest increment
     double strength = 1e300;
 
   private:
