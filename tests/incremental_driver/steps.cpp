@@ -206,9 +206,6 @@ TEST(IncrementalDriverSteps, OnlyFortyColumnsOfAKeywordLineCount) {
                             "10 5 1.0                                : 5\n");
     EXPECT_EQ(test.program.size(), 1u);
     EXPECT_EQ(test.notes[0].every, 1);
-    EXPECT_NE(complaint("*PureCreep ? 1.0*s1 - 0.5*s2 - 0.5*s3 < -4000\n10 5 1\n")
-                  .find("column 40, which cuts \"-4000\""),
-              std::string::npos);
 }
 
 }  // namespace

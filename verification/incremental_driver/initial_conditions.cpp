@@ -17,7 +17,7 @@ InitialConditions read_initial_conditions(const std::filesystem::path& path) {
     const int ntens = Fields(lines, lines.next("ntens")).whole("ntens", 1, 6);
     for (int i = 1; i <= ntens; ++i) {
         const std::string what = element::text("stress(%d) of %d", i, ntens);
-        out.stress[i - 1] = Fields(lines, lines.next(what)).real(what);
+        out.stress[i - 1] = Fields(lines, lines.next(what)).single(what);
     }
     const Line* line = &lines.next("nstatv");
     if (const std::size_t equals = line->text.find('='); equals != std::string::npos) {
@@ -30,7 +30,7 @@ InitialConditions read_initial_conditions(const std::filesystem::path& path) {
     out.statev.assign(static_cast<std::size_t>(nstatv), 0.0);
     for (int i = 1; i <= nstatv && !lines.at_end(); ++i) {
         const std::string what = element::text("statev(%d) of %d", i, nstatv);
-        out.statev[static_cast<std::size_t>(i) - 1] = Fields(lines, lines.next(what)).real(what);
+        out.statev[static_cast<std::size_t>(i) - 1] = Fields(lines, lines.next(what)).single(what);
     }
     return out;
 }

@@ -74,6 +74,15 @@ double Fields::real(const std::string& what) {
     return *value;
 }
 
+double Fields::single(const std::string& what) {
+    const double value = real(what);
+    const std::string behind = text.substr(position, 2);
+    if (behind.size() == 2 && behind[0] == ',' && behind[1] >= '0' && behind[1] <= '9')
+        lines.fail(number, "expected " + what + ", got \"" + trimmed(text) +
+                               "\": decimals follow a point, not a comma");
+    return value;
+}
+
 int Fields::whole(const std::string& what, int lowest, int highest) {
     const double value = real(what);
     if (value != std::floor(value) || !(value >= lowest && value <= highest))

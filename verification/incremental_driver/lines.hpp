@@ -52,6 +52,8 @@ class Fields {
 
     // Finite; throws BadInput saying what was expected.
     double real(const std::string& what);
+    // The only value of its line: refuses the decimal comma that "0,2" may be meant to have.
+    double single(const std::string& what);
     // In [lowest, highest].
     int whole(const std::string& what, int lowest, int highest);
     std::optional<std::string> word();

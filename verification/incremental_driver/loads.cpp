@@ -13,7 +13,7 @@ using element::text;
 
 double read_amplitude(Lines& lines) {
     return Fields(lines, lines.next("the amplitude of the perturbations"))
-        .real("the amplitude of the perturbations");
+        .single("the amplitude of the perturbations");
 }
 
 element::Kind read_perturbations(Lines& lines, Control control) {
@@ -65,7 +65,7 @@ element::Kind read_deformation_gradient(Lines& lines) {
     int last = 0;
     for (const char* name : names) {
         const Line& line = lines.next(name);
-        out.F(name[1] - '1', name[2] - '1') = Fields(lines, line).real(name);
+        out.F(name[1] - '1', name[2] - '1') = Fields(lines, line).single(name);
         last = line.number;
     }
     // F = 1 + x (F_end - 1) must stay invertible all the way; sampled, for det is a cubic of x.

@@ -26,7 +26,7 @@ Parameters read_parameters(const std::filesystem::path& path) {
     for (int i = 1; i <= count; ++i) {
         const std::string what = element::text("PROPS(%d) of %d", i, count);
         const Line& line = lines.next(what);
-        out.props.push_back(Fields(lines, line).real(what));
+        out.props.push_back(Fields(lines, line).single(what));
         out.lines.push_back(line.number);
     }
     return out;

@@ -26,9 +26,11 @@ std::size_t temperature_of(const std::string& text) {
 }  // namespace
 
 Keyword read_keyword(const Lines& lines, const Line& line) {
-    std::string text = trimmed(within_forty_columns(lines, line));
+    const std::string kept = within_forty_columns(lines, line);
+    std::string text = trimmed(kept);
     Keyword out;
     out.line = line.number;
+    out.cut = kept.size() < line.text.size();
     if (const std::size_t mark = text.find('?'); mark != std::string::npos) {
         out.condition = trimmed(text.substr(mark + 1));
         if (out.condition.empty())
@@ -58,7 +60,8 @@ element::Condition read_condition(const Lines& lines, const Keyword& keyword,
             element::quantity(term.quantity, point, state_names);
         return condition;
     } catch (const element::BadCase& error) {
-        lines.fail(keyword.line, "exit condition \"" + keyword.condition + "\": " + error.what());
+        lines.fail(keyword.line, "exit condition \"" + keyword.condition + "\": " + error.what() +
+                                     (keyword.cut ? " (the line is read up to column 40)" : ""));
     }
 }
 

@@ -15,6 +15,7 @@ struct Keyword {
     std::string name;       // "*LinearLoad"
     std::string argument;   // of *ImportFile: "table.txt|3"
     std::string condition;  // behind "?", empty: none
+    bool cut = false;       // the line goes on beyond column 40
 };
 
 // Throws BadInput for text that is neither.

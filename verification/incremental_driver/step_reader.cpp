@@ -62,7 +62,7 @@ element::Kind read_short_form(Lines& lines, const ShortForm& form) {
     out.rows = mixed_control(form.controls, form.variables);
     if (form.driven != nothing) {
         const std::string what = std::string("the change of ") + form.name;
-        out.change[form.driven] = Fields(lines, lines.next(what)).real(what);
+        out.change[form.driven] = Fields(lines, lines.next(what)).single(what);
     }
     return out;
 }

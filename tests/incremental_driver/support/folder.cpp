@@ -46,16 +46,6 @@ incremental_driver::Test parse(const std::string& steps) {
 
 element::Step parse_one(const std::string& step) { return parse(step).program.at(0); }
 
-std::string complaint(const std::string& steps) {
-    try {
-        parse(steps);
-    } catch (const incremental_driver::BadInput& error) {
-        const std::string message = error.what();
-        return message.substr(message.find("test.inp"));
-    }
-    return {};
-}
-
 Table read_table(const fs::path& path, int headings) {
     std::ifstream file(path);
     Table table;

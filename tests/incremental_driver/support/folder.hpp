@@ -31,9 +31,6 @@ class Folder {
 incremental_driver::Test parse(const std::string& steps);
 // The same steps' one step.
 element::Step parse_one(const std::string& step);
-// Message of the BadInput that the steps are answered with, without the folder; empty: none.
-std::string complaint(const std::string& steps);
-
 using Table = std::vector<std::vector<double>>;
 
 // Rows of numbers below `headings` lines.
