@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Element tests as TOML files; docs/element-tests.md describes every key.
+// Element tests as TOML files; verification/cases/every_key.toml shows and explains every key.
 #pragma once
 
 #include <filesystem>
@@ -7,28 +7,62 @@
 #include <string>
 #include <vector>
 
-#include "element/case.hpp"
+#include <grit/grit.h>
+
+#include "cli/reference.hpp"
+#include "element/grit_law.hpp"
+#include "element/step.hpp"
+#include "element/umat_law.hpp"
 
 namespace cli {
 
-struct ReferenceValue {
-    std::string quantity;  // key of the case file: "sigma_11", "void_ratio", ...
-    double value;          // at the end of the loading
+enum class IntergranularStrain {
+    off,       // basic hypoplasticity
+    zero,      // h = 0: no memory
+    mobilised  // h = rho R along a direction, |h| = R as left by isotropic compression by default
 };
 
-struct Reference {
-    std::vector<ReferenceValue> values;
-    std::optional<double> tolerance;  // relative; the run fails beyond it
-    std::string origin;
-    std::filesystem::path curve;  // CSV with the columns eps11, s11, s33, e; empty: none
+struct Start {
+    element::Vector6 stress = element::Vector6::Zero();  // effective [kPa]
+    double void_ratio = 0.0;                             // e [-]
+    IntergranularStrain intergranular_strain = IntergranularStrain::mobilised;
+    element::Vector6 direction = -element::unit_tensor();  // of h
+    double rho = 1.0;                                      // |h|/R [-]
+};
+
+struct CaseStage {
+    std::string test;  // the word of the laboratory: "triaxial_drained", ...
+    element::Program program;
+    bool zero_strain = false;  // strains count from the beginning of this stage
+    bool shear = false;        // loaded by gamma_12; otherwise along 11
+    bool cyclic = false;
+};
+
+struct Limits {
+    std::optional<int> increments;
+    std::optional<double> milliseconds;  // of computing, the fastest of five runs
 };
 
 struct CaseFile {
-    element::Case test;
+    std::filesystem::path path;
+    std::string name;    // of the files it writes
+    std::string title;   // for people
+    std::string sand;    // name of the sand, for people
+    std::string sample;  // row of the table of samples, empty: none
+    grit_sand_parameters parameters{};
+    element::GritLawOptions options;  // evaluation_limit, tolerance
+    std::optional<element::UmatSource> umat;
+    std::vector<double> umat_state;
+    Start start;
+    std::vector<CaseStage> stages;
+    double stress_tolerance = 1e-9;  // of the prescribed stress, relative
+    int iteration_limit = 25;
+    Limits limits;
     Reference reference;
+    std::string picture;  // kind of picture, see panels.hpp
 };
 
-// Throws BadInput naming file, line and key.
-CaseFile read_case_file(const std::filesystem::path& path);
+// One case, or one for each row of its table of samples. Throws BadInput naming file, line and key.
+std::vector<CaseFile> read_case_file(const std::filesystem::path& path);
 
 }  // namespace cli

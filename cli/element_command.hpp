@@ -12,11 +12,13 @@ namespace cli {
 struct ElementRequest {
     std::vector<std::filesystem::path> cases;
     std::filesystem::path out = ".";
+    std::filesystem::path umat;  // library of the law, empty: Grit's own, or as the case says
     bool no_plot = false;
+    bool quiet = false;  // the table alone
 };
 
-// Run every case, write DIR/<case>.csv and pictures, print the table beside the references.
-// Throws BadInput before anything is computed if any of the files is wrong.
+// Run every case, write DIR/<case>.csv, _cycles.csv and pictures, print the table beside the
+// references. Throws BadInput before anything is computed if any of the files is wrong.
 ExitCode run_element_tests(const ElementRequest& request);
 
 }  // namespace cli

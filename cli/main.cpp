@@ -9,6 +9,7 @@
 #include "cli/element_command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/incremental_driver_command.hpp"
+#include "cli/plot_command.hpp"
 #include "cli/sand_command.hpp"
 
 namespace {
@@ -46,21 +47,36 @@ int main(int argc, char** argv) {
     CLI::Option* out = element->add_option("--out", request.out,
                                            "Folder for data and pictures, made if missing [.]");
     element->add_flag("--no-plot", request.no_plot, "Data only");
+    element->add_flag("--quiet", request.quiet, "The table of references alone");
     cli::IncrementalDriverRequest driver;
     CLI::Option* folder =
         element->add_option("--incremental-driver", driver.folder,
                             "Folder of incrementalDriver's input files, see "
                             "docs/incremental-driver.md; output goes there or to --out");
     folder->excludes(cases);
-    element->add_option("--umat", driver.umat, "Library with the law, instead of Grit's sand")
-        ->needs(folder);
+    element->add_option("--umat", request.umat, "Library with the law, instead of Grit's sand");
     element->callback([&] {
         if (!*cases && !*folder) throw CLI::RequiredError("CASE or --incremental-driver");
         if (*folder && *out) driver.out = request.out;
+        driver.umat = request.umat;
         command = [&, of_folder = static_cast<bool>(*folder)] {
             return of_folder ? cli::run_incremental_driver(driver)
                              : cli::run_element_tests(request);
         };
+    });
+
+    CLI::App* picture = app.add_subcommand("plot", "Draw results and laboratory data together");
+    cli::PlotRequest plot;
+    picture->add_option("RUN", plot.runs, "CSV files of grit element, drawn as lines");
+    picture->add_option("--data", plot.data, "CSV files of laboratories, drawn as points");
+    picture->add_option("--only", plot.only, "Rows of the data with this first cell");
+    picture->add_option("--kind", plot.kind,
+                        "Kind of picture, see docs/element-tests.md [triaxial]");
+    picture->add_option("--title", plot.title, "Above the picture");
+    picture->add_option("--out", plot.out, "Stem of the files .svg and .png [plot]");
+    picture->callback([&] {
+        if (plot.runs.empty() && plot.data.empty()) throw CLI::RequiredError("RUN or --data");
+        command = [&] { return cli::plot(plot); };
     });
 
     try {

@@ -17,15 +17,17 @@ double Progress::seconds() const {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-std::string Progress::line(int increment, int increments) const {
+std::string Progress::line(long increment, long increments) const {
     const double elapsed = seconds();
-    const double rate = elapsed > 0.0 ? increment / elapsed : 0.0;
-    const double left = rate > 0.0 ? (increments - increment) / rate : 0.0;
+    const double rate = elapsed > 0.0 ? static_cast<double>(increment) / elapsed : 0.0;
+    const double left = rate > 0.0 ? static_cast<double>(increments - increment) / rate : 0.0;
     return fmt::format("{}: increment {} of {} ({:.0f} %), {:.0f} increments/s, {:.0f} s left",
-                       name, increment, increments, 100.0 * increment / increments, rate, left);
+                       name, increment, increments,
+                       100.0 * static_cast<double>(increment) / static_cast<double>(increments),
+                       rate, left);
 }
 
-void Progress::operator()(int increment, int increments) {
+void Progress::operator()(long increment, long increments) {
     const auto now = Clock::now();
     if (terminal) {
         if (now - last < std::chrono::milliseconds(100)) return;
@@ -33,7 +35,8 @@ void Progress::operator()(int increment, int increments) {
         std::fflush(stderr);
         drawn = true;
     } else {
-        const int reached = static_cast<int>(10.0 * increment / increments);
+        const int reached = static_cast<int>(10.0 * static_cast<double>(increment) /
+                                             static_cast<double>(increments));
         if (reached == tenths || now - last < std::chrono::seconds(1)) return;
         tenths = reached;
         fmt::print(stderr, "{}\n", line(increment, increments));

@@ -11,14 +11,14 @@ namespace cli {
 class Progress {
   public:
     explicit Progress(std::string name);
-    void operator()(int increment, int increments);
+    void operator()(long increment, long increments);
     // Clear the line of a terminal.
     void finish();
     double seconds() const;
 
   private:
     using Clock = std::chrono::steady_clock;
-    std::string line(int increment, int increments) const;
+    std::string line(long increment, long increments) const;
 
     std::string name;
     bool terminal;

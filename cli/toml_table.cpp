@@ -2,50 +2,106 @@
 #include "cli/toml_table.hpp"
 
 #include <cmath>
-#include <limits>
-#include <vector>
+#include <cstdlib>
+#include <fstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <toml++/toml.h>
 
 #include "cli/exit_code.hpp"
+#include "cli/nearest.hpp"
 
 namespace cli {
 
-TomlTable::TomlTable(const toml::table& table_values, std::string file, std::string table_name)
-    : values(table_values), path(std::move(file)), name(std::move(table_name)) {}
+struct TomlTable::Content {
+    std::shared_ptr<const toml::table> document;  // owns values
+    const toml::table* values;
+
+    const toml::node* get(const std::string& key) const { return values->get(key); }
+};
+
+TomlTable::TomlTable(std::shared_ptr<const Content> table_content, std::string file,
+                     std::string table_name, const SampleRow* row)
+    : content(std::move(table_content)), path(std::move(file)), name(std::move(table_name)),
+      columns(row) {}
+
+TomlTable TomlTable::of_file(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    if (!file || std::filesystem::is_directory(path))
+        throw BadInput(fmt::format("{}: cannot read this file", path.string()));
+    try {
+        const auto document = std::make_shared<const toml::table>(toml::parse(file, path.string()));
+        return {std::make_shared<const Content>(Content{document, document.get()}), path.string(),
+                "", nullptr};
+    } catch (const toml::parse_error& error) {
+        throw BadInput(fmt::format("{}:{}: {}", path.string(), error.source().begin.line,
+                                   error.description()));
+    }
+}
 
 std::string TomlTable::full(const std::string& key) const {
-    return name.empty() ? key : name + "." + key;
+    if (name.empty() || key.empty()) return name + key;
+    return name + "." + key;
+}
+
+std::filesystem::path TomlTable::folder() const {
+    return std::filesystem::path(path).parent_path();
 }
 
 void TomlTable::fail(const std::string& key, const std::string& message) const {
-    const toml::node* node = values.get(key);
-    const auto line = (node ? node->source() : values.source()).begin.line;
+    const toml::node* node = content->get(key);
+    const auto line = (node ? node->source() : content->values->source()).begin.line;
     throw BadInput(line ? fmt::format("{}:{}: {}", path, line, message)
                         : fmt::format("{}: {}", path, message));
 }
 
-const toml::node* TomlTable::find(const std::string& key) {
+bool TomlTable::look(const std::string& key) {
     known.insert(key);
-    return values.get(key);
+    return content->get(key) != nullptr;
 }
 
-const toml::node& TomlTable::require(const std::string& key) {
-    const toml::node* node = find(key);
-    if (!node) {
-        std::vector<std::string> given;
-        for (const auto& [k, value] : values) given.emplace_back(k.str());
-        fail(key, fmt::format("{} is missing; given here: {}", full(key), fmt::join(given, ", ")));
+bool TomlTable::has(const std::string& key) { return look(key); }
+
+// Where a key is missing, one that looks like it and means nothing else is the better message.
+void TomlTable::refuse_misspelt(const std::string& key) const {
+    for (const std::string& other : given())
+        if (!known.contains(other) && nearest(other, {key}) == key)
+            fail(other, fmt::format("unknown key {}; nearest: {}", full(other), key));
+}
+
+void TomlTable::require(const std::string& key) {
+    if (look(key)) return;
+    refuse_misspelt(key);
+    fail(key, fmt::format("{} is missing{}", full(key),
+                          given().empty() ? std::string()
+                                          : fmt::format("; given: {}", fmt::join(given(), ", "))));
+}
+
+std::optional<double> TomlTable::column_of(const std::string& key, const std::string& text) const {
+    if (!columns || !text.starts_with("column ")) return std::nullopt;
+    const auto cell = columns->find(text.substr(7));
+    if (cell == columns->end()) {
+        std::vector<std::string> names;
+        for (const auto& [column, value] : *columns) names.push_back(column);
+        fail(key, fmt::format("{}: the samples have no column {}{}", full(key), text.substr(7),
+                              suggestion(text.substr(7), names)));
     }
-    return *node;
+    char* end = nullptr;
+    const double value = std::strtod(cell->second.c_str(), &end);
+    if (cell->second.empty() || *end)
+        fail(key, fmt::format("{}: column {} has \"{}\" where a number is needed", full(key),
+                              cell->first, cell->second));
+    return value;
 }
-
-bool TomlTable::has(const std::string& key) { return find(key) != nullptr; }
 
 double TomlTable::number(const std::string& key) {
-    const std::optional<double> value = require(key).value<double>();
-    if (!value || !require(key).is_number()) fail(key, full(key) + " must be a number");
+    require(key);
+    const toml::node& node = *content->get(key);
+    std::optional<double> value;
+    if (node.is_number()) value = node.value<double>();
+    if (node.is_string()) value = column_of(key, node.value<std::string>().value());
+    if (!value) fail(key, full(key) + " must be a number");
     if (!std::isfinite(*value))
         fail(key, fmt::format("{} must be finite, got {}", full(key), *value));
     return *value;
@@ -55,44 +111,143 @@ std::optional<double> TomlTable::number_if(const std::string& key) {
     return has(key) ? std::optional(number(key)) : std::nullopt;
 }
 
-int TomlTable::integer_or(const std::string& key, int otherwise) {
+double TomlTable::positive_or(const std::string& key, double otherwise) {
+    const double value = number_if(key).value_or(otherwise);
+    if (has(key) && !(value > 0.0))
+        fail(key, fmt::format("{} must be > 0, got {:g}", full(key), value));
+    return value;
+}
+
+int TomlTable::integer_or(const std::string& key, int otherwise, int lowest, int highest) {
     if (!has(key)) return otherwise;
-    const toml::node& node = require(key);
+    const toml::node& node = *content->get(key);
     if (!node.is_integer()) fail(key, full(key) + " must be an integer");
     const auto value = node.value<std::int64_t>().value();
-    constexpr std::int64_t limit = std::numeric_limits<int>::max();
-    if (value < -limit || value > limit)
-        fail(key, fmt::format("{} must be within +-{}, got {}", full(key), limit, value));
+    if (value < lowest || value > highest)
+        fail(key, fmt::format("{} must be in [{}, {}], got {}", full(key), lowest, highest, value));
     return static_cast<int>(value);
 }
 
+bool TomlTable::boolean_or(const std::string& key, bool otherwise) {
+    if (!has(key)) return otherwise;
+    const std::optional<bool> value = content->get(key)->value_exact<bool>();
+    if (!value) fail(key, full(key) + " must be true or false");
+    return *value;
+}
+
 std::string TomlTable::string(const std::string& key) {
-    const toml::node& node = require(key);
-    if (!node.is_string()) fail(key, full(key) + " must be a string");
-    const std::string value = node.value<std::string>().value();
-    for (const char c : value)
+    require(key);
+    const std::optional<std::string> value = content->get(key)->value_exact<std::string>();
+    if (!value) fail(key, full(key) + " must be a string");
+    for (const char c : *value)
         if (static_cast<unsigned char>(c) < 0x20) fail(key, full(key) + " must be a single line");
-    return value;
+    return *value;
 }
 
 std::optional<std::string> TomlTable::string_if(const std::string& key) {
     return has(key) ? std::optional(string(key)) : std::nullopt;
 }
 
+std::string TomlTable::choice(const std::string& key, const std::vector<std::string>& words) {
+    const std::string word = string(key);
+    for (const std::string& known_word : words)
+        if (word == known_word) return word;
+    const std::string best = nearest(word, words);
+    fail(key, fmt::format("{} must be one of {}; got \"{}\"{}", full(key), fmt::join(words, ", "),
+                          word, best.empty() ? "" : "; nearest: " + best));
+}
+
+std::vector<double> TomlTable::numbers(const std::string& key, std::size_t size) {
+    require(key);
+    const toml::array* array = content->get(key)->as_array();
+    const std::string wanted =
+        size ? fmt::format("a list of {} numbers", size) : std::string("a list of numbers");
+    if (!array) fail(key, fmt::format("{} must be {}", full(key), wanted));
+    std::vector<double> out;
+    for (const toml::node& node : *array) {
+        const std::optional<double> value = node.value<double>();
+        if (!node.is_number() || !std::isfinite(*value))
+            fail(key, fmt::format("{} must be {}: number {} is none", full(key), wanted,
+                                  out.size() + 1));
+        out.push_back(*value);
+    }
+    if (size && out.size() != size)
+        fail(key, fmt::format("{} must be {}, got {}", full(key), wanted, out.size()));
+    return out;
+}
+
+std::optional<std::vector<double>> TomlTable::numbers_if(const std::string& key, std::size_t size) {
+    return has(key) ? std::optional(numbers(key, size)) : std::nullopt;
+}
+
+std::vector<std::string> TomlTable::strings_or_none(const std::string& key) {
+    if (!has(key)) return {};
+    const toml::array* array = content->get(key)->as_array();
+    if (!array) return {string(key)};
+    std::vector<std::string> out;
+    for (const toml::node& node : *array) {
+        const std::optional<std::string> value = node.value_exact<std::string>();
+        if (!value) fail(key, full(key) + " must be a string or a list of strings");
+        out.push_back(*value);
+    }
+    return out;
+}
+
 TomlTable TomlTable::table(const std::string& key) {
-    const toml::table* inner = require(key).as_table();
-    if (!inner) fail(key, full(key) + " must be a table: [" + full(key) + "]");
-    return {*inner, path, full(key)};
+    require(key);
+    const toml::table* inner = content->get(key)->as_table();
+    if (!inner) fail(key, fmt::format("{} must be a table: [{}]", full(key), full(key)));
+    return {std::make_shared<const Content>(Content{content->document, inner}), path, full(key),
+            columns};
 }
 
 std::optional<TomlTable> TomlTable::table_if(const std::string& key) {
     return has(key) ? std::optional(table(key)) : std::nullopt;
 }
 
+std::vector<TomlTable> TomlTable::tables_if(const std::string& key) {
+    std::vector<TomlTable> out;
+    if (!has(key)) return out;
+    const toml::array* array = content->get(key)->as_array();
+    if (!array) fail(key, fmt::format("{} must be written [[{}]]", full(key), full(key)));
+    for (const toml::node& node : *array) {
+        if (!node.is_table())
+            fail(key, fmt::format("{} must be written [[{}]]", full(key), full(key)));
+        out.push_back(
+            TomlTable(std::make_shared<const Content>(Content{content->document, node.as_table()}),
+                      path, fmt::format("{}[{}]", full(key), out.size() + 1), columns));
+    }
+    return out;
+}
+
+std::vector<std::string> TomlTable::given() const {
+    std::vector<std::string> out;
+    for (const auto& [key, node] : *content->values) out.emplace_back(key.str());
+    return out;
+}
+
+std::optional<std::string> TomlTable::one_of_if(const std::vector<std::string>& keys) {
+    std::optional<std::string> found;
+    for (const std::string& key : keys) {
+        if (!has(key)) continue;
+        if (found) fail(key, fmt::format("give {} or {}, not both", full(*found), full(key)));
+        found = key;
+    }
+    return found;
+}
+
+std::string TomlTable::one_of(const std::vector<std::string>& keys) {
+    if (const std::optional<std::string> found = one_of_if(keys)) return *found;
+    for (const std::string& key : keys) refuse_misspelt(key);
+    fail("", fmt::format("{} is missing", fmt::join(keys, " or ")) +
+                 (name.empty() ? "" : " in " + name));
+}
+
 void TomlTable::finish() const {
-    for (const auto& [key, node] : values)
-        if (const std::string k{key.str()}; !known.contains(k))
-            fail(k, fmt::format("unknown key {}; known here: {}", full(k), fmt::join(known, ", ")));
+    for (const std::string& key : given())
+        if (!known.contains(key))
+            fail(key, fmt::format("unknown key {}{}", full(key),
+                                  suggestion(key, {known.begin(), known.end()})));
 }
 
 }  // namespace cli

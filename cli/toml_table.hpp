@@ -1,44 +1,77 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A TOML table read strictly: what is asked for must have its type, what is left is an error.
+// A TOML table read strictly: what is asked for must have its type, what is left is an error. Numbers
+// may come from a row of a table of samples: "column p0_kPa".
 #pragma once
 
+#include <filesystem>
+#include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
-
-#include <toml++/toml.h>
+#include <vector>
 
 namespace cli {
 
+// What "column NAME" stands for, by name.
+using SampleRow = std::map<std::string, std::string>;
+
 class TomlTable {
   public:
-    // path: of the file, for messages. name: of the table, "" for the root.
-    TomlTable(const toml::table& values, std::string path, std::string name);
+    // Throws BadInput for a file that cannot be read or is no TOML.
+    static TomlTable of_file(const std::filesystem::path& path);
 
     bool has(const std::string& key);
     double number(const std::string& key);
     std::optional<double> number_if(const std::string& key);
-    int integer_or(const std::string& key, int otherwise);
+    double positive_or(const std::string& key, double otherwise);
+    int integer_or(const std::string& key, int otherwise, int lowest, int highest);
+    bool boolean_or(const std::string& key, bool otherwise);
     std::string string(const std::string& key);
     std::optional<std::string> string_if(const std::string& key);
+    // A string that must be one of these.
+    std::string choice(const std::string& key, const std::vector<std::string>& words);
+    // size 0: any.
+    std::vector<double> numbers(const std::string& key, std::size_t size = 0);
+    std::optional<std::vector<double>> numbers_if(const std::string& key, std::size_t size = 0);
+    std::vector<std::string> strings_or_none(const std::string& key);  // a string is a list of one
     TomlTable table(const std::string& key);
     std::optional<TomlTable> table_if(const std::string& key);
+    std::vector<TomlTable> tables_if(const std::string& key);  // [[key]]
 
-    // Refuse keys nobody has asked for; lists those that were.
+    // Keys as they are written.
+    std::vector<std::string> given() const;
+    // Of several ways to say it, exactly one must be there; returns it.
+    std::string one_of(const std::vector<std::string>& keys);
+    std::optional<std::string> one_of_if(const std::vector<std::string>& keys);
+
+    // Refuse keys nobody has asked for, naming the nearest of those somebody has.
     void finish() const;
 
     // Throw BadInput at the line of a key, or of the table if it is missing.
     [[noreturn]] void fail(const std::string& key, const std::string& message) const;
-
-  private:
-    const toml::node* find(const std::string& key);
-    const toml::node& require(const std::string& key);
+    // "stage[2].axial_strain"
     std::string full(const std::string& key) const;
 
-    const toml::table& values;
+    // For this table and those taken from it afterwards.
+    void take_columns_from(const SampleRow& row) { columns = &row; }
+    std::filesystem::path folder() const;
+
+  private:
+    struct Content;  // hides the TOML library
+    TomlTable(std::shared_ptr<const Content> content, std::string path, std::string name,
+              const SampleRow* columns);
+
+    bool look(const std::string& key);  // and remember that it was asked for
+    void require(const std::string& key);
+    void refuse_misspelt(const std::string& key) const;
+    std::optional<double> column_of(const std::string& key, const std::string& text) const;
+
+    std::shared_ptr<const Content> content;
     std::string path;
     std::string name;
     std::set<std::string> known;
+    const SampleRow* columns = nullptr;
 };
 
 }  // namespace cli

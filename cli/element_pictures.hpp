@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "cli/case_run.hpp"
+
+namespace cli {
+
+// A picture for every case, one over all where they are of one kind, and sheets of the samples of a
+// file. Pictures never fail a computation: what went wrong is said on stderr.
+void draw_cases(const std::filesystem::path& folder, const std::vector<CaseFile>& cases,
+                const std::vector<CaseResult>& results, bool quiet);
+
+}  // namespace cli

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/material_reader.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "cli/nearest.hpp"
+#include "cli/parameter_units.hpp"
+
+namespace cli {
+namespace {
+
+// "granulate_hardness_kPa", "critical_friction_angle_deg", "stiffness_exponent"
+std::string key_of(const grit_sand_parameter_info& info) {
+    const std::string unit = unit_of(info).name;
+    return unit == "-" ? info.name : std::string(info.name) + "_" + unit;
+}
+
+void set_parameter(TomlTable& table, int index, grit_sand_parameters& parameters) {
+    const grit_sand_parameter_info& info = *grit_sand_parameter_describe(index);
+    const std::string key = key_of(info);
+    const std::optional<double> value = table.number_if(key);
+    if (!value) return;
+    const Unit unit = unit_of(info);
+    const double low = info.lowest / unit.size, high = info.highest / unit.size;
+    // Limits in degrees round to a hair inside those in radians.
+    if (!(*value >= low * (1.0 - 1e-12) && *value <= high * (1.0 + 1e-12)))
+        table.fail(key, fmt::format("{} ({}) must be in [{:.6g}, {:.6g}] {}, got {:g}{}",
+                                    table.full(key), info.symbol, low, high, unit.name, *value,
+                                    unit.name == "deg" && *value < low ? ": radians?" : ""));
+    grit_sand_parameter_set(&parameters, index, *value * unit.size);
+}
+
+std::vector<std::string> sand_names() {
+    std::vector<std::string> names;
+    for (int i = 0; i < grit_sand_record_count(); ++i)
+        names.emplace_back(grit_sand_record_at(i)->name);
+    return names;
+}
+
+double start_void_ratio(TomlTable& table, const grit_sand& sand, double p) {
+    const std::string key =
+        table.one_of({"void_ratio", "void_ratio_at_zero_pressure", "relative_density"});
+    const double value = table.number(key);
+    double e = value, limits[3];
+    if (key == "void_ratio_at_zero_pressure") grit_sand_void_ratio_at_pressure(&sand, value, p, &e);
+    grit_sand_void_ratios(&sand, p, limits);
+    if (key == "relative_density") e = limits[1] - value * (limits[1] - limits[2]);
+    if (!(e >= limits[2] && e <= limits[0]))
+        table.fail(key, fmt::format("{}: the void ratio must be in [e_d, e_i] = [{:.4f}, {:.4f}] "
+                                    "at p = {:g} kPa, got {:.6g}",
+                                    table.full(key), limits[2], limits[0], p, e));
+    return e;
+}
+
+element::Vector6 start_stress(TomlTable& table) {
+    if (table.one_of({"pressure_kPa", "stress_kPa"}) == "pressure_kPa")
+        return -table.positive_or("pressure_kPa", 0.0) * element::unit_tensor();
+    const std::vector<double> values = table.numbers("stress_kPa", 6);
+    const element::Vector6 stress = Eigen::Map<const element::Vector6>(values.data());
+    if (!(stress.head<3>().sum() < 0.0))
+        table.fail("stress_kPa",
+                   fmt::format("{} must press: tension is positive, and p = {:g} kPa",
+                               table.full("stress_kPa"), -stress.head<3>().sum() / 3.0));
+    return stress;
+}
+
+int statev_index(TomlTable& table, const std::string& key, int size) {
+    return table.integer_or(key, 0, 1, std::max(size, 1)) - 1;  // counted from 1 in the file
+}
+
+}  // namespace
+
+void read_sand(TomlTable table, CaseFile& file) {
+    grit_sand_parameters_init(&file.parameters, sizeof file.parameters);
+    file.sand = "given in the case file";
+    if (const std::optional<std::string> name = table.string_if("name")) {
+        const int record = grit_sand_record_find(name->c_str());
+        if (record < 0)
+            table.fail("name", fmt::format("{}: no sand is called \"{}\"{}", table.full("name"),
+                                           *name, suggestion(*name, sand_names())));
+        grit_sand_record_parameters(record, 1.0, &file.parameters);
+        file.sand = *name;
+    }
+    for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i) set_parameter(table, i, file.parameters);
+    table.finish();
+    grit_sand sand;
+    grit_error error{};
+    if (grit_sand_prepare(&file.parameters, &sand, &error) != GRIT_OK)
+        table.fail("", std::string("sand: ") + error.message);
+}
+
+void read_umat(TomlTable table, CaseFile& file) {
+    element::UmatSource source;
+    if (const std::optional<std::string> library = table.string_if("library"))
+        source.library = (table.folder() / *library).lexically_normal();
+    source.props = table.numbers("props");
+    file.umat_state = table.numbers("statev");
+    const int given = static_cast<int>(file.umat_state.size());
+    source.state_size = table.integer_or("nstatv", given, given, 1000000);
+    source.material_name = table.string_if("material_name").value_or(source.material_name);
+    source.state_names = table.strings_or_none("state_names");
+    source.void_ratio = statev_index(table, "void_ratio_statev", source.state_size);
+    source.minus_pore_pressure =
+        statev_index(table, "minus_pore_pressure_statev", source.state_size);
+    table.finish();
+    file.umat = std::move(source);
+}
+
+void read_start(TomlTable table, CaseFile& file) {
+    Start& start = file.start;
+    start.stress = start_stress(table);
+    if (!file.sand.empty()) {
+        grit_sand sand;
+        grit_sand_prepare(&file.parameters, &sand, nullptr);
+        start.void_ratio = start_void_ratio(table, sand, -start.stress.head<3>().sum() / 3.0);
+        const std::string h =
+            table.has("intergranular_strain")
+                ? table.choice("intergranular_strain", {"mobilised", "zero", "off"})
+                : "mobilised";
+        start.intergranular_strain = h == "off"    ? IntergranularStrain::off
+                                     : h == "zero" ? IntergranularStrain::zero
+                                                   : IntergranularStrain::mobilised;
+        if (std::isnan(file.parameters.elastic_strain_radius)) {
+            if (h != "off" && table.has("intergranular_strain"))
+                table.fail("intergranular_strain",
+                           fmt::format("{} must be \"off\": the sand has no parameters for it",
+                                       table.full("intergranular_strain")));
+            start.intergranular_strain = IntergranularStrain::off;
+        }
+        if (const auto direction = table.numbers_if("intergranular_direction", 6))
+            start.direction = Eigen::Map<const element::Vector6>(direction->data());
+        if (start.direction.isZero())
+            table.fail("intergranular_direction",
+                       table.full("intergranular_direction") + " must not be 0");
+        start.rho = table.number_if("intergranular_rho").value_or(1.0);
+        if (!(start.rho >= 0.0 && start.rho <= 1.0))
+            table.fail("intergranular_rho",
+                       fmt::format("{} must be in [0, 1], got {:g}",
+                                   table.full("intergranular_rho"), start.rho));
+    }
+    table.finish();
+}
+
+void fill_classic_umat(CaseFile& file) {
+    const grit_sand_parameters& p = file.parameters;
+    const bool off = file.start.intergranular_strain == IntergranularStrain::off;
+    const auto igs = [&](double value) { return off ? 0.0 : value; };
+    element::UmatSource source;
+    source.props = {p.critical_friction_angle / degree,
+                    p.pressure_shift,
+                    p.granulate_hardness,
+                    p.stiffness_exponent,
+                    p.densest_void_ratio,
+                    p.critical_void_ratio,
+                    p.loosest_void_ratio,
+                    p.pyknotropy_exponent,
+                    p.stiffness_void_exponent,
+                    igs(p.reversal_stiffness),
+                    igs(p.transverse_stiffness),
+                    igs(p.elastic_strain_radius),
+                    igs(p.evolution_exponent),
+                    igs(p.stiffness_interpolation_exponent),
+                    0.0,
+                    0.0};
+    source.state_size = 14;
+    source.void_ratio = 6;
+    source.state_names = {"h_11", "h_22", "h_33", "h_12", "h_13", "h_23", "void_ratio"};
+    file.umat = std::move(source);
+    file.umat_state.assign(7, 0.0);
+    if (file.start.intergranular_strain == IntergranularStrain::mobilised) {
+        grit_sand sand;
+        grit_sand_prepare(&p, &sand, nullptr);
+        double state[GRIT_SAND_STATE_SIZE] = {};
+        grit_sand_mobilise(&sand, file.start.direction.data(), file.start.rho, state);
+        std::copy_n(state, 6, file.umat_state.begin());
+    }
+    file.umat_state[6] = file.start.void_ratio;
+}
+
+}  // namespace cli

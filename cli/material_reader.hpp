@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// [sand], [umat] and [start] of a case file.
+#pragma once
+
+#include "cli/case_file.hpp"
+#include "cli/toml_table.hpp"
+
+namespace cli {
+
+void read_sand(TomlTable table, CaseFile& file);
+void read_umat(TomlTable table, CaseFile& file);
+// After the sand.
+void read_start(TomlTable table, CaseFile& file);
+
+// A UMAT of the classic layout (PROPS 16, STATEV 14) with the sand and the start of the case.
+void fill_classic_umat(CaseFile& file);
+
+}  // namespace cli

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is drawn for which kind of test.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/picture.hpp"
+#include "cli/table.hpp"
+
+namespace cli {
+
+const std::vector<std::string>& picture_names();
+// For a laboratory test: "triaxial_drained" -> "triaxial", or "cyclic".
+std::string picture_of(const std::string& test, bool cyclic);
+
+// A curve of a picture: a result, a reference or laboratory data, with standard column names.
+struct Curve {
+    std::string label;
+    Table table;
+    Table cycles;  // may be empty
+    bool points = false;
+    int colour = 0;  // -1: that of data
+};
+
+Picture picture_of_curves(const std::string& kind, const std::string& title,
+                          const std::vector<Curve>& curves);
+
+// Panels of a kind's picture.
+std::size_t panels_of(const std::string& kind);
+
+// One of them, by number from 0.
+Panel panel_of_curves(const std::string& kind, std::size_t number,
+                      const std::vector<Curve>& curves);
+
+}  // namespace cli

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "cli/gnuplot.hpp"
+#include "cli/table.hpp"
+
+namespace cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Okabe & Ito 2008: distinct for colour-blind readers and in grey.
+constexpr const char* colours[] = {"#0072B2", "#D55E00", "#009E73",
+                                   "#CC79A7", "#56B4E9", "#E69F00"};
+constexpr const char* data_colour = "#222222";
+
+const char* colour_of(const Series& series) {
+    if (series.colour < 0) return data_colour;
+    return colours[static_cast<std::size_t>(series.colour) % std::size(colours)];
+}
+
+bool drawable(const Series& series, const Panel& panel, std::size_t i) {
+    return std::isfinite(series.x[i]) && std::isfinite(series.y[i]) &&
+           (!panel.log_x || series.x[i] > 0.0);
+}
+
+std::size_t drawable_rows(const Series& series, const Panel& panel) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < series.x.size(); ++i) count += drawable(series, panel, i);
+    return count;
+}
+
+std::string data(const Picture& picture) {
+    fmt::memory_buffer out;
+    const auto to = std::back_inserter(out);
+    for (std::size_t p = 0; p < picture.panels.size(); ++p)
+        for (std::size_t s = 0; s < picture.panels[p].series.size(); ++s) {
+            const Series& series = picture.panels[p].series[s];
+            fmt::format_to(to, "$d{}_{} << EOD\n", p, s);
+            for (std::size_t i = 0; i < series.x.size(); ++i)
+                if (drawable(series, picture.panels[p], i))
+                    fmt::format_to(to, "{:.8g} {:.8g}\n", series.x[i], series.y[i]);
+            fmt::format_to(to, "EOD\n");
+        }
+    return fmt::to_string(out);
+}
+
+std::string label(const char* axis, const std::string& text, bool shown) {
+    return shown ? fmt::format("set {} {}\n", axis, gnuplot_quoted(text))
+                 : fmt::format("unset {}\n", axis);
+}
+
+std::string plots_of(const Panel& panel, std::size_t number) {
+    std::string out;
+    for (std::size_t s = 0; s < panel.series.size(); ++s) {
+        const Series& series = panel.series[s];
+        if (drawable_rows(series, panel) == 0) continue;
+        out += out.empty() ? "plot " : ", \\\n     ";
+        out += fmt::format("$d{}_{} using 1:2 with ", number, s);
+        out += series.points
+                   ? fmt::format("points pt 6 ps 0.7 lw 1.2 lc rgb '{}'", colour_of(series))
+                   : fmt::format("lines lw 2.2 lc rgb '{}'", colour_of(series));
+        out += series.label.empty() ? " notitle" : " title " + gnuplot_quoted(series.label);
+    }
+    return out.empty() ? "set multiplot next\n" : out + "\n";
+}
+
+// Panels in rows and columns, and what surrounds them [px].
+struct Layout {
+    explicit Layout(const Picture& picture)
+        : columns(std::min(picture.columns, static_cast<int>(picture.panels.size()))),
+          rows((static_cast<int>(picture.panels.size()) + columns - 1) / columns),
+          width(columns * picture.width), height(rows * picture.height + top),
+          gap_x(picture.labels_above ? 62 : 104), gap_y(picture.labels_above ? 52 : 76) {}
+
+    std::string margins() const {
+        return fmt::format("margins {:.4f},{:.4f},{:.4f},{:.4f} spacing {:.4f},{:.4f}",
+                           part(96, width), 1.0 - part(26, width), part(70, height),
+                           1.0 - part(top + 24, height), part(gap_x, width), part(gap_y, height));
+    }
+    static double part(int pixels, int whole) { return static_cast<double>(pixels) / whole; }
+
+    static constexpr int top = 58;  // title and key
+    int columns, rows, width, height, gap_x, gap_y;
+};
+
+std::string panel_script(const Picture& picture, const Layout& layout, std::size_t number) {
+    const Panel& panel = picture.panels[number];
+    const bool named = !picture.labels_above;
+    std::string out = label("xlabel", panel.x_label, named);
+    out += label("ylabel", panel.y_label, named);
+    out += panel.title.empty() ? "unset title\n"
+                               : fmt::format("set title {} noenhanced font ',11' offset 0,-0.8\n",
+                                             gnuplot_quoted(panel.title));
+    out += panel.log_x ? "set logscale x\n" : "unset logscale x\n";
+    out += panel.y_from_zero ? "set yrange [0:*]\n" : "set yrange [*:*]\n";
+    out += number == 0 ? fmt::format("set key at screen 0.5,{:.4f} center top horizontal samplen "
+                                     "1.6 noenhanced\n",
+                                     1.0 - Layout::part(32, layout.height))
+                       : "unset key\n";
+    return out + plots_of(panel, number);
+}
+
+std::string sheet(const Picture& picture, const Layout& layout) {
+    std::string out =
+        fmt::format("reset\nset encoding utf8\n"
+                    "set border 3 lw 1 lc rgb '#444444'\n"
+                    "set tics nomirror out scale 0.6 textcolor rgb '#222222' font ',11'\n"
+                    "set grid lt 1 lw 0.6 lc rgb '#e4e4e4'\n"
+                    "set multiplot layout {},{} title {} {} font ',15' {}\n",
+                    layout.rows, layout.columns, gnuplot_quoted(picture.title),
+                    picture.title_in_markup ? "enhanced" : "noenhanced", layout.margins());
+    for (std::size_t i = 0; i < picture.panels.size(); ++i) out += panel_script(picture, layout, i);
+    return out + "unset multiplot\n";
+}
+
+fs::path with(fs::path stem, const char* ending) { return stem += ending; }
+
+}  // namespace
+
+std::string draw(const fs::path& stem, const Picture& picture) {
+    const Layout layout(picture);
+    const fs::path script = with(stem, ".gnuplot.part"), log = with(stem, ".log.part");
+    const fs::path svg = with(stem, ".svg.part"), png = with(stem, ".png.part");
+    const std::string drawing = sheet(picture, layout);
+    write_file(script,
+               data(picture) +
+                   fmt::format("set terminal svg size {},{} dynamic enhanced font 'sans-serif,13' "
+                               "background '#ffffff'\nset output {}\n{}unset output\n",
+                               layout.width, layout.height, gnuplot_quoted(svg.string()), drawing) +
+                   fmt::format("set terminal pngcairo size {},{} enhanced font 'Sans,13'\n"
+                               "set output {}\n{}unset output\n",
+                               layout.width, layout.height, gnuplot_quoted(png.string()), drawing));
+    const std::string problem = run_gnuplot(script, log);
+    fs::remove(script);
+    fs::remove(log);
+    if (!problem.empty()) {
+        fs::remove(svg);
+        fs::remove(png);
+        return problem;
+    }
+    fs::rename(svg, with(stem, ".svg"));
+    fs::rename(png, with(stem, ".png"));
+    return "";
+}
+
+}  // namespace cli

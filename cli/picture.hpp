@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures by gnuplot.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+struct Series {
+    std::string label;  // empty: not in the key
+    std::vector<double> x, y;
+    int colour = 0;  // of the palette; -1: that of data
+    bool points = false;
+};
+
+struct Panel {
+    std::string title;  // above the panel, may be empty
+    std::string x_label, y_label;
+    bool log_x = false;
+    bool y_from_zero = false;
+    std::vector<Series> series;
+};
+
+struct Picture {
+    std::string title;             // plain text, or gnuplot's markup ...
+    bool title_in_markup = false;  // ... if this says so
+    int columns = 2;
+    int width = 500, height = 400;  // of one panel [px]
+    bool labels_above = false;      // the title names the axes of all panels
+    std::vector<Panel> panels;
+};
+
+// stem.svg and stem.png, written aside and renamed. Returns what went wrong, empty if nothing.
+std::string draw(const std::filesystem::path& stem, const Picture& picture);
+
+}  // namespace cli
