@@ -28,7 +28,8 @@ GRIT_INLINE double value(double x) { return x; }
 
 // 2^k for an integral-valued k in [-1022, 1023].
 GRIT_INLINE double exp2_integer(double k) {
-    return std::bit_cast<double>((static_cast<std::int64_t>(k) + 1023) << 52);
+    // k + 1.5 2^52 carries the integer in its low bits: no conversion that a NaN could break.
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(k + (0x1.8p52 + 1023.0)) << 52);
 }
 
 // x = m 2^k with m in [1/sqrt 2, sqrt 2): returns k, leaves m in x. x must be positive and normal.

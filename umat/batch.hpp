@@ -94,15 +94,20 @@ class Batch {
             p, {value(start.T), value(start.h), value(start.strain_increment), start.e.v}, i, at};
         if (end.failed) return fail(x, end.progress, static_cast<int>(end.evaluations));
         PointResult r = result_of(m, q.igs, p, plain(path), plain(end));
+        if (!storable(m, r)) return fail(x, 0.0, r.evaluations);
         r.has_tangent = true;
         for (int row = 0; row < 6; ++row)
             for (int c = 0; c < 6; ++c) r.tangent.c[row][c] = end.y.T[row].d[c];
+        for (const auto& row : r.tangent.c)
+            if (!finite(row, 6)) return fail(x, 0.0, r.evaluations);
         write_point(q, i, at, p, r);
     }
 
     void finish(const Queued& x, const StraightPath<double>& path, const Integrated<double>& end) {
         if (end.failed) return fail(x, end.progress, static_cast<int>(end.evaluations));
-        write_point(q, x.i, x.at, x.point, result_of(m, q.igs, x.point, path, end));
+        const PointResult r = result_of(m, q.igs, x.point, path, end);
+        if (!storable(m, r)) return fail(x, 0.0, r.evaluations);
+        write_point(q, x.i, x.at, x.point, r);
     }
 
     void fail(const Queued& x, double progress, int evaluations) {

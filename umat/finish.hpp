@@ -47,6 +47,13 @@ inline PointResult result_of(const Material& m, bool igs, const Point& p,
     return r;
 }
 
+// What an update returns, the next one must accept.
+inline bool storable(const Material& m, const PointResult& r) {
+    for (const double component : r.T.c)
+        if (!(fabs(component) <= largest_stress_per_h_s * m.h_s - m.p_t)) return false;
+    return true;
+}
+
 // A point that stays separated over its whole increment.
 inline PointResult separated_result(bool igs, const Point& p) {
     PointResult r;
@@ -156,7 +163,7 @@ inline void write_resting(const UpdateRequest& q, std::ptrdiff_t i, std::ptrdiff
                     turned[c];
         }
     }
-    const int flags = p.flags | (stress_free ? GRIT_SAND_STRESS_FREE : void_flag(m, p.T, p.e));
+    const int flags = stress_free ? GRIT_SAND_STRESS_FREE : void_flag(m, p.T, p.e);
     write_report(q.reports ? q.reports + i : nullptr, flags, 0, 0, 0.0);
 }
 
@@ -168,7 +175,7 @@ inline void write_failure(const UpdateRequest& q, std::ptrdiff_t i, Fault fault,
     report.status = status_of(fault);
     report.evaluations = evaluations;
     report.step_reduction = 1.0;
-    if (fault == Fault::increment_too_large || fault == Fault::void_ratio_vanishes)
+    if (fault == Fault::increment_too_large || fault == Fault::void_ratio_leaves_range)
         report.step_reduction = min(0.25, max(0.5 * largest_increment / increment, 1e-6));
     if (fault == Fault::evaluation_limit)
         report.step_reduction = min(max(0.8 * progress, 0.1), 0.5);

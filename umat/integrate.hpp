@@ -30,7 +30,7 @@ template <class Real> struct Integrated {
 
 // Constants of the step control, calibrated so that single calls deliver what was asked: see the
 // table of docs/accuracy.md.
-constexpr double error_safety = 12.0;  // embedded estimates are optimistic where h changes
+constexpr double error_safety = 14.0;  // embedded estimates are optimistic where h changes
 constexpr double heun_safety = 0.5;    // ... and pessimistic for steps far below R
 constexpr double memory_reach = 2.2;   // longest step while h changes, in R tolerance^(1/5)
 constexpr double growth_reach = 1.0;   // longest step, in relative stress change / tolerance^(1/5)
@@ -97,6 +97,7 @@ template <class Real, bool igs> class Integrator {
     }
 
     void evaluate_rate() {
+        give_up(active & needs_rate & !affordable(1.0));
         const Mask here = active & needs_rate;
         if (!any(here)) return;
         assign<Real>(here, marched_rate<Real, igs>(m, path, s, out.y, seg.loading), k1);
@@ -117,7 +118,9 @@ template <class Real, bool igs> class Integrator {
             const Plain growth = relative_rate * plain_length;
             const Plain guess = heun_safety * 0.1 * growth * square(growth + change);
             allow(relative_rate);
-            quick = starting & (guess <= allowed);
+            quick = starting & (guess <= allowed) & affordable(1.0);
+            if constexpr (igs)
+                if (m.chi < 2.0) quick = quick & !(seg.loading & (start_memory() < change));
             const Plain first =
                 reach / max(0.1 * m.inverse_R * memory + 0.3 * relative_rate, Plain(1e-30));
             const Plain none(0.0);
@@ -137,15 +140,31 @@ template <class Real, bool igs> class Integrator {
         fraction = select(to_end, left, fraction);
     }
 
-    // (G3) has no derivative where h = 0: rho^beta_r. Steps grow from the one whose error, of order
-    // 1 + beta_r, is within what is allowed, or with rho itself.
+    // Rates have no derivative where h = 0: rho^beta_r (G3), rho^chi (G1). Steps grow from the one
+    // whose error, of order 1 + the smaller exponent, is within what is allowed, or with rho itself.
     Plain gentle_start() const {
-        const Plain rho = sqrt(fma(value(path.u_0), value(path.u_0), value(path.tau_sq)));
-        const Plain crossing = sqrt(value(path.tau_sq));  // rho at a turn
-        const Plain start = select(path.u_0 >= Real(0.0), rho, crossing);
+        const double order = 1.0 + (m.beta_r < m.chi ? m.beta_r : m.chi);
         const Plain error = allowed / (error_safety * max(memory_weight, Plain(1e-30)));
-        const Plain smooth = exp(log(max(error, Plain(1e-30))) * (1.0 / (1.0 + m.beta_r)));
-        return m.R * max(smooth, 3.0 * start);
+        const Plain smooth = exp(log(max(error, Plain(1e-30))) * (1.0 / order));
+        return m.R * max(smooth, 3.0 * start_memory());
+    }
+
+    // rho where the loading starts
+    Plain start_memory() const {
+        const Plain rho = sqrt(fma(value(path.u_0), value(path.u_0), value(path.tau_sq)));
+        const Plain crossing = sqrt(value(path.tau_sq));
+        return select(path.u_0 >= Real(0.0), rho, crossing);
+    }
+
+    void give_up(const Mask& failed) {
+        out.failed = out.failed | failed;
+        out.progress = select(failed, value(s) / value(path.length), out.progress);
+        active = active & !failed;
+    }
+
+    Mask affordable(double evaluations) const {
+        return out.evaluations + evaluations <=
+               Plain(static_cast<double>(control.evaluation_limit));
     }
 
     // What the call may add to the error: the tolerance times the share of the stress it changes, so
@@ -160,7 +179,7 @@ template <class Real, bool igs> class Integrator {
     void attempt() {
         const StepContext<Real> c{
             m, path, s, segment_length * fraction, seg.loading, stress_scale, memory_weight};
-        stepped = active & !quick;
+        stepped = active & !quick & affordable(6.0);
         const Mask quickly = active & quick;
         if (any(stepped)) {
             trial = dormand_prince_step<Real, igs>(c, out.y, k1);
@@ -185,7 +204,7 @@ template <class Real, bool igs> class Integrator {
         const Plain p_1 = trace(value(trial.y.T)) * (-1.0 / 3.0);
         const Mask good = trial.error <= allowed;
         above = (p_1 >= Plain(p_open)) | ((p_1 >= p_0) & (p_1 > zero));
-        accepted = active & good & above;
+        accepted = (stepped | (active & quick)) & good & above;
         // Falling below the opening pressure: the point separates, from close above it only.
         const Mask close = (p_0 <= Plain(2.0 * p_open)) & (trace(value(k1.T)) > zero);
         separating = stepped & good & !above & (p_1 < p_0) & close;
@@ -217,14 +236,9 @@ template <class Real, bool igs> class Integrator {
         const Mask ended = accepted & (seg.done >= one);
         const Mask finished = ended & seg.last;
         const Mask turned = ended & !seg.last;
-        const Mask underflow = rejected & !quick & (step < smallest_fraction * plain_length);
-        const Mask over_limit =
-            (rejected | accepted) & !finished &
-            (out.evaluations + 6.0 > Plain(static_cast<double>(control.evaluation_limit)));
-        const Mask failed = underflow | over_limit;
-        out.failed = out.failed | failed;
-        out.progress = select(failed, value(s) / value(path.length), out.progress);
-        active = active & !(failed | separating | finished);
+        const Mask underflow = rejected & stepped & (step < smallest_fraction * plain_length);
+        give_up(underflow | (active & !quick & !stepped));
+        active = active & !(separating | finished);
         needs_rate = projected | turned;
         fresh = turned;
         quick = Mask(false);

@@ -50,10 +50,13 @@ template <class Real>
 GRIT_INLINE MobilisationRate<Real> mobilisation_rate(const Material& m, const Mobilisation<Real>& h,
                                                      const Real& u, const MaskOf<Real>& loading) {
     const Real rho_beta = exp(m.beta_r * h.log_rho);
-    const Real P = (1.0 - rho_beta * square(h.c)) / ((1.0 - u) + 1e-12);
+    // Closer to saturation than roundoff can tell, P stands still.
+    constexpr double saturated = 1e-12;
+    const Real P = max(1.0 - rho_beta * square(h.c), Real(0.0)) / max(1.0 - u, Real(saturated));
     const Real G = rho_beta * u / h.rho_sq;
     const Real zero(0.0);
-    return {select(loading, m.inverse_R * P, zero), select(loading, m.inverse_R * G, zero)};
+    const MaskOf<Real> moving = loading & (1.0 - u > Real(saturated));
+    return {select(moving, m.inverse_R * P, zero), select(loading, m.inverse_R * G, zero)};
 }
 
 GRIT_KERNEL_END

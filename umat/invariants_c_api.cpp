@@ -6,7 +6,7 @@
 #include <grit/sand_operators.h>
 
 #include "support/versioned.hpp"
-#include "umat/material.hpp"
+#include "umat/point.hpp"
 #include "umat/principal.hpp"
 
 using namespace grit;
@@ -26,7 +26,9 @@ extern "C" {
 
 grit_status grit_sand_invariants_of(const grit_sand* sand, const double stress[6],
                                     const double* state, grit_sand_invariants* invariants) {
-    if (!prepared(sand) || !stress || !state || !invariants) return GRIT_BAD_CALL;
+    if (!prepared(sand) || !stress || !state || !invariants || !finite(stress, 6) ||
+        !finite(state, GRIT_SAND_STATE_SIZE))
+        return GRIT_BAD_CALL;
     const Material& m = material_of(*sand);
     const Tensor<double> T = stress_from_voigt(stress);
     const Tensor<double> dev = deviator(T);

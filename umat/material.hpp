@@ -10,8 +10,6 @@
 
 namespace grit {
 
-constexpr std::uint64_t material_stamp = 0x4752495453414e00ULL + GRIT_VERSION_MAJOR;  // "GRITSAN"
-
 struct Material {
     std::uint64_t stamp;
     // parameters
@@ -26,6 +24,11 @@ struct Material {
     double inverse_R;
     double p_floor;  // below it the sand carries no stress: docs/adr/0002
 };
+
+// "GRIT", the major version, and the layout: before 1.0 that may change with any version.
+constexpr std::uint64_t material_stamp =
+    0x4752495400000000ULL + (std::uint64_t{GRIT_VERSION_MAJOR} << 24) +
+    (std::uint64_t{GRIT_VERSION_MINOR} << 16) + sizeof(Material);
 
 static_assert(sizeof(Material) <= sizeof(grit_sand));
 static_assert(alignof(Material) <= alignof(grit_sand));

@@ -18,14 +18,19 @@ namespace {
 
 bool prepared(const grit_sand* sand) { return sand && material_of(*sand).stamp == material_stamp; }
 
-Tensor<double> shifted_stress(const Material& m, const double stress[6]) {
+// The stress the model is evaluated at: shifted by p_t (H10), and on the border of the domain where it
+// lies outside.
+Tensor<double> stress_in_domain(const Material& m, const double stress[6]) {
     Tensor<double> T = stress_from_voigt(stress);
-    for (int c = 0; c < 3; ++c) T[c] -= m.p_t;  // (H10)
+    for (int c = 0; c < 3; ++c) T[c] -= m.p_t;
+    if (!(trace(T) * (-1.0 / 3.0) >= m.p_floor)) return isotropic(-m.p_floor);
+    back_into_cone(T, true);
     return T;
 }
 
 bool usable(const grit_sand* sand, const double* stress, double void_ratio) {
-    return prepared(sand) && stress && finite(stress, 6) && void_ratio > 0.0 && void_ratio <= 100.0;
+    return prepared(sand) && stress && finite(stress, 6) && void_ratio > 0.0 &&
+           void_ratio <= largest_void_ratio;
 }
 
 bool usable_state(const grit_sand* sand, const double* stress, const double* state) {
@@ -56,7 +61,7 @@ grit_status grit_sand_factors(const grit_sand* sand, const double stress[6], dou
                               grit_sand_scalar_factors* factors) {
     if (!usable(sand, stress, void_ratio) || !factors) return GRIT_BAD_CALL;
     const Material& m = material_of(*sand);
-    const Tensor<double> T = shifted_stress(m, stress);
+    const Tensor<double> T = stress_in_domain(m, stress);
     const PointFactors k = point_factors(m, T, void_ratio);
     const double p = trace(T) * (-1.0 / 3.0);
     const Compression<double> limit = compression(m, log_pressure(m, p));
@@ -75,7 +80,7 @@ grit_status grit_sand_stiffness(const grit_sand* sand, const double stress[6], d
                                 double* L, double* N) {
     if (!usable(sand, stress, void_ratio)) return GRIT_BAD_CALL;
     const Material& m = material_of(*sand);
-    const PointFactors k = point_factors(m, shifted_stress(m, stress), void_ratio);
+    const PointFactors k = point_factors(m, stress_in_domain(m, stress), void_ratio);
     if (L) matrix_to_voigt(dense_L(m, k, 1.0), L);
     if (N) stress_to_voigt(dense_N(m, k), N);
     return GRIT_OK;
@@ -88,7 +93,8 @@ grit_status grit_sand_intergranular_stiffness(const grit_sand* sand, const doubl
         material_of(*sand).has_intergranular_strain == 0.0)
         return GRIT_BAD_CALL;
     const Material& m = material_of(*sand);
-    const PointFactors k = point_factors(m, shifted_stress(m, stress), state[GRIT_SAND_VOID_RATIO]);
+    const PointFactors k =
+        point_factors(m, stress_in_domain(m, stress), state[GRIT_SAND_VOID_RATIO]);
     matrix_to_voigt(intergranular_M(m, k, strain_from_voigt(state), strain_from_voigt(D)), M);
     return GRIT_OK;
 }
@@ -101,13 +107,16 @@ grit_status grit_sand_rate(const grit_sand* sand, int intergranular_off, const d
     const Material& m = material_of(*sand);
     const bool igs = m.has_intergranular_strain != 0.0 && !intergranular_off;
     const Tensor<double> rate_of_strain = strain_from_voigt(D);
-    const double speed = norm(rate_of_strain);
+    double speed = 0.0;  // largest component first: D may be of any size
+    for (const double component : rate_of_strain.c) speed = std::fmax(speed, std::fabs(component));
     Tensor<double> T_rate = isotropic(0.0);
     Tensor<double> h_rate = isotropic(0.0);
     if (speed > 0.0) {
-        const Tensor<double> T = shifted_stress(m, stress);
+        const Tensor<double> T = stress_in_domain(m, stress);
+        const Tensor<double> direction = scaled(rate_of_strain, 1.0 / speed);
+        speed *= norm(direction);
         const auto path =
-            straight_path(m, rate_of_strain, strain_from_voigt(state), state[GRIT_SAND_VOID_RATIO]);
+            straight_path(m, direction, strain_from_voigt(state), state[GRIT_SAND_VOID_RATIO]);
         const bool loading = path.u_0 > 0.0;
         const double u = loading ? min(path.u_0, 1.0) : path.u_0;
         const Marched<double> y{T, loading ? -c_api::log(max(1.0 - u, 1e-16)) : 0.0, 0.0};
@@ -134,14 +143,17 @@ grit_status grit_sand_wave_modulus(const grit_sand* sand, int intergranular_off,
                                    const double stress[6], double void_ratio, double* modulus) {
     if (!usable(sand, stress, void_ratio) || !modulus) return GRIT_BAD_CALL;
     const Material& m = material_of(*sand);
-    Tensor<double> T = shifted_stress(m, stress);
-    if (!(trace(T) * (-1.0 / 3.0) >= m.p_floor)) T = isotropic(-m.p_floor);
-    back_into_cone(T, true);
-    const PointFactors k = point_factors(m, T, void_ratio);
-    const double t_max = principal_values(k.shape.T_hat).cwiseAbs().maxCoeff();
+    const PointFactors k = point_factors(m, stress_in_domain(m, stress), void_ratio);
+    const auto largest = [](const Tensor<double>& A) {
+        return principal_values(A).cwiseAbs().maxCoeff();
+    };
+    // n.(L:nn).n and |n.N.n| for any unit vector n
+    const double scale = k.f.f_s / k.shape.T_hat_sq;
+    const double linear = scale * (square(k.shape.F) + square(m.a * largest(k.shape.T_hat)));
+    const Tensor<double> flow = scaled_sum(1.0, k.shape.T_hat, k.shape.T_hat_dev);
+    const double nonlinear = scale * k.f.f_d * m.a * k.shape.F * largest(flow);
     const bool igs = m.has_intergranular_strain != 0.0 && !intergranular_off;
-    *modulus = (igs ? m.m_R : 1.0) * k.f.f_s / k.shape.T_hat_sq *
-               (square(k.shape.F) + square(m.a * t_max));
+    *modulus = max(igs ? m.m_R * linear : 0.0, linear + nonlinear);
     return GRIT_OK;
 }
 

@@ -16,7 +16,6 @@ constexpr double pi = 3.14159265358979323846;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 constexpr double degree = pi / 180.0;
-constexpr double tiny = std::numeric_limits<double>::min();
 
 using Member = double grit_sand_parameters::*;
 
@@ -29,7 +28,7 @@ using P = grit_sand_parameters;
 constexpr Entry table[] = {
     {{"critical_friction_angle", "phi_c", "rad", 10 * degree, 60 * degree, 0},
      &P::critical_friction_angle},
-    {{"granulate_hardness", "h_s", "stress", tiny, 1e30, 0}, &P::granulate_hardness},
+    {{"granulate_hardness", "h_s", "stress", 1e-30, 1e30, 0}, &P::granulate_hardness},
     {{"stiffness_exponent", "n", "-", 0.01, 0.99, 0}, &P::stiffness_exponent},
     {{"densest_void_ratio", "e_d0", "-", 0.01, 5, 0}, &P::densest_void_ratio},
     {{"critical_void_ratio", "e_c0", "-", 0.01, 5, 0}, &P::critical_void_ratio},

@@ -33,16 +33,18 @@ inline RawPoint read_point(const grit_sand_points& q, std::ptrdiff_t at) {
     for (int c = 0; c < GRIT_SAND_STATE_SIZE; ++c)
         raw.state[c] = element(s.base, s.point_stride, s.component_stride, at, c);
     const auto& r = q.rotation_increment;
-    raw.rotates = r.base != nullptr;
-    if (raw.rotates)
-        for (int c = 0; c < 9; ++c)
-            raw.Q[c] = element(r.base, r.point_stride, r.component_stride, at, c);
+    raw.rotates = false;  // by Q = I nothing is touched
+    for (int c = 0; r.base && c < 9; ++c) {
+        raw.Q[c] = element(r.base, r.point_stride, r.component_stride, at, c);
+        raw.rotates = raw.rotates || raw.Q[c] != (c % 4 == 0 ? 1.0 : 0.0);
+    }
     raw.substep = q.substep.base ? q.substep.base[at * q.substep.point_stride] : 0.0;
     return raw;
 }
 
 constexpr double largest_increment = 0.2;        // |strain increment| [-]
 constexpr double largest_stress_per_h_s = 10.0;  // |stress| / h_s
+constexpr double largest_void_ratio = 1e9;       // of a separated point that is stretched on
 constexpr double smallest_increment = 1e-100;    // below it the increment is zero
 constexpr double tolerated_h_excess = 1.01;      // |h| / R scaled back instead of refused
 
@@ -74,7 +76,7 @@ inline Fault check_point(const Material& m, bool igs, int components, const RawP
     if (raw.rotates && (!finite(raw.Q, 9) || !is_rotation(raw.Q, components == 4)))
         return Fault::rotation_improper;
     const double e = raw.state[GRIT_SAND_VOID_RATIO];
-    if (!(e > 0.0 && e <= 100.0)) return Fault::void_ratio_out_of_range;
+    if (!(e > 0.0 && e <= largest_void_ratio)) return Fault::void_ratio_out_of_range;
     if (!(raw.state[GRIT_SAND_SEPARATION] >= 0.0)) return Fault::separation_negative;
     if (igs) {
         if (components == 4 && (raw.state[GRIT_SAND_H13] != 0.0 || raw.state[GRIT_SAND_H23] != 0.0))
@@ -89,7 +91,8 @@ inline Fault check_point(const Material& m, bool igs, int components, const RawP
     if (!(largest <= 1.0)) return Fault::increment_too_large;
     const Tensor<double> dE = strain_from_voigt(raw.strain);
     if (!(norm(dE) <= largest_increment)) return Fault::increment_too_large;
-    if (!((1.0 + e) * exp(trace(dE)) - 1.0 > 0.0)) return Fault::void_ratio_vanishes;
+    const double e_end = (1.0 + e) * exp(trace(dE)) - 1.0;  // (H9)
+    if (!(e_end > 0.0 && e_end <= largest_void_ratio)) return Fault::void_ratio_leaves_range;
     return Fault::none;
 }
 

@@ -23,7 +23,7 @@ enum class Fault {
     h_too_long,
     stress_too_large,
     increment_too_large,
-    void_ratio_vanishes,
+    void_ratio_leaves_range,
     evaluation_limit
 };
 
@@ -34,7 +34,7 @@ inline constexpr grit_status status_of(Fault fault) {
         case Fault::substep_not_finite:
         case Fault::rotation_improper: return GRIT_BAD_CALL;
         case Fault::increment_too_large:
-        case Fault::void_ratio_vanishes:
+        case Fault::void_ratio_leaves_range:
         case Fault::evaluation_limit: return GRIT_NOT_CONVERGED;
         default: return GRIT_BAD_STATE;
     }

@@ -54,7 +54,10 @@ GRIT_INLINE InPlane<Real> intergranular_strain(const Material& m, const Straight
                                                const Real& s, const Marched<Real>& y,
                                                const MaskOf<Real>& loading) {
     const Real unloading_u = fma(m.inverse_R, s, path.u_0);
-    return {select(loading, 1.0 - exp(-y.P), min(unloading_u, Real(0.0))), exp(-y.G)};
+    // Beyond these limits h is saturated to the last bit, and derivatives of P and G mean nothing.
+    const Real loading_u = select(y.P > Real(36.0), Real(1.0), 1.0 - exp(-max(y.P, Real(0.0))));
+    const Real g = select(y.G > Real(80.0), Real(0.0), exp(-y.G));
+    return {select(loading, loading_u, min(unloading_u, Real(0.0))), g};
 }
 
 // d/ds of T, P and G at arc length s. Finite for every finite T: see stress_shape, scalar_factors.

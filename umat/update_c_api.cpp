@@ -51,8 +51,6 @@ grit_status check_points(const grit_sand_points& q, const grit_sand_options& o, 
     GRIT_REQUIRE(q.strain_increment.base, "strain_increment has no base pointer");
     GRIT_REQUIRE(q.stress.base, "stress has no base pointer");
     GRIT_REQUIRE(q.state.base, "state has no base pointer");
-    GRIT_REQUIRE(q.tangent.base || o.tangent == GRIT_TANGENT_NONE || o.validate_only,
-                 "tangent %d is asked for, but its view has no base pointer", o.tangent);
     const bool several = n > 1;
     GRIT_REQUIRE(!several || q.stress.point_stride != 0,
                  "stress is written: point_stride must not be 0 for %td points", n);
@@ -60,8 +58,14 @@ grit_status check_points(const grit_sand_points& q, const grit_sand_options& o, 
                  "state is written: point_stride must not be 0 for %td points", n);
     GRIT_REQUIRE(!several || !q.substep.base || q.substep.point_stride != 0,
                  "substep is written: point_stride must not be 0 for %td points", n);
-    GRIT_REQUIRE(!several || o.tangent == GRIT_TANGENT_NONE || q.tangent.point_stride != 0,
-                 "tangent is written: point_stride must not be 0 for %td points", n);
+    if (o.tangent != GRIT_TANGENT_NONE && !o.validate_only) {
+        GRIT_REQUIRE(q.tangent.base, "tangent %d is asked for, but its view has no base pointer",
+                     o.tangent);
+        GRIT_REQUIRE(!several || q.tangent.point_stride != 0,
+                     "tangent is written: point_stride must not be 0 for %td points", n);
+        GRIT_REQUIRE(q.tangent.row_stride != 0 && q.tangent.column_stride != 0,
+                     "tangent is written: row_stride and column_stride must not be 0");
+    }
     GRIT_REQUIRE(q.stress.component_stride != 0 && q.state.component_stride != 0,
                  "component_stride of stress and state must not be 0");
     GRIT_REQUIRE(q.strain_increment.component_stride != 0,
@@ -112,8 +116,8 @@ grit_status describe(const Material& m, const grit_sand_options& o, const grit_s
                        "determinant 1",
                        q.components == 4 ? " about axis 3" : "");
         case Fault::void_ratio_out_of_range:
-            return say("point %td: void ratio must be in (0, 100], got %g",
-                       raw.state[GRIT_SAND_VOID_RATIO]);
+            return say("point %td: void ratio must be in (0, %g], got %g",
+                       c_api::largest_void_ratio, raw.state[GRIT_SAND_VOID_RATIO]);
         case Fault::separation_negative:
             return say("point %td: separation must be >= 0, got %g",
                        raw.state[GRIT_SAND_SEPARATION]);
@@ -130,10 +134,10 @@ grit_status describe(const Material& m, const grit_sand_options& o, const grit_s
             return say(
                 "point %td: |strain increment| must be at most %g, got %g: use smaller steps",
                 c_api::largest_increment, increment);
-        case Fault::void_ratio_vanishes:
-            return say("point %td: the increment (volumetric strain %g) leaves no voids at e = %g",
-                       raw.strain[0] + raw.strain[1] + raw.strain[2],
-                       raw.state[GRIT_SAND_VOID_RATIO]);
+        case Fault::void_ratio_leaves_range:
+            return say(
+                "point %td: the increment (volumetric strain %g) takes e = %g out of (0, 1e9]",
+                raw.strain[0] + raw.strain[1] + raw.strain[2], raw.state[GRIT_SAND_VOID_RATIO]);
         case Fault::evaluation_limit:
             return say("point %td: not converged to tolerance %g after %d evaluations (limit %d), "
                        "%.3g of the increment of %g done: use smaller steps",
@@ -189,6 +193,7 @@ grit_status grit_sand_update(const grit_sand* sand, const grit_sand_options* opt
                  "grit_sand_points.struct_size %zu is not understood: set it to sizeof",
                  points->struct_size);
     if (const grit_status s = check_options(o, error)) return s;
+    if (n == 0) return GRIT_OK;  // an empty array may have no base pointer
     if (const grit_status s = check_points(q, o, n, error)) return s;
 
     const bool igs = m.has_intergranular_strain != 0.0 && !o.intergranular_off;

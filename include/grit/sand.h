@@ -23,14 +23,14 @@ extern "C" {
 typedef struct grit_sand_parameters {
     size_t struct_size;             /* set by init */
     double critical_friction_angle; /* phi_c [rad]     [10, 60] degrees */
-    double granulate_hardness;      /* h_s   [stress]  > 0 */
-    double stiffness_exponent;      /* n     [-]       in (0, 1) */
-    double densest_void_ratio;      /* e_d0  [-]       0 < e_d0 < e_c0, at zero pressure */
+    double granulate_hardness;      /* h_s   [stress]  [1e-30, 1e30] */
+    double stiffness_exponent;      /* n     [-]       [0.01, 0.99] */
+    double densest_void_ratio;      /* e_d0  [-]       0.01 <= e_d0 < e_c0, at zero pressure */
     double critical_void_ratio;     /* e_c0  [-]       e_d0 < e_c0 < e_i0 */
     double loosest_void_ratio;      /* e_i0  [-]       e_c0 < e_i0 <= 5 */
-    double pyknotropy_exponent;     /* alpha [-]       (0, 2] */
+    double pyknotropy_exponent;     /* alpha [-]       [0.001, 2] */
     double stiffness_void_exponent; /* beta  [-]       [0, 5] */
-    double pressure_shift;          /* p_t   [stress]  >= 0, (H10); 0 unless set */
+    double pressure_shift;          /* p_t   [stress]  [0, h_s], (H10), a cohesion: 0 unless set */
     /* Intergranular strain: give all five, or none (then it is off for this material). */
     double reversal_stiffness;               /* m_R    [-]  [1, 20] */
     double transverse_stiffness;             /* m_T    [-]  [1, m_R] */
@@ -102,7 +102,7 @@ enum {
 
 typedef struct grit_sand_options {
     size_t struct_size;    /* set by init */
-    double tolerance;      /* stress error / |stress|, [1e-12, 0.1], default 1e-5 */
+    double tolerance;      /* of the stress, see grit_sand_update; [1e-12, 0.1], default 1e-5 */
     int evaluation_limit;  /* of the rate per point, [2, 1000000], default 20000 */
     int intergranular_off; /* 1: basic hypoplasticity (H1), h left alone; default 0 */
     int tangent;           /* GRIT_TANGENT_..., default NONE */
@@ -120,7 +120,7 @@ typedef struct grit_sand_points {
     size_t struct_size;
     int components;               /* 6, or 4 (11 22 33 12: axisymmetric, plane strain); 0 means 6 */
     int reserved;                 /* 0 */
-    const ptrdiff_t* index;       /* [n] points of the views to be taken; null: 0 ... n-1 */
+    const ptrdiff_t* index;       /* [n] points to be taken, all distinct; null: 0 ... n-1 */
     grit_view strain_increment;   /* [components] engineering shear, end configuration */
     grit_view rotation_increment; /* [9] row-major Q, proper orthogonal; base null: none */
     grit_mutable_view stress;     /* [components] Cauchy, in: start, out: end */
@@ -132,7 +132,7 @@ typedef struct grit_sand_points {
 /* Bits of grit_sand_report.flags */
 enum {
     GRIT_SAND_STRESS_FREE = 1,  /* the point is separated or below the pressure floor */
-    GRIT_SAND_VOID_CLAMPED = 2, /* e below e_d or above e_i: f_d and f_e taken at the limit */
+    GRIT_SAND_VOID_CLAMPED = 2, /* at the end e < e_d or > e_i: f_d, f_e as at the limit */
     GRIT_SAND_OUTSIDE_CONE = 4, /* tan psi >= sqrt 2: deviator scaled back */
     GRIT_SAND_H_CLAMPED = 8     /* |h| above R by no more than 1 %: scaled to R */
 };
@@ -142,15 +142,18 @@ typedef struct grit_sand_report {
     int flags;
     int substeps;          /* accepted */
     int evaluations;       /* of the stress rate, rejected steps included */
-    double error_estimate; /* estimated stress error / |stress| */
+    double error_estimate; /* of the stress, as controlled: safety factors included */
     double step_reduction; /* 1, or the factor (0, 1) to apply before trying again */
     double reserved[2];
 } grit_sand_report;
 
 /* Integrate n points over their strain increments.
+ *   tolerance  bounds the stress error of a call, relative to the larger of the stress norms at its
+ *              start and end, times the share of it that the call changes where that is below 1.
  *   All or nothing per point: a point that fails keeps stress, state, tangent and substep bitwise,
  *   its report and the return value (the first failed point's status) say why; the others are done.
- *   options, reports [n] and error may be null.
+ *   GRIT_BAD_CALL without a point: nothing was done and no report written. n = 0 is no error.
+ *   Output views must not overlap. options, reports [n] and error may be null.
  *   A point's result is bitwise the same whatever n, its place and its neighbours are. */
 GRIT_API grit_status grit_sand_update(const grit_sand* sand, const grit_sand_options* options,
                                       ptrdiff_t n, const grit_sand_points* points,

@@ -11,7 +11,7 @@ extern "C" {
 typedef struct grit_sand_record {
     const char* name; /* key for grit_sand_record_find, e.g. "lausitz" */
     const char* title;
-    const char* status; /* "A" taken from the primary source, "B" from a secondary one */
+    const char* status; /* "A" two independent sources agree, "B" one source or a conflict */
     const char* source; /* where the numbers were published */
     const char* note;   /* what a user must know, may be empty */
 } grit_sand_record;

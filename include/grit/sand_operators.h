@@ -3,7 +3,9 @@
  * open for users, tests and start-up code. They are meant for insight and set-up, not for speed.
  *
  * stress [6], strain rate D [6] (engineering shear), state [GRIT_SAND_STATE_SIZE] as in sand.h;
- * 6 x 6 matrices row-major, d stress / d strain in Voigt components. Outside the domain (p at or
+ * 6 x 6 matrices row-major, d stress / d strain in Voigt components.
+ * Errors: GRIT_BAD_CALL for a null pointer, an unprepared sand, a value that is not finite or out of
+ * the range stated; results are untouched then. Outside the domain (p at or
  * below the floor, tan psi >= sqrt 2, e outside [e_d, e_i]) the values are those of its border. */
 #pragma once
 
@@ -13,7 +15,8 @@
 extern "C" {
 #endif
 
-/* Limiting void ratios (H6) at mean pressure p >= 0 [stress]: [0] e_i, [1] e_c, [2] e_d. */
+/* Limiting void ratios (H6) at mean pressure p >= 0 [stress], p_t already added: [0] e_i, [1] e_c,
+ * [2] e_d. */
 GRIT_API grit_status grit_sand_void_ratios(const grit_sand* sand, double p, double void_ratios[3]);
 
 typedef struct grit_sand_scalar_factors {
@@ -33,7 +36,7 @@ GRIT_API grit_status grit_sand_factors(const grit_sand* sand, const double stres
 GRIT_API grit_status grit_sand_stiffness(const grit_sand* sand, const double stress[6],
                                          double void_ratio, double* L, double* N);
 
-/* M of (G1) [36]; D chooses the branch of the intergranular strain. */
+/* M of (G1) [36]; D chooses the branch of the intergranular strain, which the sand must have. */
 GRIT_API grit_status grit_sand_intergranular_stiffness(const grit_sand* sand,
                                                        const double stress[6], const double* state,
                                                        const double D[6], double M[36]);
@@ -44,8 +47,9 @@ GRIT_API grit_status grit_sand_rate(const grit_sand* sand, int intergranular_off
                                     const double stress[6], const double* state, const double D[6],
                                     double stress_rate[6], double* state_rate);
 
-/* Upper bound of the P-wave modulus [stress] for an explicit time step dt = CFL dx / sqrt(M/rho):
- * m_R f_s/(T_hat:T_hat) (F^2 + a^2 t_max^2), t_max the largest |principal value| of T_hat. */
+/* Upper bound of the P-wave modulus [stress] for an explicit time step dt = CFL dx / sqrt(M/rho).
+ * With L = f_s/(T_hat:T_hat) (F^2 + a^2 t_max^2), t_max the largest |principal value| of T_hat, and N
+ * that of N: the larger of m_R L and L + N; without intergranular strain L + N. */
 GRIT_API grit_status grit_sand_wave_modulus(const grit_sand* sand, int intergranular_off,
                                             const double stress[6], double void_ratio,
                                             double* modulus);
@@ -58,7 +62,7 @@ typedef struct grit_sand_invariants {
     double p;                        /* mean pressure [stress], compression positive */
     double q;                        /* sqrt(3/2) |deviator| [stress], >= 0 */
     double lode_angle;               /* [rad] 0 triaxial compression ... pi/3 triaxial extension */
-    double tan_psi;                  /* sqrt 3 |T_hat*|, 0 where p = 0 */
+    double tan_psi;                  /* sqrt 3 |T_hat*| of T - p_t I, 0 where p + p_t <= 0 */
     double mobilised_friction_angle; /* asin((s1 - s3)/(s1 + s3)) [rad] of T - p_t I */
     double rho;                      /* |h|/R, 0 without intergranular strain */
     double relative_density; /* (e_c - e)/(e_c - e_d) at the current p: 1 densest, 0 critical */
@@ -69,7 +73,7 @@ GRIT_API grit_status grit_sand_invariants_of(const grit_sand* sand, const double
 
 /* ---- initial states -------------------------------------------------------------------------- */
 
-/* e at pressure p from e_0 at zero pressure: e = e_0 exp[-(3p/h_s)^n]  (H6). */
+/* e at pressure p, p_t already added, from e_0 at zero pressure: e = e_0 exp[-(3p/h_s)^n]  (H6). */
 GRIT_API grit_status grit_sand_void_ratio_at_pressure(const grit_sand* sand, double e_0, double p,
                                                       double* void_ratio);
 
@@ -80,8 +84,8 @@ GRIT_API grit_status grit_sand_stress_at_rest(const grit_sand* sand, double unit
                                               double depth, double surcharge, double K0, int axis,
                                               double stress[6]);
 
-/* Set h = rho R along the strain direction [6] (engineering shear, any length > 0), rho in [0, 1]:
- * 0 no memory, 1 fully mobilised, e.g. direction (-1,-1,-1,0,0,0) after isotropic compression. */
+/* Set h = rho R along the strain direction [6] (engineering shear, any length > 0), rho in [0, 1], for
+ * a sand with intergranular strain: 0 no memory, 1 fully mobilised, e.g. direction (-1,-1,-1,0,0,0) after isotropic compression. */
 GRIT_API grit_status grit_sand_mobilise(const grit_sand* sand, const double direction[6],
                                         double rho, double* state);
 

@@ -48,7 +48,7 @@ const std::vector<Failure> failures = {
      [](Batch& b) { b.points[bad].state[6] = not_a_number; }},
     {"no voids",
      GRIT_BAD_STATE,
-     {"point 13", "void ratio", "(0, 100]", "got 0"},
+     {"point 13", "void ratio", "(0, 1e+09]", "got 0"},
      [](Batch& b) { b.points[bad].state[6] = 0.0; }},
     {"negative void ratio",
      GRIT_BAD_STATE,
@@ -75,7 +75,7 @@ const std::vector<Failure> failures = {
      [](Batch& b) { b.strain[bad] = {0.0, -0.5, 0.0, 0.0, 0.0, 0.0}; }},
     {"voids closed",
      GRIT_NOT_CONVERGED,
-     {"point 13", "no voids", "0.05"},
+     {"point 13", "e = 0.05", "out of"},
      [](Batch& b) {
          b.points[bad].state[6] = 0.05;
          b.strain[bad] = {-0.04, -0.04, -0.04, 0.0, 0.0, 0.0};
@@ -164,6 +164,16 @@ TEST(Failure, AtTheEvaluationLimitAdvisesASmallerStep) {
         const std::string message = batch.error.message;
         EXPECT_NE(message.find("tolerance 1e-10"), std::string::npos) << message;
         EXPECT_NE(message.find("limit 40"), std::string::npos) << message;
+    }
+}
+
+TEST(Failure, TheEvaluationLimitIsNeverExceeded) {
+    for (const int limit : {2, 3, 6, 7, 8, 13, 30}) {
+        Batch batch = random_batch(sand, n, 74);
+        grit_sand_options options = options_with(1e-8);
+        options.evaluation_limit = limit;
+        batch.update(sand, options);
+        for (const grit_sand_report& r : batch.reports) EXPECT_LE(r.evaluations, limit);
     }
 }
 

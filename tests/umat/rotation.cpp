@@ -77,6 +77,26 @@ TEST(Rotation, ComesBeforeTheStrainIncrement) {
     }
 }
 
+TEST(Rotation, ByNothingChangesNoBit) {
+    for (const Sand& each : four_sands()) {
+        Random random(52);
+        for (int i = 0; i < 50; ++i) {
+            const Point start = point_of(random_state(each, random));
+            Point point = start;
+            const double identity_matrix[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+            const double none[6] = {};
+            grit_sand_points q{};
+            q.struct_size = sizeof q;
+            q.strain_increment = grit_view_of(none, 6, 1);
+            q.rotation_increment = grit_view_of(identity_matrix, 9, 1);
+            q.stress = grit_mutable_view_of(point.stress, 6, 1);
+            q.state = grit_mutable_view_of(point.state, GRIT_SAND_STATE_SIZE, 1);
+            ASSERT_EQ(grit_sand_update(each, nullptr, 1, &q, nullptr, nullptr), GRIT_OK);
+            EXPECT_TRUE(same_bits(point, start));
+        }
+    }
+}
+
 TEST(Rotation, WithoutStrainTurnsStressAndMemoryOnly) {
     Random random(63);
     const Full Q = random.rotation();

@@ -52,9 +52,39 @@ struct Sand {
     grit_sand_parameters parameters;
 };
 
-// All built-in sands that have intergranular strain, in Pa.
-inline std::vector<Sand> built_in_sands() {
+// Parameters from the whole of the documented ranges, hardness in Pa; every sixth without
+// intergranular strain, every fourth with p_t.
+inline Sand random_sand(Random& random) {
+    for (;;) {
+        Sand sand;
+        grit_sand_parameters& p = sand.parameters;
+        grit_sand_parameters_init(&p, sizeof p);
+        p.critical_friction_angle = random.uniform(0.18, 1.04);
+        p.granulate_hardness = random.log_uniform(1e8, 1e11);
+        p.stiffness_exponent = random.uniform(0.05, 0.9);
+        p.densest_void_ratio = random.uniform(0.1, 1.0);
+        p.critical_void_ratio = p.densest_void_ratio * random.uniform(1.05, 2.0);
+        p.loosest_void_ratio = p.critical_void_ratio * random.uniform(1.02, 1.5);
+        p.pyknotropy_exponent = random.uniform(0.01, 0.6);
+        p.stiffness_void_exponent = random.uniform(0.0, 4.0);
+        if (random.below(4) == 0) p.pressure_shift = random.log_uniform(1.0, 1e5);
+        if (random.below(6) != 0) {
+            p.reversal_stiffness = random.uniform(1.0, 15.0);
+            p.transverse_stiffness = random.uniform(1.0, p.reversal_stiffness);
+            if (random.below(4) == 0) p.reversal_stiffness = p.transverse_stiffness = 1.0;
+            p.elastic_strain_radius = random.log_uniform(1e-6, 1e-2);
+            p.evolution_exponent = random.uniform(0.02, 2.0);
+            p.stiffness_interpolation_exponent = random.uniform(0.5, 15.0);
+        }
+        if (grit_sand_prepare(&p, &sand.prepared, nullptr) == GRIT_OK) return sand;
+    }
+}
+
+// All built-in sands that have intergranular strain, in Pa, and some random ones.
+inline std::vector<Sand> various_sands(int random_ones) {
     std::vector<Sand> sands;
+    Random random(314159);
+    for (int i = 0; i < random_ones; ++i) sands.push_back(random_sand(random));
     for (int i = 0; i < grit_sand_record_count(); ++i) {
         Sand sand;
         grit_sand_parameters_init(&sand.parameters, sizeof sand.parameters);
@@ -100,12 +130,13 @@ inline Kind random_point(Random& random, const Sand& sand, bool wild, double* st
     if (kind == Kind::zero_stress)
         for (int c = 0; c < 6; ++c) stress[c] = 0.0;
 
-    const double R = sand.parameters.elastic_strain_radius;
+    const bool igs = !std::isnan(sand.parameters.elastic_strain_radius);
+    const double R = igs ? sand.parameters.elastic_strain_radius : 1e-4;
     const double rho = random.below(4) == 0 ? 1.0 : random.uniform();
     random_direction(random, rho * R, 2.0, state);
     double limits[3];
     grit_sand_void_ratios(&sand.prepared, p, limits);
-    state[GRIT_SAND_VOID_RATIO] = random.uniform(limits[2] - 0.1, limits[0] + 0.3);
+    state[GRIT_SAND_VOID_RATIO] = std::fmax(1e-3, random.uniform(limits[2] - 0.1, limits[0] + 0.3));
     state[GRIT_SAND_SEPARATION] =
         kind == Kind::zero_stress && random.below(2) ? random.log_uniform(1e-8, 1e-1) : 0.0;
 

@@ -76,7 +76,7 @@ void run_batch(Random& random, const Sand& sand, int n, Tally& tally) {
 
 int main(int argc, char** argv) {
     const long count = argc > 1 ? std::atol(argv[1]) : 100000;
-    const auto sands = built_in_sands();
+    const auto sands = various_sands(60);
     Random random(20261121);
     Tally tally;
     for (long done = 0; done < count;) {

@@ -57,7 +57,7 @@ double distance(const double* a, const double* b, const double* before) {
 
 int main(int argc, char** argv) {
     const long count = argc > 1 ? std::atol(argv[1]) : 100000;
-    const auto sands = built_in_sands();
+    const auto sands = various_sands(20);
     Random random(4711);
     long differing = 0, tangent_differing = 0, points_done = 0, status_differing = 0;
     double worst_across = 0.0;
@@ -67,8 +67,8 @@ int main(int argc, char** argv) {
             sands[static_cast<std::size_t>(random.below(static_cast<int>(sands.size())))];
         Points points(n);
         for (std::size_t i = 0; i < n; ++i)
-            random_point(random, sand, points_done % 2 == 0, &points.strain[6 * i],
-                         &points.stress[6 * i], &points.state[8 * i]);
+            random_point(random, sand, (points_done / static_cast<long>(n)) % 2 == 0,
+                         &points.strain[6 * i], &points.stress[6 * i], &points.state[8 * i]);
         grit_sand_options options;
         grit_sand_options_init(&options, sizeof options);
         options.tolerance = 1e-4;
