@@ -36,9 +36,11 @@ double value_of(const ReferenceValue& wanted, const Table& table) {
         return (values[last] - values[first]) / (over[last] - over[first]);
     }
     if (wanted.at == At::end) return values[last];
-    const auto from = values.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto to = values.begin() + static_cast<std::ptrdiff_t>(last) + 1;
-    return wanted.at == At::largest ? *std::max_element(from, to) : *std::min_element(from, to);
+    const double sign = wanted.at == At::largest ? 1.0 : -1.0;
+    double best = NAN;  // values that are unknown do not count
+    for (std::size_t i = first; i <= last; ++i)
+        if (!(sign * values[i] <= sign * best) && !std::isnan(values[i])) best = values[i];
+    return best;
 }
 
 std::string label_of(const ReferenceValue& value, const Table& table) {

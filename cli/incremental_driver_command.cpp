@@ -1,33 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/incremental_driver_command.hpp"
 
-#include <algorithm>
-#include <limits>
-
 #include <fmt/format.h>
 
 #include "cli/progress.hpp"
 #include "incremental_driver/run.hpp"
 
 namespace cli {
-namespace {
-
-// Progress counts in int.
-int clipped(long count) {
-    return static_cast<int>(std::min<long>(count, std::numeric_limits<int>::max()));
-}
-
-}  // namespace
 
 ExitCode run_incremental_driver(const IncrementalDriverRequest& request) {
     Progress progress(request.folder.string());
     incremental_driver::Report report;
     try {
-        report = incremental_driver::run(
-            {request.folder, request.out, request.umat}, [&](const element::Progress& now) {
-                progress(clipped(now.increment), clipped(now.increments));
-                return true;
-            });
+        report = incremental_driver::run({request.folder, request.out, request.umat},
+                                         [&](const element::Progress& now) {
+                                             progress(now.increment, now.increments);
+                                             return true;
+                                         });
     } catch (const incremental_driver::BadInput& error) {
         throw BadInput(error.what());
     }
