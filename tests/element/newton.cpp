@@ -12,7 +12,8 @@ using namespace tests;
 using namespace element;
 
 // Residuals of the increments of a step after the first, printed.
-std::vector<std::vector<double>> residuals_of(const char* title, Step step, double law_tolerance) {
+std::vector<std::vector<double>> residuals_of(const char* title, const Step& step,
+                                              double law_tolerance) {
     const GritLaw law = lausitz_law(law_tolerance);
     Sample sample = isotropic_sample(law, 100.0, 0.6);
     Settings settings;

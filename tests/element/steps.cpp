@@ -9,9 +9,9 @@ using namespace tests;
 using namespace element;
 
 TEST(Step, IsDividedEvenlyOrGeometricallyOrAsGiven) {
-    const auto strains = [](Step step) {
+    const auto strains = [](const Step& s) {
         std::vector<double> out;
-        for (const Record& r : run_elastic({step}).history.records) out.push_back(r.strain[0]);
+        for (const Record& r : run_elastic({s}).history.records) out.push_back(r.strain[0]);
         return out;
     };
     Step step = oedometer_strain(-0.01);
