@@ -1,52 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The same test by files and Grit's own law, by files and the UMAT, and by the element library alone:
+// The same test by files and Grit's own law, by files and the UMAT, and by the element library alone, and by TOML:
 // the law behind all three is the same, so what is compared are the ways to it.
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <algorithm>
+#include <cstdlib>
 #include <fstream>
+#include <sstream>
 
 #include <element/grit_law.hpp>
 #include <element/simulate.hpp>
-#include <incremental_driver/run.hpp>
 
-#include "support/folder.hpp"
+#include "support/compare.hpp"
 
 namespace {
-
-constexpr double same = 1e-8;
-
-// Largest difference, relative to the largest value of the column or of its kind.
-double difference(const Table& a, const Table& b) {
-    double worst = a.size() == b.size() ? 0.0 : INFINITY;
-    const std::size_t ends[] = {2, 8, 14, 20, 28};  // time, strain, stress, h, the other ones
-    std::size_t begin = 0;
-    for (const std::size_t end : ends) {
-        const bool alone = end == 28;
-        double scale = 0.0, gap = 0.0;
-        for (std::size_t c = begin; c < end; ++c) {
-            if (alone) scale = gap = 0.0;
-            for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
-                scale = std::max(scale, std::abs(a[i][c]));
-                gap = std::max(gap, std::abs(a[i][c] - b[i][c]));
-            }
-            if (gap > 0.0) worst = std::max(worst, gap / scale);
-        }
-        begin = end;
-    }
-    return worst;
-}
-
-Table of_files(const std::filesystem::path& folder, const std::string& output, int headings,
-               const std::filesystem::path& umat = {}) {
-    const Folder out;
-    incremental_driver::run({folder, out.path(), umat});
-    return read_table(out.path(output), headings);
-}
-
-Table of_files(const Folder& folder, const std::filesystem::path& umat = {}) {
-    return of_files(folder.path(), "result.out", 1, umat);
-}
 
 const std::filesystem::path files = GRIT_INP_FILES;
 const std::filesystem::path umat = GRIT_UMAT_LIBRARY;
@@ -95,6 +62,47 @@ element::Step step(const element::Controls& controls, double change, int increme
     return out;
 }
 
+// Strain and stress of a run by grit element from a TOML file.
+Table of_toml(const std::string& name) {
+    const Folder out;
+    const std::string command = std::string(GRIT_CLI) + " element --no-plot --quiet --out " +
+                                out.path().string() + " " + (files / (name + ".toml")).string() +
+                                " > /dev/null";
+    if (std::system(command.c_str()) != 0) return {};
+    std::ifstream file(out.path(name + ".csv"));
+    std::string line;
+    do std::getline(file, line);
+    while (line.starts_with('#'));
+    const std::string names = line;
+    const auto column = [&](const std::string& wanted) {
+        const std::size_t place = ("," + names).find("," + wanted + " [");
+        EXPECT_NE(place, std::string::npos) << wanted;
+        return static_cast<std::size_t>(
+            std::count(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(place), ','));
+    };
+    std::vector<std::size_t> columns;
+    for (const char* name_of :
+         {"strain_11", "strain_22", "strain_33", "gamma_12", "gamma_13", "gamma_23", "stress_11",
+          "stress_22", "stress_33", "stress_12", "stress_13", "stress_23"})
+        columns.push_back(column(name_of));
+    Table rows;
+    while (std::getline(file, line)) {
+        std::vector<double> values;
+        std::istringstream cells(line);
+        for (std::string cell; std::getline(cells, cell, ',');)
+            values.push_back(std::strtod(cell.c_str(), nullptr));
+        rows.emplace_back(2, 0.0);  // no times
+        for (const std::size_t c : columns) rows.back().push_back(values.at(c));
+        rows.back().resize(28, 0.0);
+    }
+    return rows;
+}
+
+Table without_times(Table rows) {
+    for (auto& row : rows) row[0] = row[1] = 0.0;
+    return rows;
+}
+
 constexpr auto E = element::Control::strain, S = element::Control::stress;
 
 TEST(IncrementalDriverOedometer, IsTheReferenceTheUmatAndTheElementLibrary) {
@@ -129,32 +137,14 @@ TEST(IncrementalDriverTriaxial, IsTheReferenceTheUmatAndTheElementLibrary) {
               same);
 }
 
-TEST(IncrementalDriverClassicLayout, IsThatOfTheUmatForPoreWaterRotationAndInitialVoidRatio) {
-    const Folder folder;
-    Folder::fill(folder);
-    std::string parameters = lausitz_parameters();
-    parameters.replace(parameters.find("0.0\n10.7"), 8, "2e6\n0.72");  // K_w, e_0
-    folder.write("parameters.inp", parameters);
-    folder.write("initialconditions.inp",
-                 "6\n-110\n-130\n-120\n5\n0\n0\n14\n0\n0\n0\n0\n0\n0\n0\n-20\n");
-    folder.write("test.inp", "result.out\n*TriaxialE1\n30 10 1\n-0.004\n*DeformationGradient\n"
-                             "20 5 1\n1.001\n0.999\n1\n0.1\n-0.09\n0.02\n0\n0\n0.03\n");
-    const Table rows = of_files(folder);
-    EXPECT_LT(difference(rows, of_files(folder, umat)), same);
-    EXPECT_LT(rows[30][20], 0.72);  // e, compressed by the pressure
-    EXPECT_NE(rows[30][21], -20.0);
-}
-
-TEST(IncrementalDriverClassicLayout, SwitchesTheIntergranularStrainOffAsTheUmatDoes) {
-    const Folder folder;
-    Folder::fill(folder);
-    std::string parameters = lausitz_parameters();
-    parameters.replace(parameters.find("5.0\n2.0\n1e-4"), 12, "0.0\n0.0\n0.0");  // m_R, m_T, R
-    folder.write("parameters.inp", parameters);
-    const Table rows = of_files(folder);
-    EXPECT_LT(difference(rows, of_files(folder, umat)), same);
-    EXPECT_LT(rows.back()[8], -100.0);
-    EXPECT_EQ(rows.back()[14], 0.0);
+TEST(IncrementalDriverCases, AreThoseOfTheLaboratoryInToml) {
+    const auto bare = [](const Table& rows) { return without_times(without_state(rows)); };
+    EXPECT_LT(
+        difference(bare(of_files(files / "oedometer", "oedometer.out", 2)), of_toml("oedometer")),
+        same);
+    EXPECT_LT(
+        difference(bare(of_files(files / "triaxial", "triaxial.out", 1)), of_toml("triaxial")),
+        same);
 }
 
 }  // namespace

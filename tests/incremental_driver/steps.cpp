@@ -172,40 +172,4 @@ TEST(IncrementalDriverSteps, RandomWalkReadsTheLargestIncrements) {
     expect_row(walk.rows, 2, unit(2), none);
 }
 
-TEST(IncrementalDriverSteps, RepetitionHoldsItsStepsAndCountsThem) {
-    const auto test = parse("*OedometricE1\n10 5 1\n-0.01\n*Repetition\n2 3\n*OedometricE1\n"
-                            "10 5 1\n-0.01\n*OedometricE1\n5 5 1 : 2\n0.01\n*PureCreep\n10 5 1\n"
-                            "*End\nwhatever comes behind\n");
-    ASSERT_EQ(test.program.size(), 3u);
-    const auto repetition = std::get<element::Repetition>(test.program[1].kind);
-    EXPECT_EQ(repetition.times, 3);
-    EXPECT_EQ(repetition.steps.size(), 2u);
-    ASSERT_EQ(test.notes.size(), 1u + 2u * 3u + 1u);
-    EXPECT_EQ(test.notes[4].every, 2);
-    EXPECT_EQ(test.notes[4].line, 10);
-    EXPECT_EQ(test.notes[7].name, "*PureCreep");
-}
-
-TEST(IncrementalDriverSteps, ExitConditionsTimesEveryAndTemperatureAreRead) {
-    const auto test = parse("*LinearLoad ? -s1 + 2*s3 > 100\n100 5 10 T 20 : 4 remark\n*Cartesian\n"
-                            "0 0\n0 0\n0 0\n0 0\n0 0\n0 0\n*PureCreep ? v7 < 0.5\n"
-                            "8 5 1 : 100 T -5\n");
-    const element::Step& step = test.program[0];
-    EXPECT_EQ(step.temperature_change, 20.0);
-    EXPECT_EQ(test.notes[0].every, 4);
-    ASSERT_EQ(step.exit.any_of.size(), 1u);
-    EXPECT_EQ(step.exit.any_of[0].limit, 100.0);
-    ASSERT_EQ(step.exit.any_of[0].sum.size(), 2u);
-    EXPECT_EQ(step.exit.any_of[0].sum[1].factor, 2.0);
-    EXPECT_EQ(test.program[1].temperature_change, -5.0);
-    EXPECT_EQ(test.notes[1].every, 8);
-}
-
-TEST(IncrementalDriverSteps, OnlyFortyColumnsOfAKeywordLineCount) {
-    const auto test = parse("*PureCreep                              here starts a remark, 40 on\n"
-                            "10 5 1.0                                : 5\n");
-    EXPECT_EQ(test.program.size(), 1u);
-    EXPECT_EQ(test.notes[0].every, 1);
-}
-
 }  // namespace
