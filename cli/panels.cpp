@@ -48,6 +48,7 @@ const std::map<std::string, Axes>& kinds() {
         {"shear_constant_volume",
          {{gamma_12, tau_12}, {sigma_n, tau_12}, {gamma_12, p}, {gamma_12, phi}}},
         {"cyclic", {{gamma, tau}, {p, q}, {eps_a, eps_v}, {log_p, e}}},
+        {"cyclic_undrained", {{gamma, tau}, {p, q}, {gamma, pw}, {gamma, phi}}},
         {"degradation", {{amplitude, ratio}, {amplitude, damping}, {gamma, tau}, {log_p, e}}},
     };
     return all;
@@ -112,7 +113,9 @@ const std::vector<std::string>& picture_names() {
 }
 
 std::string picture_of(const std::string& test, bool cyclic) {
-    if (cyclic && test != "oedometer" && test != "isotropic") return "cyclic";
+    if (cyclic && test != "oedometer" && test != "isotropic")
+        return test.ends_with("undrained") || test.ends_with("volume") ? "cyclic_undrained"
+                                                                       : "cyclic";
     if (test == "k0_consolidation") return "oedometer";
     if (test == "oedometer" || test == "isotropic") return test;
     if (test == "simple_shear_constant_stress") return "shear";

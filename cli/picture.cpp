@@ -71,13 +71,43 @@ std::string plots_of(const Panel& panel, std::size_t number) {
     return out.empty() ? "set multiplot next\n" : out + "\n";
 }
 
+int labels_of(const Panel& panel) {
+    return static_cast<int>(
+        std::count_if(panel.series.begin(), panel.series.end(), [&](const Series& series) {
+            return !series.label.empty() && drawable_rows(series, panel) > 0;
+        }));
+}
+
+// Tics of a logarithmic axis: 1, 2, 5 of every decade, or the decades alone where there are many.
+std::string log_tics(const Panel& panel) {
+    double low = INFINITY, high = 0.0;
+    for (const Series& series : panel.series)
+        for (std::size_t i = 0; i < series.x.size(); ++i)
+            if (drawable(series, panel, i)) {
+                low = std::min(low, series.x[i]);
+                high = std::max(high, series.x[i]);
+            }
+    if (high == 0.0) return "";
+    const int first = static_cast<int>(std::floor(std::log10(low)));
+    const int last = static_cast<int>(std::ceil(std::log10(high)));
+    std::string out;
+    for (int decade = first; decade <= last; ++decade)
+        for (const int digit : {1, 2, 3, 5, 7}) {
+            if (digit > 1 && last - first > 2) break;
+            out += fmt::format("{}{:g}", out.empty() ? "" : ", ", digit * std::pow(10.0, decade));
+        }
+    return fmt::format("set logscale x\nset autoscale xfix\nset format x '%g'\nset xtics ({})\n",
+                       out);
+}
+
 // Panels in rows and columns, and what surrounds them [px].
 struct Layout {
     explicit Layout(const Picture& picture)
         : columns(std::min(picture.columns, static_cast<int>(picture.panels.size()))),
           rows((static_cast<int>(picture.panels.size()) + columns - 1) / columns),
-          width(columns * picture.width), height(rows * picture.height + top),
-          gap_x(picture.labels_above ? 62 : 104), gap_y(picture.labels_above ? 52 : 76) {}
+          top(40 + 20 * labels_of(picture.panels.front())), width(columns * picture.width),
+          height(rows * picture.height + top), gap_x(picture.labels_above ? 62 : 104),
+          gap_y(picture.labels_above ? 52 : 76) {}
 
     std::string margins() const {
         return fmt::format("margins {:.4f},{:.4f},{:.4f},{:.4f} spacing {:.4f},{:.4f}",
@@ -86,8 +116,7 @@ struct Layout {
     }
     static double part(int pixels, int whole) { return static_cast<double>(pixels) / whole; }
 
-    static constexpr int top = 58;  // title and key
-    int columns, rows, width, height, gap_x, gap_y;
+    int columns, rows, top, width, height, gap_x, gap_y;
 };
 
 std::string panel_script(const Picture& picture, const Layout& layout, std::size_t number) {
@@ -98,11 +127,12 @@ std::string panel_script(const Picture& picture, const Layout& layout, std::size
     out += panel.title.empty() ? "unset title\n"
                                : fmt::format("set title {} noenhanced font ',11' offset 0,-0.8\n",
                                              gnuplot_quoted(panel.title));
-    out += panel.log_x ? "set logscale x\n" : "unset logscale x\n";
+    out += panel.log_x ? log_tics(panel)
+                       : "unset logscale x\nset autoscale x\nset xtics autofreq\nset format x\n";
     out += panel.y_from_zero ? "set yrange [0:*]\n" : "set yrange [*:*]\n";
-    out += number == 0 ? fmt::format("set key at screen 0.5,{:.4f} center top horizontal samplen "
+    out += number == 0 ? fmt::format("set key at screen 0.5,{:.4f} center top Left reverse samplen "
                                      "1.6 noenhanced\n",
-                                     1.0 - Layout::part(32, layout.height))
+                                     1.0 - Layout::part(30, layout.height))
                        : "unset key\n";
     return out + plots_of(panel, number);
 }
