@@ -36,6 +36,7 @@ struct CaseStage {
     bool zero_strain = false;  // strains count from the beginning of this stage
     bool shear = false;        // loaded by gamma_12; otherwise along 11
     bool cyclic = false;
+    std::vector<element::Condition> until;  // ends a stage of cycles after an increment
 };
 
 struct Limits {

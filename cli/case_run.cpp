@@ -43,6 +43,7 @@ struct Collected {
     std::vector<StagedRecord> records;
     std::string failure;
     std::vector<std::string> exits;
+    long increments = 0;
 };
 
 // Stage after stage on one sample. progress may be null.
@@ -60,10 +61,14 @@ Collected compute(const CaseFile& file, const Material& material, Progress* prog
         if (stage.zero_strain) sample.strain.setZero();
         settings.record_start = i == 0 || stage.zero_strain;
         long reached = 0;
+        std::string ended;  // by a condition that is watched here
         const auto observer = [&](const element::Progress& now) {
             reached = now.increment;
             if (progress) (*progress)(done + reached, all);
-            return true;
+            for (const element::Condition& condition : stage.until)
+                if (element::holds(condition, *now.record, material.law->state_names()))
+                    ended = fmt::format("step {}: {}", now.step, condition.text);
+            return ended.empty();
         };
         element::History history =
             element::simulate(*material.law, sample, stage.program, settings, observer);
@@ -73,9 +78,11 @@ Collected compute(const CaseFile& file, const Material& material, Progress* prog
                 {record.step == 0 && i == 0 ? 0 : number, stage.shear, std::move(record)});
         for (const std::string& exit : history.exits)
             out.exits.push_back(fmt::format("stage {}, {}", number, exit));
-        if (history.failure)
+        if (!ended.empty()) out.exits.push_back(fmt::format("stage {}, {}", number, ended));
+        else if (history.failure)
             out.failure = fmt::format("stage {}, {}", number, history.failure->message);
         done += element::count_increments(stage.program);
+        out.increments += reached;
     }
     return out;
 }
@@ -129,8 +136,8 @@ CaseResult run_case(const CaseFile& file) try {
     out.seconds = progress.seconds();
     out.failure = collected.failure;
     out.exits = collected.exits;
+    out.increments = collected.increments;
     for (const StagedRecord& staged : collected.records) {
-        out.increments += staged.record.increment > 0;
         out.iterations += staged.record.iterations;
         out.evaluations += staged.record.evaluations;
         out.halvings += staged.record.cut_backs;

@@ -15,7 +15,8 @@ struct CaseResult {
     Table cycles;  // a row per cycle, no columns if nothing was cycled
     std::string failure;
     std::vector<std::string> exits;  // conditions that ended a stage
-    int increments = 0, iterations = 0, evaluations = 0, halvings = 0;
+    long increments = 0;
+    int iterations = 0, evaluations = 0, halvings = 0;
     double seconds = 0.0;
     double milliseconds = 0.0;  // of the fastest of five runs, if the case limits them
 };

@@ -176,19 +176,48 @@ std::vector<std::string> test_names() {
     return names;
 }
 
-void read_exit(TomlTable& table, Program& program, const std::vector<std::string>& state_names) {
-    element::Exit exit;
+std::vector<element::Condition> read_until(TomlTable& table,
+                                           const std::vector<std::string>& state_names) {
+    std::vector<element::Condition> out;
     element::Record record;
     record.state.resize(state_names.size());
     for (const std::string& text : table.strings_or_none("until")) try {
-            exit.any_of.push_back(element::parse_condition(text));
-            element::excess(exit.any_of.back(), record, state_names);
+            out.push_back(element::parse_condition(text));
+            element::excess(out.back(), record, state_names);
         } catch (const element::BadCase& error) {
             table.fail("until", fmt::format("{}: {}", table.full("until"), error.what()));
         }
-    exit.exactly = table.boolean_or("until_exactly", false);
-    for (Step& step : program) step.exit = exit;
+    return out;
 }
+
+// An exit condition ends one step. Cycles are many: there it is watched from outside.
+void read_exit(TomlTable& table, CaseStage& stage, const std::vector<std::string>& state_names) {
+    std::vector<element::Condition> until = read_until(table, state_names);
+    const bool exactly = table.boolean_or("until_exactly", false);
+    if (stage.cyclic) {
+        if (exactly) table.fail("until_exactly", table.full("until_exactly") + ": not for cycles");
+        stage.until = std::move(until);
+        return;
+    }
+    for (Step& step : stage.program) step.exit = {until, exactly};
+}
+
+// To every step, those within repetitions included.
+struct Commons {
+    std::string name;
+    int every = 1;
+    std::optional<double> duration;
+
+    void apply(Program& program) const {
+        for (Step& step : program) {
+            step.name = name;
+            step.every = every;
+            if (duration) step.duration = *duration;
+            if (auto* repetition = std::get_if<element::Repetition>(&step.kind))
+                apply(repetition->steps);
+        }
+    }
+};
 
 CaseStage read_group(TomlTable& table, const std::vector<std::string>& state_names) {
     CaseStage out;
@@ -220,14 +249,10 @@ CaseStage read_stage(TomlTable table, const std::vector<std::string>& state_name
         if (out.test == "true_triaxial") out.program = true_triaxial(table);
         if (out.test == "components") out.program = components(table);
         if (out.test == "rest" || out.test == "creep") out.program = at_rest(table, out.test);
-        read_exit(table, out.program, state_names);
-        const double duration =
-            out.test == "rest" || out.test == "creep" ? 0.0 : table.positive_or("duration_s", 0.0);
-        for (Step& step : out.program) {
-            step.name = out.test;
-            step.every = table.integer_or("record_every", 1, 1, 10000000);
-            if (duration > 0.0) step.duration = duration;
-        }
+        read_exit(table, out, state_names);
+        Commons commons{out.test, table.integer_or("record_every", 1, 1, 10000000), {}};
+        if (table.has("duration_s")) commons.duration = table.positive_or("duration_s", 1.0);
+        commons.apply(out.program);
     }
     out.program = repeated(std::move(out.program), table.integer_or("repeat", 1, 1, 10000000));
     out.zero_strain = table.boolean_or("zero_strain", false);
