@@ -1,0 +1,30 @@
+cmake_minimum_required(VERSION 3.25)
+# Install BUILD under WORK, build the examples as a project of their own against it, and run them: the
+# same loop over points prints the same numbers in C and in Fortran.
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output
+                  ERROR_VARIABLE errors)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "${ARGN}\nended with ${result}:\n${output}${errors}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix --config "${CONFIG}")
+file(COPY ${SOURCE}/ DESTINATION ${WORK}/outside)
+run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${WORK}/outside -B ${WORK}/build
+    -DCMAKE_C_COMPILER=${CC} -DCMAKE_PREFIX_PATH=${WORK}/prefix)
+run(${CMAKE_COMMAND} --build ${WORK}/build)
+run(${WORK}/build/first_update)
+if(NOT output MATCHES "stress     -115\\.853 -100\\.286 -100\\.286 kPa")
+  message(FATAL_ERROR "first_update printed\n${output}, the README says otherwise")
+endif()
+
+foreach(example host_loop host_loop_fortran)
+  run(${WORK}/build/${example})
+  string(REGEX REPLACE " +" " " ${example} "${output}")
+endforeach()
+if(NOT host_loop STREQUAL host_loop_fortran)
+  message(FATAL_ERROR "C printed\n${host_loop}, Fortran\n${host_loop_fortran}")
+endif()
