@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "cli/nearest.hpp"
 #include "cli/parameter_units.hpp"
+#include "element/nearest.hpp"
 
 namespace cli {
 namespace {
@@ -79,7 +79,7 @@ void read_sand(TomlTable table, CaseFile& file) {
         const int record = grit_sand_record_find(name->c_str());
         if (record < 0)
             table.fail("name", fmt::format("{}: no sand is called \"{}\"{}", table.full("name"),
-                                           *name, suggestion(*name, sand_names())));
+                                           *name, element::suggestion(*name, sand_names())));
         grit_sand_record_parameters(record, 1.0, &file.parameters);
         file.sand = *name;
     }

@@ -8,8 +8,8 @@
 
 #include "cli/cycles.hpp"
 #include "cli/foreign_columns.hpp"
-#include "cli/nearest.hpp"
 #include "cli/panels.hpp"
+#include "element/nearest.hpp"
 
 namespace cli {
 namespace {
@@ -41,7 +41,7 @@ ExitCode plot(const PlotRequest& request) {
     const std::vector<std::string>& kinds = picture_names();
     if (std::find(kinds.begin(), kinds.end(), request.kind) == kinds.end())
         throw BadInput(fmt::format("--kind must be one of {}; got \"{}\"{}", fmt::join(kinds, ", "),
-                                   request.kind, suggestion(request.kind, kinds)));
+                                   request.kind, element::suggestion(request.kind, kinds)));
     std::vector<Curve> curves;
     for (const fs::path& run : request.runs)
         curves.push_back(curve_of(run, "", false, static_cast<int>(curves.size())));

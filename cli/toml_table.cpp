@@ -10,7 +10,7 @@
 #include <toml++/toml.h>
 
 #include "cli/exit_code.hpp"
-#include "cli/nearest.hpp"
+#include "element/nearest.hpp"
 
 namespace cli {
 
@@ -66,7 +66,7 @@ bool TomlTable::has(const std::string& key) { return look(key); }
 // Where a key is missing, one that looks like it and means nothing else is the better message.
 void TomlTable::refuse_misspelt(const std::string& key) const {
     for (const std::string& other : given())
-        if (!known.contains(other) && nearest(other, {key}) == key)
+        if (!known.contains(other) && element::nearest(other, {key}) == key)
             fail(other, fmt::format("unknown key {}; nearest: {}", full(other), key));
 }
 
@@ -85,7 +85,7 @@ std::optional<double> TomlTable::column_of(const std::string& key, const std::st
         std::vector<std::string> names;
         for (const auto& [column, value] : *columns) names.push_back(column);
         fail(key, fmt::format("{}: the samples have no column {}{}", full(key), text.substr(7),
-                              suggestion(text.substr(7), names)));
+                              element::suggestion(text.substr(7), names)));
     }
     char* end = nullptr;
     const double value = std::strtod(cell->second.c_str(), &end);
@@ -152,7 +152,7 @@ std::string TomlTable::choice(const std::string& key, const std::vector<std::str
     const std::string word = string(key);
     for (const std::string& known_word : words)
         if (word == known_word) return word;
-    const std::string best = nearest(word, words);
+    const std::string best = element::nearest(word, words);
     fail(key, fmt::format("{} must be one of {}; got \"{}\"{}", full(key), fmt::join(words, ", "),
                           word, best.empty() ? "" : "; nearest: " + best));
 }
@@ -247,7 +247,7 @@ void TomlTable::finish() const {
     for (const std::string& key : given())
         if (!known.contains(key))
             fail(key, fmt::format("unknown key {}{}", full(key),
-                                  suggestion(key, {known.begin(), known.end()})));
+                                  element::suggestion(key, {known.begin(), known.end()})));
 }
 
 }  // namespace cli

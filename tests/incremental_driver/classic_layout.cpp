@@ -22,8 +22,11 @@ TEST(IncrementalDriverClassicLayout, IsThatOfTheUmatForPoreWaterRotationAndIniti
                  "6\n-110\n-130\n-120\n5\n0\n0\n14\n0\n0\n0\n0\n0\n0\n0\n-20\n");
     folder.write("test.inp", "result.out\n*TriaxialE1\n30 10 1\n-0.004\n*DeformationGradient\n"
                              "20 5 1\n1.001\n0.999\n1\n0.1\n-0.09\n0.02\n0\n0\n0.03\n");
+    // STRESS = T - p_w I with p_w of 1e4 kPa: T comes back with the roundoff of that, and the steps of
+    // the integration amplify it.
+    constexpr double pore_water_roundoff = 1e-7;
     const Table rows = result_of(folder);
-    EXPECT_LT(difference(rows, result_of(folder, umat)), same);
+    EXPECT_LT(difference(rows, result_of(folder, umat)), pore_water_roundoff);
     EXPECT_LT(rows[30][20], 0.72);  // e, compressed by the pressure
     EXPECT_NE(rows[30][21], -20.0);
 }

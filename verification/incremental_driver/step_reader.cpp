@@ -7,10 +7,10 @@
 
 #include "element/check.hpp"
 #include "element/errors.hpp"
+#include "element/nearest.hpp"
 #include "element/schedule.hpp"
 #include "element/simulate.hpp"
 #include "incremental_driver/loads.hpp"
-#include "incremental_driver/nearest.hpp"
 
 namespace incremental_driver {
 namespace {
@@ -72,7 +72,7 @@ element::Kind read_short_form(Lines& lines, const ShortForm& form) {
     for (const ShortForm& form : short_forms) known.emplace_back(form.name);
     for (const LongForm& form : long_forms) known.emplace_back(form.name);
     lines.fail(keyword.line,
-               "unknown step \"" + keyword.name + "\": " + did_you_mean(keyword.name, known));
+               "unknown step \"" + keyword.name + "\"" + element::suggestion(keyword.name, known));
 }
 
 // What the library would say of the whole program, said of this line.

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cli/nearest.hpp"
+#include "element/nearest.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <numeric>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-namespace cli {
+namespace element {
 namespace {
+
+std::string lower(std::string word) {
+    for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return word;
+}
 
 // Optimal string alignment distance.
 std::size_t distance(const std::string& a, const std::string& b) {
@@ -34,7 +37,7 @@ std::string nearest(const std::string& word, const std::vector<std::string>& can
     std::string best;
     std::size_t least = 0;
     for (const std::string& candidate : candidates) {
-        const std::size_t d = distance(word, candidate);
+        const std::size_t d = distance(lower(word), lower(candidate));
         if (2 * d > std::max(word.size(), candidate.size())) continue;
         if (best.empty() || d < least) {
             best = candidate;
@@ -46,8 +49,11 @@ std::string nearest(const std::string& word, const std::vector<std::string>& can
 
 std::string suggestion(const std::string& word, const std::vector<std::string>& candidates) {
     const std::string best = nearest(word, candidates);
-    return best.empty() ? fmt::format("; known here: {}", fmt::join(candidates, ", "))
-                        : "; nearest: " + best;
+    if (!best.empty()) return "; nearest: " + best;
+    std::string known = "; known here:";
+    for (const std::string& candidate : candidates)
+        known += (candidate == candidates.front() ? " " : ", ") + candidate;
+    return known;
 }
 
-}  // namespace cli
+}  // namespace element
