@@ -51,7 +51,8 @@ double norm(const double* a) {
 double distance(const double* a, const double* b, const double* before) {
     double difference[6];
     for (int c = 0; c < 6; ++c) difference[c] = a[c] - b[c];
-    return norm(difference) / std::max(norm(b), norm(before));
+    const double apart = norm(difference);  // both may be zero
+    return apart == 0.0 ? 0.0 : apart / std::max(norm(b), norm(before));
 }
 
 }  // namespace
@@ -106,7 +107,7 @@ int main(int argc, char** argv) {
                 double& worst = which < random_ones ? worst_of_random : worst_across;
                 const double d = distance(&alone.points.stress[6 * i],
                                           &reference.points.stress[6 * i], &points.stress[6 * i]);
-                if (!(d <= worst)) worst = d;
+                if (!(d <= worst)) worst = std::isnan(d) ? INFINITY : d;
             }
         }
         points_done += n;
