@@ -31,4 +31,13 @@ template <class Struct> inline bool write_versioned(const Struct& ours, Struct& 
     return true;
 }
 
+// What an init function does: the caller's struct becomes defaults, as far as it reaches.
+template <class Struct>
+inline bool init_versioned(const Struct& defaults, Struct* caller, std::size_t struct_size) {
+    if (!caller || struct_size < sizeof(std::size_t) || struct_size > largest_struct) return false;
+    std::memset(static_cast<void*>(caller), 0, struct_size);
+    caller->struct_size = struct_size;
+    return write_versioned(defaults, *caller);
+}
+
 }  // namespace grit

@@ -166,11 +166,7 @@ using namespace grit;
 extern "C" {
 
 grit_status grit_sand_options_init(grit_sand_options* options, size_t struct_size) {
-    if (!options || struct_size < sizeof(size_t) || struct_size > largest_struct)
-        return GRIT_BAD_CALL;
-    std::memset(options, 0, struct_size);
-    options->struct_size = struct_size;
-    return write_versioned(default_options(), *options) ? GRIT_OK : GRIT_BAD_CALL;
+    return init_versioned(default_options(), options, struct_size) ? GRIT_OK : GRIT_BAD_CALL;
 }
 
 grit_status grit_sand_update(const grit_sand* sand, const grit_sand_options* options, ptrdiff_t n,

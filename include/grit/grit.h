@@ -8,6 +8,7 @@
  * disjoint data. */
 #pragma once
 
+#include <grit/contact.h>
 #include <grit/sand.h>
 #include <grit/sand_catalogue.h>
 #include <grit/sand_operators.h>

@@ -1,0 +1,187 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Contact of bodies at the nodes of a grid: the Geo-contact of Ma, Wang & Randolph (2014),
+ * doi 10.1016/j.compgeo.2014.05.002 (GCA), and the frictional contact of Bardenhagen et al. (2000)
+ * (FCA), which is its case f_p = 1. Equations (C1)-(C7) and decisions: docs/contact.md.
+ *
+ *   each body maps mass and velocity to the nodes  ->  grit_contact_correct  ->  corrected velocities
+ *
+ * Two components: plane strain (per metre) or axisymmetry (mass, area and force per radian).
+ */
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include <grit/export.h>
+#include <grit/status.h>
+#include <grit/view.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- options --------------------------------------------------------------------------------- */
+
+enum {
+    GRIT_CONTACT_GEO = 0,       /* GCA: the normal impulse is scaled by f_p(s), (C4) */
+    GRIT_CONTACT_FRICTIONAL = 1 /* FCA: f_p = 1; distance, cell_size and spacing are not read */
+};
+
+enum { GRIT_CONTACT_NONE_RIGID = 0, GRIT_CONTACT_A_RIGID = 1, GRIT_CONTACT_B_RIGID = 2 };
+
+typedef struct grit_contact_options {
+    size_t struct_size;          /* set by init */
+    int components;              /* 2 or 3, default 3 */
+    int law;                     /* GRIT_CONTACT_GEO (default) or _FRICTIONAL */
+    double penalty_power;        /* k [-] in (0, 1e6], default 6 */
+    double friction_coefficient; /* mu [-] >= 0, default 0 */
+    double adhesion;             /* c_a [stress] >= 0, default 0; needs contact_area and time_step */
+    double time_step;            /* dt [time] > 0; 0 (default): not given, see grit_contact_nodes */
+    double mass_tolerance;       /* [-] in [0, 0.5), default 1e-10, (C1) */
+    double gap_tolerance;        /* [length], default 0, (C3) */
+    int rigid;                   /* GRIT_CONTACT_..._RIGID, default NONE */
+    int allow_zero_normal;       /* 1: a node whose normal is all zero is open; 0 (default): refused */
+    int instruction_set;         /* GRIT_ISA_..., default best */
+    int validate_only;           /* 1: check every node and report, change nothing */
+} grit_contact_options;
+
+GRIT_API grit_status grit_contact_options_init(grit_contact_options* options, size_t struct_size);
+
+/* ---- a pair of bodies ------------------------------------------------------------------------ */
+
+/* n nodes as the host stores them, c = components. Zero-initialise, set struct_size, then what is
+ * needed. Optional views are off with a null base. A node is inactive, and nothing but its masses is
+ * read, unless both masses exceed mass_tolerance times their sum (a rigid body's: unless it has any).
+ * Inputs may repeat (point_stride 0); what is written may not overlap anything. */
+typedef struct grit_contact_nodes {
+    size_t struct_size;
+    const ptrdiff_t* index;     /* [n] nodes to be taken, all distinct; null: 0 ... n-1 */
+    grit_view mass_a;           /* [1] nodal mass of body A [mass] in [0, 1e100] */
+    grit_view mass_b;           /* [1] of body B */
+    grit_view normal;           /* [c] unit normal A -> B [-], |n|^2 within 1e-6 of 1 */
+    grit_view distance;         /* [1] s [length]: surface of the stiffer body to the node, negative
+                                       inside the body; +infinity: none (GEO only) */
+    grit_view cell_size;        /* [1] d [length] > 0, the cell along n (GEO only); or ... */
+    grit_view spacing;          /* [c] ... edges of the cell [length] > 0, d follows from (C4) */
+    grit_view gap;              /* [1] optional: surface of A to that of B along n [length] */
+    grit_view contact_area;     /* [1] A_c [area] >= 0, with adhesion only */
+    grit_mutable_view velocity_a; /* [c] in: after the momentum update, out: corrected */
+    grit_mutable_view velocity_b;
+    grit_mutable_view acceleration_a; /* [c] optional, needs time_step: corrected alike */
+    grit_mutable_view acceleration_b;
+    grit_view previous_velocity_a; /* [c] optional: before the step's forces, for the dissipation */
+    grit_view previous_velocity_b;
+    grit_view position; /* [c] optional: of the node, for the moments in the sums */
+} grit_contact_nodes;
+
+enum {
+    GRIT_CONTACT_INACTIVE = 0, /* one body only, or none */
+    GRIT_CONTACT_OPEN = 1,     /* two bodies that part, are apart, or s >= d: bitwise untouched */
+    GRIT_CONTACT_STICK = 2,
+    GRIT_CONTACT_SLIP = 3
+};
+
+typedef struct grit_contact_report {
+    grit_status status;
+    int state;            /* GRIT_CONTACT_INACTIVE ... SLIP */
+    double penalty_factor; /* f_p [-], 0 where open */
+    double impulse[3];    /* J [mass velocity] on B, -J on A; third component 0 in the plane */
+    double force[3];      /* J / dt, 0 without time_step */
+    /* Energies taken from the trial velocities, each >= 0. Not the contact's share of an energy
+     * balance: a sustained contact counts its load again in every step. */
+    double trial_energy_normal;     /* D_n = m_r w_n^2 f_p (2 - f_p) / 2 */
+    double trial_energy_tangential; /* D_t = J_t (|w_t| - J_t / (2 m_r)) */
+    /* J . (w_old + w_new) / 2: what closes the balance of a leapfrog step; needs both
+     * previous_velocity views, 0 without. */
+    double dissipation_normal;
+    double dissipation_tangential;
+    double reserved[2];
+} grit_contact_report;
+
+/* ---- sums over nodes --------------------------------------------------------------------------- */
+
+/* Exact sums over nodes: whatever the order of the nodes and however they are cut into calls, threads
+ * or processes, the totals are the correctly rounded sums. Caller's memory; all zero is empty. Sums of
+ * several threads are added by grit_contact_sums_add, of processes by adding words as integers
+ * (MPI_SUM of MPI_INT64_T). Holds 2^30 nodes. */
+enum { GRIT_CONTACT_SUMS_WORDS = 720 };
+
+typedef struct grit_contact_sums {
+    int64_t word[GRIT_CONTACT_SUMS_WORDS];
+} grit_contact_sums;
+
+typedef struct grit_contact_totals {
+    size_t struct_size; /* set by the caller */
+    double impulse_on_a[3], impulse_on_b[3];
+    double force_on_a[3], force_on_b[3];   /* [force], 0 without time_step */
+    double moment_on_a[3], moment_on_b[3]; /* of the forces about the origin; in the plane [2] only,
+                                              x f_y - y f_x; 0 without position */
+    double trial_energy_normal, trial_energy_tangential;
+    double dissipation_normal, dissipation_tangential;
+    ptrdiff_t inactive, open, stick, slip, failed; /* nodes */
+} grit_contact_totals;
+
+GRIT_API grit_status grit_contact_sums_add(grit_contact_sums* into, const grit_contact_sums* from);
+GRIT_API grit_status grit_contact_sums_read(const grit_contact_sums* sums,
+                                            grit_contact_totals* totals);
+
+/* Remove the approach velocity of bodies A and B at n nodes, with one impulse per node, (C1)-(C6).
+ *   Each node alone: momentum is kept, energy never grows, friction obeys Coulomb after the penalty.
+ *   All or nothing per node: a bad node keeps velocities and accelerations bitwise, its report and
+ *   the return value (the first bad node's status) say why; the others are corrected.
+ *   GRIT_BAD_CALL without a node: nothing was done and no report written. n = 0 is no error.
+ *   options (null: defaults), reports [n], sums and error may be null. sums are added to.
+ *   Nodes are independent: safe on disjoint ranges from several threads, and a node's result is
+ *   bitwise the same whatever n, its place and its neighbours are. */
+GRIT_API grit_status grit_contact_correct(const grit_contact_options* options, ptrdiff_t n,
+                                          const grit_contact_nodes* nodes,
+                                          grit_contact_report* reports, grit_contact_sums* sums,
+                                          grit_error* error);
+
+/* The penalty factor f_p = 1 - (min(max(s, 0), d) / d)^k of (C4), with 0^k = 0.
+ * GRIT_BAD_CALL unless s > -infinity, d > 0, k in (0, 1e6]. */
+GRIT_API grit_status grit_contact_penalty_factor(double s, double d, double k, double* f_p);
+
+/* ---- more than two bodies at a node ------------------------------------------------------------ */
+
+enum { GRIT_CONTACT_MOST_BODIES = 8 };
+
+/* One pair of bodies: who they are, their law, and its views. Mass, velocity, acceleration, position,
+ * index, previous_velocity of nodes and instruction_set, validate_only, components of options come
+ * from grit_contact_bodies and the first pair; here they are not read. */
+typedef struct grit_contact_pair {
+    size_t struct_size;
+    int a, b; /* bodies 0 ... count - 1 */
+    const grit_contact_options* options;
+    grit_view normal, distance, cell_size, spacing, gap, contact_area; /* as grit_contact_nodes */
+} grit_contact_pair;
+
+typedef struct grit_contact_bodies {
+    size_t struct_size;
+    int components;                        /* 2 or 3 */
+    int count;                             /* m in [2, GRIT_CONTACT_MOST_BODIES] */
+    const ptrdiff_t* index;                /* [n] or null */
+    const grit_view* mass;                 /* [m] views [1] */
+    const grit_mutable_view* velocity;     /* [m] views [c] */
+    const grit_mutable_view* acceleration; /* [m] views [c], or null */
+    const grit_view* previous_velocity;    /* [m] views [c], or null */
+    grit_view position;                    /* [c] optional */
+    double sweep_tolerance; /* largest velocity change / largest approach that ends the sweeps,
+                               0 means 1e-3 */
+    int sweep_limit;        /* 0 means 20 */
+    int validate_only;
+} grit_contact_bodies;
+
+/* Correct the velocities of m bodies at n nodes, pair after pair in the given order, in Gauss-Seidel
+ * sweeps: a pair's impulse is that of (C5) for the velocities which the other pairs leave, and replaces
+ * the one it had. Momentum is kept by every sweep; one active pair gives grit_contact_correct.
+ *   pairs [pair_count]; at most one pair for two bodies.
+ *   reports [n][pair_count] and sums [pair_count] as above, per pair; may be null. */
+GRIT_API grit_status grit_contact_correct_many(const grit_contact_bodies* bodies, int pair_count,
+                                               const grit_contact_pair* pairs, ptrdiff_t n,
+                                               grit_contact_report* reports,
+                                               grit_contact_sums* sums, grit_error* error);
+
+#ifdef __cplusplus
+}
+#endif
