@@ -32,6 +32,21 @@ function(grit_library_part target)
   set_property(GLOBAL APPEND PROPERTY GRIT_PARTS ${target})
 endfunction()
 
+# One source per instruction set that this processor family has: kernel_baseline.cpp and so on, in
+# the calling folder, into the list RESULT.
+macro(grit_kernels result)
+  set(${result} kernel_baseline.cpp)
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    list(APPEND ${result} kernel_avx2.cpp kernel_avx512.cpp)
+    set_source_files_properties(kernel_avx2.cpp PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma")
+    # g++ 12 warns about its own AVX-512 header.
+    set_source_files_properties(
+      kernel_avx512.cpp
+      PROPERTIES COMPILE_OPTIONS
+                 "-mavx512f;-mavx512vl;-mavx512dq;-mfma;-Wno-uninitialized;-Wno-maybe-uninitialized")
+  endif()
+endmacro()
+
 # Grit::grit (shared) and Grit::grit_static (PIC), of the parts declared so far.
 function(grit_add_libraries)
   get_property(parts GLOBAL PROPERTY GRIT_PARTS)

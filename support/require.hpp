@@ -26,3 +26,7 @@ failure(grit_error* error, grit_status status, std::ptrdiff_t point, const char*
 }
 
 }  // namespace grit
+
+// Leave a function that has a grit_error* error, unless the condition holds.
+#define GRIT_REQUIRE(condition, ...)                                                               \
+    if (!(condition)) return grit::failure(error, GRIT_BAD_CALL, -1, __VA_ARGS__)

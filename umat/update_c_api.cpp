@@ -19,9 +19,6 @@ grit_sand_options default_options() {
     return options;
 }
 
-#define GRIT_REQUIRE(condition, ...)                                                               \
-    if (!(condition)) return failure(error, GRIT_BAD_CALL, -1, __VA_ARGS__)
-
 bool is_switch(int x) { return x == 0 || x == 1; }
 
 grit_status check_options(const grit_sand_options& o, grit_error* error) {
@@ -37,10 +34,7 @@ grit_status check_options(const grit_sand_options& o, grit_error* error) {
                  o.validate_only);
     GRIT_REQUIRE(o.tangent >= GRIT_TANGENT_NONE && o.tangent <= GRIT_TANGENT_CONSISTENT,
                  "tangent must be GRIT_TANGENT_NONE, _CONTINUUM or _CONSISTENT, got %d", o.tangent);
-    GRIT_REQUIRE(o.instruction_set >= GRIT_ISA_BEST && o.instruction_set <= best_instruction_set(),
-                 "instruction_set %d is not available here: the best is %d", o.instruction_set,
-                 best_instruction_set());
-    return GRIT_OK;
+    return check_instruction_set(o.instruction_set, error);
 }
 
 grit_status check_points(const grit_sand_points& q, const grit_sand_options& o, std::ptrdiff_t n,
@@ -148,16 +142,6 @@ grit_status describe(const Material& m, const grit_sand_options& o, const grit_s
     return failure(error, GRIT_INTERNAL, i, "point %td: unknown fault", i);
 }
 
-UpdateOutcome dispatch(const UpdateRequest& request) {
-    int isa = request.options->instruction_set;
-    if (isa == GRIT_ISA_BEST) isa = best_instruction_set();
-#ifdef GRIT_HAS_X86_KERNELS
-    if (isa == GRIT_ISA_AVX512) return avx512::update(request);
-    if (isa == GRIT_ISA_AVX2) return avx2::update(request);
-#endif
-    return baseline::update(request);
-}
-
 }  // namespace
 }  // namespace grit
 
@@ -193,7 +177,8 @@ grit_status grit_sand_update(const grit_sand* sand, const grit_sand_options* opt
     if (const grit_status s = check_points(q, o, n, error)) return s;
 
     const bool igs = m.has_intergranular_strain != 0.0 && !o.intergranular_off;
-    const UpdateOutcome outcome = dispatch({&m, &o, &q, n, reports, igs});
+    const UpdateRequest request{&m, &o, &q, n, reports, igs};
+    const UpdateOutcome outcome = GRIT_DISPATCH(o.instruction_set, update(request));
     return outcome.fault == Fault::none ? GRIT_OK : describe(m, o, q, outcome, error);
 }
 }

@@ -35,14 +35,14 @@ typedef struct grit_contact_options {
     int law;                     /* GRIT_CONTACT_GEO (default) or _FRICTIONAL */
     double penalty_power;        /* k [-] in (0, 1e6], default 6 */
     double friction_coefficient; /* mu [-] >= 0, default 0 */
-    double adhesion;             /* c_a [stress] >= 0, default 0; needs contact_area and time_step */
-    double time_step;            /* dt [time] > 0; 0 (default): not given, see grit_contact_nodes */
-    double mass_tolerance;       /* [-] in [0, 0.5), default 1e-10, (C1) */
-    double gap_tolerance;        /* [length], default 0, (C3) */
-    int rigid;                   /* GRIT_CONTACT_..._RIGID, default NONE */
-    int allow_zero_normal;       /* 1: a node whose normal is all zero is open; 0 (default): refused */
-    int instruction_set;         /* GRIT_ISA_..., default best */
-    int validate_only;           /* 1: check every node and report, change nothing */
+    double adhesion;       /* c_a [stress] >= 0, default 0; needs contact_area and time_step */
+    double time_step;      /* dt [time] > 0; 0 (default): not given, see grit_contact_nodes */
+    double mass_tolerance; /* [-] in [0, 0.5), default 1e-10, (C1) */
+    double gap_tolerance;  /* [length], default 0, (C3) */
+    int rigid;             /* GRIT_CONTACT_..._RIGID, default NONE */
+    int allow_zero_normal; /* 1: a node whose normal is all zero is open; 0 (default): refused */
+    int instruction_set;   /* GRIT_ISA_..., default best */
+    int validate_only;     /* 1: check every node and report, change nothing */
 } grit_contact_options;
 
 GRIT_API grit_status grit_contact_options_init(grit_contact_options* options, size_t struct_size);
@@ -55,16 +55,16 @@ GRIT_API grit_status grit_contact_options_init(grit_contact_options* options, si
  * Inputs may repeat (point_stride 0); what is written may not overlap anything. */
 typedef struct grit_contact_nodes {
     size_t struct_size;
-    const ptrdiff_t* index;     /* [n] nodes to be taken, all distinct; null: 0 ... n-1 */
-    grit_view mass_a;           /* [1] nodal mass of body A [mass] in [0, 1e100] */
-    grit_view mass_b;           /* [1] of body B */
-    grit_view normal;           /* [c] unit normal A -> B [-], |n|^2 within 1e-6 of 1 */
-    grit_view distance;         /* [1] s [length]: surface of the stiffer body to the node, negative
+    const ptrdiff_t* index; /* [n] nodes to be taken, all distinct; null: 0 ... n-1 */
+    grit_view mass_a;       /* [1] nodal mass of body A [mass] in [0, 1e100] */
+    grit_view mass_b;       /* [1] of body B */
+    grit_view normal;       /* [c] unit normal A -> B [-], |n|^2 within 1e-6 of 1 */
+    grit_view distance;     /* [1] s [length]: surface of the stiffer body to the node, negative
                                        inside the body; +infinity: none (GEO only) */
-    grit_view cell_size;        /* [1] d [length] > 0, the cell along n (GEO only); or ... */
-    grit_view spacing;          /* [c] ... edges of the cell [length] > 0, d follows from (C4) */
-    grit_view gap;              /* [1] optional: surface of A to that of B along n [length] */
-    grit_view contact_area;     /* [1] A_c [area] >= 0, with adhesion only */
+    grit_view cell_size;    /* [1] d [length] > 0, the cell along n (GEO only); or ... */
+    grit_view spacing;      /* [c] ... edges of the cell [length] > 0, d follows from (C4) */
+    grit_view gap;          /* [1] optional: surface of A to that of B along n [length] */
+    grit_view contact_area; /* [1] A_c [area] >= 0, with adhesion only */
     grit_mutable_view velocity_a; /* [c] in: after the momentum update, out: corrected */
     grit_mutable_view velocity_b;
     grit_mutable_view acceleration_a; /* [c] optional, needs time_step: corrected alike */
@@ -83,10 +83,10 @@ enum {
 
 typedef struct grit_contact_report {
     grit_status status;
-    int state;            /* GRIT_CONTACT_INACTIVE ... SLIP */
+    int state;             /* GRIT_CONTACT_INACTIVE ... SLIP */
     double penalty_factor; /* f_p [-], 0 where open */
-    double impulse[3];    /* J [mass velocity] on B, -J on A; third component 0 in the plane */
-    double force[3];      /* J / dt, 0 without time_step */
+    double impulse[3];     /* J [mass velocity] on B, -J on A; third component 0 in the plane */
+    double force[3];       /* J / dt, 0 without time_step */
     /* Energies taken from the trial velocities, each >= 0. Not the contact's share of an energy
      * balance: a sustained contact counts its load again in every step. */
     double trial_energy_normal;     /* D_n = m_r w_n^2 f_p (2 - f_p) / 2 */
@@ -104,7 +104,7 @@ typedef struct grit_contact_report {
  * or processes, the totals are the correctly rounded sums. Caller's memory; all zero is empty. Sums of
  * several threads are added by grit_contact_sums_add, of processes by adding words as integers
  * (MPI_SUM of MPI_INT64_T). Holds 2^30 nodes. */
-enum { GRIT_CONTACT_SUMS_WORDS = 720 };
+enum { GRIT_CONTACT_SUMS_WORDS = 880 };
 
 typedef struct grit_contact_sums {
     int64_t word[GRIT_CONTACT_SUMS_WORDS];
@@ -146,36 +146,42 @@ GRIT_API grit_status grit_contact_penalty_factor(double s, double d, double k, d
 
 enum { GRIT_CONTACT_MOST_BODIES = 8 };
 
-/* One pair of bodies: who they are, their law, and its views. Mass, velocity, acceleration, position,
- * index, previous_velocity of nodes and instruction_set, validate_only, components of options come
- * from grit_contact_bodies and the first pair; here they are not read. */
+/* One pair of bodies: who they are, their law (options; null: defaults), and what lies between them.
+ * A body is rigid in all of its pairs or in none. */
 typedef struct grit_contact_pair {
     size_t struct_size;
-    int a, b; /* bodies 0 ... count - 1 */
-    const grit_contact_options* options;
-    grit_view normal, distance, cell_size, spacing, gap, contact_area; /* as grit_contact_nodes */
+    int a, b;                            /* bodies 0 ... count - 1 */
+    const grit_contact_options* options; /* components, instruction_set, validate_only: not read */
+    grit_view normal;                    /* these six as in grit_contact_nodes */
+    grit_view distance;
+    grit_view cell_size;
+    grit_view spacing;
+    grit_view gap;
+    grit_view contact_area;
 } grit_contact_pair;
 
 typedef struct grit_contact_bodies {
     size_t struct_size;
     int components;                        /* 2 or 3 */
     int count;                             /* m in [2, GRIT_CONTACT_MOST_BODIES] */
-    const ptrdiff_t* index;                /* [n] or null */
+    const ptrdiff_t* index;                /* [n] nodes, all distinct; null: 0 ... n-1 */
     const grit_view* mass;                 /* [m] views [1] */
     const grit_mutable_view* velocity;     /* [m] views [c] */
     const grit_mutable_view* acceleration; /* [m] views [c], or null */
     const grit_view* previous_velocity;    /* [m] views [c], or null */
     grit_view position;                    /* [c] optional */
-    double sweep_tolerance; /* largest velocity change / largest approach that ends the sweeps,
-                               0 means 1e-3 */
-    int sweep_limit;        /* 0 means 20 */
-    int validate_only;
+    double sweep_tolerance; /* largest velocity change / largest approach that ends the sweeps [-]
+                               in (0, 1]; 0 means 1e-3 */
+    int sweep_limit;        /* >= 0; 0 means 20 */
+    int instruction_set;    /* GRIT_ISA_... */
+    int validate_only;      /* 0 or 1 */
+    int reserved;           /* 0 */
 } grit_contact_bodies;
 
 /* Correct the velocities of m bodies at n nodes, pair after pair in the given order, in Gauss-Seidel
  * sweeps: a pair's impulse is that of (C5) for the velocities which the other pairs leave, and replaces
  * the one it had. Momentum is kept by every sweep; one active pair gives grit_contact_correct.
- *   pairs [pair_count]; at most one pair for two bodies.
+ *   pairs [pair_count]; at most one pair for two bodies. Any bad pair at a node: the node is untouched.
  *   reports [n][pair_count] and sums [pair_count] as above, per pair; may be null. */
 GRIT_API grit_status grit_contact_correct_many(const grit_contact_bodies* bodies, int pair_count,
                                                const grit_contact_pair* pairs, ptrdiff_t n,

@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#define GRIT_TARGET baseline
+#include "contact/many_bodies.hpp"
+#include "contact/nodal_correction.hpp"

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One pair of bodies at many nodes, a pack of nodes at a time. A lane never looks at its neighbours.
+#pragma once
+
+#include <limits>
+
+#include "contact/node_checks.hpp"
+#include "contact/report.hpp"
+#include "contact/request.hpp"
+
+GRIT_KERNEL_BEGIN
+
+// d: the cell along n, from the view of cell sizes or the edges of the cell, (C4).
+template <class Real, int C>
+GRIT_INLINE Real cell_along(const grit_view& cell_size, const grit_view& spacing,
+                            const Vector<Real, C>& n, const Places<lanes_of<Real>>& places,
+                            MaskOf<Real>& good) {
+    if (cell_size.base) {
+        const Real d = load<Real>(cell_size, 0, places);
+        good = good & good_length(d);
+        return d;
+    }
+    Vector<Real, C> cells;
+    for (int i = 0; i < C; ++i) {
+        const Real edge = load<Real>(spacing, i, places);
+        good = good & good_length(edge);
+        cells[i] = n[i] / edge;
+    }
+    return Real(1.0) / sqrt(dot(cells, cells));
+}
+
+template <int C, bool geo> class Correction {
+  public:
+    explicit Correction(const CorrectionRequest& request)
+        : q(*request.nodes), law(*request.options), n(request.n), reports(request.reports),
+          sums(request.sums), writes(!request.options->validate_only),
+          adheres(request.options->adhesion > 0.0),
+          allow_zero_normal(request.options->allow_zero_normal != 0),
+          dissipates((reports || sums) && q.previous_velocity_a.base && q.previous_velocity_b.base),
+          moves(sums && q.position.base) {}
+
+    CorrectionOutcome run() {
+        std::ptrdiff_t i = 0;
+        for (; i + native_lanes <= n; i += native_lanes) take<Pack<native_lanes>>(i, native_lanes);
+        if (n - i == 1) take<double>(i, 1);
+        else if (n > i) take<Pack<native_lanes>>(i, static_cast<int>(n - i));
+        return outcome;
+    }
+
+  private:
+    template <class Real> GRIT_INLINE void take(std::ptrdiff_t first, int used) {
+        using Mask = MaskOf<Real>;
+        const auto places = places_of<lanes_of<Real>>(q.index, first, used);
+        const Real m_a = load<Real>(q.mass_a, 0, places);
+        const Real m_b = load<Real>(q.mass_b, 0, places);
+        Shares<Real> shares = shares_of(law, m_a, m_b);
+        const Mask good_masses = good_mass(m_a) & good_mass(m_b), bad_masses = !good_masses;
+        shares.active = shares.active & good_masses;
+        if (!any(shares.active)) {
+            if (any(bad_masses) || reports || sums)
+                finish<Real>(first, places, shares, bad_masses, {}, {}, {});
+            return;
+        }
+
+        Vector<Real, C> v_a = load_vector<C, Real>(q.velocity_a, places);
+        Vector<Real, C> v_b = load_vector<C, Real>(q.velocity_b, places);
+        Approach<Real, C> x;
+        x.n = load_vector<C, Real>(q.normal, places);
+        Mask good = good_vector(v_a) & good_vector(v_b);
+        const Mask no_normal = zero_normal(x.n) & Mask(allow_zero_normal);
+        good = good & (good_normal(x.n) | no_normal);
+        x.gap = Real(-std::numeric_limits<double>::infinity());
+        if (q.gap.base) {
+            x.gap = load<Real>(q.gap, 0, places);
+            good = good & good_signed_length(x.gap);
+        }
+        if (geo) {
+            x.s = load<Real>(q.distance, 0, places);
+            Mask good_d(true);
+            x.d = cell_along(q.cell_size, q.spacing, x.n, places, good_d);
+            good = good & good_signed_length(x.s) & (good_d | no_normal);
+        }
+        if (adheres) {
+            x.area = load<Real>(q.contact_area, 0, places);
+            good = good & good_area(x.area);
+        }
+        good = good & good_companions<Real>(places);
+        x.w = difference(v_a, v_b);
+
+        Response<Real, C> r = respond<Real, C>(law, shares, x);
+        const Mask bad = bad_masses | (shares.active & (!good));
+        r.touches = r.touches & (!bad) & (!no_normal);
+        r.slips = r.slips & r.touches;
+        if (writes && any(r.touches)) write(places, shares, r, v_a, v_b);
+        if (reports || sums || any(bad)) finish(first, places, shares, bad, r, x, {v_a, v_b});
+    }
+
+    template <class Real> struct Velocities {
+        Vector<Real, C> a, b;  // before the correction
+    };
+
+    template <class Real, class View>
+    GRIT_INLINE MaskOf<Real> good_if(bool asked, const View& view,
+                                     const Places<lanes_of<Real>>& places) const {
+        if (!asked || !view.base) return MaskOf<Real>(true);
+        return good_vector(load_vector<C, Real>(view, places));
+    }
+
+    template <class Real>
+    GRIT_INLINE MaskOf<Real> good_companions(const Places<lanes_of<Real>>& places) const {
+        return good_if<Real>(true, q.acceleration_a, places) &
+               good_if<Real>(true, q.acceleration_b, places) &
+               good_if<Real>(dissipates, q.previous_velocity_a, places) &
+               good_if<Real>(dissipates, q.previous_velocity_b, places) &
+               good_if<Real>(moves, q.position, places);
+    }
+
+    template <class Real>
+    GRIT_INLINE void write(const Places<lanes_of<Real>>& places, const Shares<Real>& shares,
+                           const Response<Real, C>& r, const Vector<Real, C>& v_a,
+                           const Vector<Real, C>& v_b) const {
+        const Real per_dt(law.inverse_dt);
+        for (int i = 0; i < C; ++i) {
+            const Real a = shares.a * r.u[i], b = shares.b * r.u[i];  // (C6)
+            if (!law.rigid_a) {
+                store(select(r.touches, v_a[i] - a, v_a[i]), q.velocity_a, i, places);
+                if (q.acceleration_a.base) accelerate(places, r, q.acceleration_a, i, -a * per_dt);
+            }
+            if (!law.rigid_b) {
+                store(select(r.touches, v_b[i] + b, v_b[i]), q.velocity_b, i, places);
+                if (q.acceleration_b.base) accelerate(places, r, q.acceleration_b, i, b * per_dt);
+            }
+        }
+    }
+
+    template <class Real>
+    GRIT_INLINE void accelerate(const Places<lanes_of<Real>>& places, const Response<Real, C>& r,
+                                const grit_mutable_view& view, int i, const Real& by) const {
+        const Real old = load<Real>(view, i, places);
+        store(select(r.touches, old + by, old), view, i, places);
+    }
+
+    template <class Real>
+    void finish(std::ptrdiff_t first, const Places<lanes_of<Real>>& places,
+                const Shares<Real>& shares, const MaskOf<Real>& bad, const Response<Real, C>& r,
+                const Approach<Real, C>& x, const Velocities<Real>& v) {
+        for (int lane = 0; lane < places.used; ++lane) {
+            grit_contact_report report{};
+            double moment[3] = {0.0, 0.0, 0.0};
+            if (holds(bad, lane)) {
+                report.status = GRIT_BAD_STATE;
+                if (outcome.node < 0) outcome.node = first + lane;
+            } else if (holds(shares.active, lane)) {
+                describe(lane, places.at[lane], shares, r, x, v, report, moment);
+            }
+            if (reports) reports[first + lane] = report;
+            if (sums) add_to_sums(*sums, report, moment);
+        }
+    }
+
+    template <class Real>
+    void describe(int lane, std::ptrdiff_t at, const Shares<Real>& shares,
+                  const Response<Real, C>& r, const Approach<Real, C>& x, const Velocities<Real>& v,
+                  grit_contact_report& report, double moment[3]) const {
+        const NodeResponse<C> node = lane_of(shares, r, lane);
+        const Places<1> here{{at}, 1, false};
+        Vector<double, C> normal, mean;
+        for (int i = 0; i < C; ++i) normal[i] = lane_of(x.n[i], lane);
+        if (dissipates) {
+            const auto old_a = load_vector<C, double>(q.previous_velocity_a, here);
+            const auto old_b = load_vector<C, double>(q.previous_velocity_b, here);
+            for (int i = 0; i < C; ++i) {
+                const double w_new = lane_of(v.a[i], lane) - lane_of(v.b[i], lane) - node.r.u[i];
+                mean[i] = 0.5 * (old_a[i] - old_b[i] + w_new);
+            }
+        }
+        report = report_of(law, node, normal, dissipates ? &mean : nullptr);
+        if (moves) moment_of(report, load_vector<C, double>(q.position, here), moment);
+    }
+
+    const grit_contact_nodes& q;
+    const Law law;
+    const std::ptrdiff_t n;
+    grit_contact_report* const reports;
+    grit_contact_sums* const sums;
+    const bool writes, adheres, allow_zero_normal, dissipates, moves;
+    CorrectionOutcome outcome;
+};
+
+GRIT_KERNEL_END
+
+namespace grit::GRIT_TARGET {
+
+CorrectionOutcome correct(const CorrectionRequest& request) {
+    const bool plane = request.options->components == 2;
+    if (request.options->law == GRIT_CONTACT_GEO)
+        return plane ? Correction<2, true>(request).run() : Correction<3, true>(request).run();
+    return plane ? Correction<2, false>(request).run() : Correction<3, false>(request).run();
+}
+
+}  // namespace grit::GRIT_TARGET

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Nodes read from and written to the host's arrays, one or a pack at a time.
+#pragma once
+
+#include <cstddef>
+
+#include <grit/view.h>
+
+#include "contact/pair_law.hpp"
+
+GRIT_KERNEL_BEGIN
+
+// The nodes that the lanes of one pass hold.
+template <int W> struct Places {
+    std::ptrdiff_t at[W];  // idle lanes repeat the first
+    int used;
+    bool consecutive;  // at[lane] = at[0] + lane, all lanes used
+};
+
+template <int W>
+GRIT_INLINE Places<W> places_of(const std::ptrdiff_t* index, std::ptrdiff_t first, int used) {
+    Places<W> p;
+    p.used = used;
+    p.consecutive = !index && used == W;
+    for (int lane = 0; lane < W; ++lane) {
+        const std::ptrdiff_t i = first + (lane < used ? lane : 0);
+        p.at[lane] = index ? index[i] : i;
+    }
+    return p;
+}
+
+template <class Real> inline constexpr int lanes_of = NumberTraits<Real>::lanes;
+
+template <class Real> GRIT_INLINE double lane_of(const Real& x, int lane) { return x[lane]; }
+GRIT_INLINE double lane_of(double x, int) { return x; }
+template <class Mask> GRIT_INLINE bool holds(const Mask& x, int lane) { return x[lane]; }
+GRIT_INLINE bool holds(bool x, int) { return x; }
+
+GRIT_INLINE double gather(const double* p, std::ptrdiff_t stride, const Places<1>& places, double) {
+    return p[places.at[0] * stride];
+}
+template <int W>
+GRIT_INLINE Pack<W> gather(const double* p, std::ptrdiff_t stride, const Places<W>& places,
+                           Pack<W>) {
+    using V = typename Pack<W>::Vector;
+    const auto x = [&](int lane) { return p[places.at[lane] * stride]; };
+    if constexpr (W == 8) return V{x(0), x(1), x(2), x(3), x(4), x(5), x(6), x(7)};
+    else if constexpr (W == 4) return V{x(0), x(1), x(2), x(3)};
+    else return V{x(0), x(1)};
+}
+
+template <class Real, class View>
+GRIT_INLINE Real load(const View& view, int component, const Places<lanes_of<Real>>& places) {
+    const double* p = view.base + component * view.component_stride;
+    if constexpr (lanes_of < Real >> 1)
+        if (places.consecutive && view.point_stride == 1) {
+            Real x;
+            __builtin_memcpy(&x.v, p + places.at[0], sizeof x.v);
+            return x;
+        }
+    return gather(p, view.point_stride, places, Real());
+}
+
+template <int C, class Real, class View>
+GRIT_INLINE Vector<Real, C> load_vector(const View& view, const Places<lanes_of<Real>>& places) {
+    Vector<Real, C> v;
+    for (int i = 0; i < C; ++i) v[i] = load<Real>(view, i, places);
+    return v;
+}
+
+template <class Real>
+GRIT_INLINE void store(const Real& x, const grit_mutable_view& view, int component,
+                       const Places<lanes_of<Real>>& places) {
+    double* p = view.base + component * view.component_stride;
+    if constexpr (lanes_of < Real >> 1)
+        if (places.consecutive && view.point_stride == 1) {
+            __builtin_memcpy(p + places.at[0], &x.v, sizeof x.v);
+            return;
+        }
+#pragma GCC unroll 8
+    for (int lane = 0; lane < lanes_of<Real>; ++lane)
+        if (lane < places.used) p[places.at[lane] * view.point_stride] = lane_of(x, lane);
+}
+
+GRIT_KERNEL_END

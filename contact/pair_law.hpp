@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The impulse between two bodies at a node, (C1) to (C6) of docs/contact.md: Geo-contact of Ma, Wang &
+// Randolph (2014), frictional contact of Bardenhagen et al. (2000).
+#pragma once
+
+#include <grit/contact.h>
+
+#include "support/elementary.hpp"
+
+GRIT_KERNEL_BEGIN
+
+template <class Real, int C> struct Vector {
+    Real c[C];
+    GRIT_INLINE Real& operator[](int i) { return c[i]; }
+    GRIT_INLINE const Real& operator[](int i) const { return c[i]; }
+};
+
+template <class Real, int C>
+GRIT_INLINE Real dot(const Vector<Real, C>& a, const Vector<Real, C>& b) {
+    Real sum = a[0] * b[0];
+    for (int i = 1; i < C; ++i) sum = fma(a[i], b[i], sum);
+    return sum;
+}
+
+// s a + b
+template <class Real, int C>
+GRIT_INLINE Vector<Real, C> scaled_sum(const Real& s, const Vector<Real, C>& a,
+                                       const Vector<Real, C>& b) {
+    Vector<Real, C> r;
+    for (int i = 0; i < C; ++i) r[i] = fma(s, a[i], b[i]);
+    return r;
+}
+
+template <class Real, int C>
+GRIT_INLINE Vector<Real, C> difference(const Vector<Real, C>& a, const Vector<Real, C>& b) {
+    Vector<Real, C> r;
+    for (int i = 0; i < C; ++i) r[i] = a[i] - b[i];
+    return r;
+}
+
+// The constants of a pair, from its options.
+struct Law {
+    explicit Law(const grit_contact_options& o)
+        : k(o.penalty_power), mu(o.friction_coefficient), c_a_dt(o.adhesion * o.time_step),
+          gap_tolerance(o.gap_tolerance), mass_tolerance(o.mass_tolerance),
+          inverse_dt(o.time_step > 0.0 ? 1.0 / o.time_step : 0.0), geo(o.law == GRIT_CONTACT_GEO),
+          rigid_a(o.rigid == GRIT_CONTACT_A_RIGID), rigid_b(o.rigid == GRIT_CONTACT_B_RIGID) {}
+    double k, mu, c_a_dt, gap_tolerance, mass_tolerance, inverse_dt;
+    bool geo, rigid_a, rigid_b;
+};
+
+template <class Real> GRIT_INLINE Real penalty_factor(const Real& s, const Real& d, double k) {
+    const Real x = min(max(s, Real(0.0)), d) / d;
+    const Real power = exp(Real(k) * log(max(x, Real(0x1p-1022))));
+    return Real(1.0) - select(x > Real(0.0), power, Real(0.0));  // (C4)
+}
+
+// Masses at a node: are there two bodies, and how do they share an impulse?
+template <class Real> struct Shares {
+    MaskOf<Real> active;
+    Real a, b;  // velocity change of A and of B per J / m_r [-]
+    Real m_r;
+};
+
+template <class Real>
+GRIT_INLINE Shares<Real> shares_of(const Law& law, const Real& m_a, const Real& m_b) {
+    const Real zero(0.0), one(1.0);
+    if (law.rigid_a || law.rigid_b) {
+        const MaskOf<Real> active = (m_a > zero) & (m_b > zero);
+        if (law.rigid_a) return {active, zero, one, m_b};  // (C5)
+        return {active, one, zero, m_a};
+    }
+    const Real sum = m_a + m_b;
+    const Real least = Real(law.mass_tolerance) * sum;
+    const Real inverse = one / sum;
+    const Real a = m_b * inverse;
+    const MaskOf<Real> active = (m_a > least) & (m_b > least);
+    return {active, a, m_a * inverse, m_a * a};  // (C1)
+}
+
+// What an active node brings along, beside its masses.
+template <class Real, int C> struct Approach {
+    Vector<Real, C> w, n;               // w = v_A - v_B
+    Real s = Real(0.0), d = Real(1.0);  // of Geo-contact only
+    Real gap;                           // -infinity where none is known
+    Real area = Real(0.0);              // with adhesion only
+};
+
+template <class Real, int C> struct Response {
+    MaskOf<Real> touches, slips;
+    Real f_p, w_n, w_t, u_n, u_t;  // u = J / m_r: what the impulse does to w
+    Vector<Real, C> u;             // on B
+};
+
+template <class Real, int C>
+GRIT_INLINE Response<Real, C> respond(const Law& law, const Shares<Real>& shares,
+                                      const Approach<Real, C>& x) {
+    const Real zero(0.0), one(1.0);
+    Response<Real, C> r;
+    r.w_n = dot(x.w, x.n);
+    r.f_p = one;
+    r.touches = shares.active & (r.w_n > zero) & (x.gap <= Real(law.gap_tolerance));  // (C3)
+    if (law.geo) {
+        r.f_p = penalty_factor(x.s, x.d, law.k);
+        r.touches = r.touches & (x.s < x.d) & (r.f_p > zero);
+    }
+    r.u_n = r.f_p * r.w_n;  // (C5)
+    const Vector<Real, C> w_t = scaled_sum(-r.w_n, x.n, x.w);
+    r.w_t = sqrt(dot(w_t, w_t));
+    Real limit = Real(law.mu) * r.u_n;
+    if (law.c_a_dt > 0.0) limit = limit + r.f_p * Real(law.c_a_dt) * x.area / shares.m_r;
+    r.slips = r.touches & (limit < r.w_t);
+    const Real part = select(r.slips, limit / r.w_t, one);
+    r.u_t = min(r.w_t, limit);
+    for (int i = 0; i < C; ++i) r.u[i] = fma(part, w_t[i], r.u_n * x.n[i]);  // (C6)
+    return r;
+}
+
+GRIT_KERNEL_END

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// More than two bodies at a node, (C7).
+#include <algorithm>
+
+#include "support/nodes.hpp"
+
+namespace {
+
+using namespace tests;
+
+// A node of m bodies, pairs in the order 01, 02, ..., 12, ...
+struct Crowd {
+    static constexpr std::size_t most = GRIT_CONTACT_MOST_BODIES;
+    struct One {
+        double m[most];
+        Vec v[most], a[most], old[most];
+        Vec n[28];
+        double s[28], gap[28];
+    };
+    int count;
+    int components = 3;
+    std::vector<One> node;
+    std::vector<std::pair<int, int>> who;
+    std::vector<grit_contact_options> options;
+    std::vector<grit_contact_report> reports;
+    std::vector<grit_contact_sums> sums;
+    grit_contact_bodies call{};
+    grit_error error{};
+
+    Crowd(int bodies, std::size_t nodes, std::uint64_t seed, int dimensions = 3)
+        : count(bodies), components(dimensions) {
+        Random random(seed);
+        for (int a = 0; a < count; ++a)
+            for (int b = a + 1; b < count; ++b) who.emplace_back(a, b);
+        options.assign(who.size(), options_with(components));
+        sums.resize(who.size());
+        for (auto& o : options) o.friction_coefficient = 0.3;
+        for (std::size_t i = 0; i < nodes; ++i) {
+            One x{};
+            for (std::size_t b = 0; b < most; ++b) {
+                x.m[b] = random.log_uniform(0.1, 10.0);
+                x.v[b] = random_vector(random, components);
+            }
+            for (std::size_t p = 0; p < who.size(); ++p) {
+                x.n[p] = random_unit(random, components);
+                x.s[p] = random.uniform(-0.5, 1.2);
+            }
+            node.push_back(x);
+        }
+    }
+    grit_status correct() {
+        constexpr std::ptrdiff_t stride = sizeof(One) / sizeof(double);
+        std::vector<grit_view> mass;
+        std::vector<grit_mutable_view> velocity;
+        One& x = node[0];
+        for (int b = 0; b < std::min<int>(count, most); ++b) {
+            mass.push_back(grit_view_of(&x.m[b], stride, 1));
+            velocity.push_back(grit_mutable_view_of(x.v[b].data(), stride, 1));
+        }
+        static const double d = 1.0;
+        std::vector<grit_contact_pair> pairs(who.size());
+        for (std::size_t p = 0; p < who.size(); ++p) {
+            pairs[p].struct_size = sizeof pairs[p];
+            pairs[p].a = who[p].first;
+            pairs[p].b = who[p].second;
+            pairs[p].options = &options[p];
+            pairs[p].normal = grit_view_of(x.n[p].data(), stride, 1);
+            pairs[p].distance = grit_view_of(&x.s[p], stride, 1);
+            pairs[p].cell_size = grit_view_of(&d, 0, 1);
+        }
+        call.struct_size = sizeof call;
+        call.components = components;
+        call.count = count;
+        call.mass = mass.data();
+        call.velocity = velocity.data();
+        reports.assign(node.size() * who.size(), {});
+        return grit_contact_correct_many(&call, static_cast<int>(pairs.size()), pairs.data(),
+                                         static_cast<std::ptrdiff_t>(node.size()), reports.data(),
+                                         sums.data(), &error);
+    }
+};
+
+Vec momentum(const Crowd::One& x, int count) {
+    Vec sum{};
+    for (int b = 0; b < count; ++b) sum = sum + x.m[b] * x.v[b];
+    return sum;
+}
+
+TEST(ManyBodies, KeepTheirTotalMomentum) {
+    for (const int components : {2, 3})
+        for (const int count : {3, 4, 8}) {
+            Crowd crowd(count, 20000, 61, components);
+            const auto before = crowd.node;
+            ASSERT_EQ(crowd.correct(), GRIT_OK) << crowd.error.message;
+            for (std::size_t i = 0; i < before.size(); ++i)
+                EXPECT_LE(norm(momentum(crowd.node[i], count) - momentum(before[i], count)), 1e-13);
+        }
+}
+
+TEST(ManyBodies, NeverGainEnergy) {
+    Crowd crowd(3, 50000, 62);
+    const auto energy = [](const Crowd::One& x) {
+        double sum = 0.0;
+        for (int b = 0; b < 3; ++b) sum += 0.5 * x.m[b] * dot(x.v[b], x.v[b]);
+        return sum;
+    };
+    const auto before = crowd.node;
+    ASSERT_EQ(crowd.correct(), GRIT_OK);
+    for (std::size_t i = 0; i < before.size(); ++i)
+        EXPECT_LE(energy(crowd.node[i]), energy(before[i]) * (1.0 + 1e-14));
+}
+
+TEST(ManyBodies, OfWhichTwoMeetAreAPair) {
+    Crowd crowd(3, 1000, 63);
+    Nodes pair;
+    for (auto& x : crowd.node) {
+        x.m[2] = 0.0;
+        Node y;
+        y.m_a = x.m[0];
+        y.m_b = x.m[1];
+        y.v_a = x.v[0];
+        y.v_b = x.v[1];
+        y.n = x.n[0];
+        y.s = x.s[0];
+        pair.node.push_back(y);
+    }
+    ASSERT_EQ(crowd.correct(), GRIT_OK) << crowd.error.message;
+    grit_contact_options options = options_with();
+    options.friction_coefficient = 0.3;
+    ASSERT_EQ(pair.correct(options), GRIT_OK);
+    for (std::size_t i = 0; i < crowd.node.size(); ++i) {
+        EXPECT_TRUE(same_bits(crowd.node[i].v[0], pair.node[i].v_a));
+        EXPECT_TRUE(same_bits(crowd.node[i].v[1], pair.node[i].v_b));
+        EXPECT_EQ(std::memcmp(&crowd.reports[3 * i], &pair.reports[i], sizeof pair.reports[i]), 0);
+    }
+    EXPECT_EQ(std::memcmp(&crowd.sums[0], &pair.sums, sizeof pair.sums), 0);
+}
+
+// A row of bodies along x, body b at rest but for the first; all pairs of neighbours are known.
+Crowd row(int count) {
+    Crowd crowd(count, 1, 64);
+    crowd.who.clear();
+    for (int b = 0; b + 1 < count; ++b) crowd.who.emplace_back(b, b + 1);
+    auto& x = crowd.node[0];
+    for (int b = 0; b < count; ++b) {
+        x.m[b] = 1.0;
+        x.v[b] = {b == 0 ? 1.0 : 0.0, 0.0, 0.0};
+    }
+    for (std::size_t p = 0; p < crowd.who.size(); ++p) {
+        x.n[p] = {1.0, 0.0, 0.0};
+        x.s[p] = 0.0;
+    }
+    return crowd;
+}
+
+TEST(ManyBodies, InARowMoveOnTogether) {
+    Crowd crowd = row(3);
+    crowd.call.sweep_tolerance = 1e-12;
+    crowd.call.sweep_limit = 100;
+    ASSERT_EQ(crowd.correct(), GRIT_OK) << crowd.error.message;
+    for (int b = 0; b < 3; ++b) EXPECT_NEAR(crowd.node[0].v[b][0], 1.0 / 3.0, 1e-11);
+    // The impulses that do it: 2/3 on the second body, 1/3 on the third.
+    EXPECT_NEAR(crowd.reports[0].impulse[0], 2.0 / 3.0, 1e-11);
+    EXPECT_NEAR(crowd.reports[1].impulse[0], 1.0 / 3.0, 1e-11);
+}
+
+TEST(ManyBodies, DoNotLoseThePenaltyBySweeping) {
+    // Sweeps replace a pair's impulse: a second pair far away may not harden the first.
+    Crowd crowd = row(3);
+    crowd.node[0].s[0] = 0.5;
+    crowd.node[0].v[2] = {5.0, 0.0, 0.0};  // parts from the second
+    crowd.call.sweep_limit = 50;
+    for (auto& o : crowd.options) o.penalty_power = 1.0;
+    ASSERT_EQ(crowd.correct(), GRIT_OK);
+    EXPECT_NEAR(crowd.node[0].v[0][0] - crowd.node[0].v[1][0], 0.5, 1e-12);
+}
+
+TEST(ManyBodies, StopSweepingWhenAsked) {
+    Crowd one = row(4), two = row(4);
+    one.call.sweep_limit = 1;
+    two.call.sweep_limit = 2;
+    one.correct();
+    two.correct();
+    EXPECT_NE(one.node[0].v[0][0], two.node[0].v[0][0]);
+    EXPECT_NEAR(one.node[0].v[0][0], 0.5, 1e-15);
+}
+
+TEST(ManyBodies, GiveTheSameBitsInAnyCompany) {
+    Crowd together(4, 50, 65);
+    Crowd start = together;
+    together.correct();
+    for (std::size_t i = 0; i < 50; ++i) {
+        Crowd alone = start;
+        alone.node = {start.node[i]};
+        alone.correct();
+        EXPECT_EQ(std::memcmp(&alone.node[0], &together.node[i], sizeof alone.node[0]), 0);
+    }
+}
+
+TEST(ManyBodies, WithARigidOneLeaveItAlone) {
+    Crowd crowd(3, 5000, 66);
+    crowd.options[0].rigid = GRIT_CONTACT_B_RIGID;  // pair 0-1
+    crowd.options[2].rigid = GRIT_CONTACT_A_RIGID;  // pair 1-2
+    const auto before = crowd.node;
+    ASSERT_EQ(crowd.correct(), GRIT_OK) << crowd.error.message;
+    for (std::size_t i = 0; i < before.size(); ++i)
+        EXPECT_TRUE(same_bits(crowd.node[i].v[1], before[i].v[1]));
+}
+
+TEST(ManyBodies, RefuseWhatCannotBe) {
+    const auto expect = [](Crowd& crowd, grit_status status, const char* message) {
+        const auto before = crowd.node;
+        EXPECT_EQ(crowd.correct(), status);
+        EXPECT_STREQ(crowd.error.message, message);
+        EXPECT_EQ(std::memcmp(before.data(), crowd.node.data(), sizeof before[0]), 0);
+    };
+    Crowd crowd(3, 1, 67);
+    crowd.who[2] = {1, 0};
+    expect(crowd, GRIT_BAD_CALL, "pair 2: bodies 1 and 0 have a pair already");
+    crowd = Crowd(3, 1, 67);
+    crowd.who[1] = {0, 3};
+    expect(crowd, GRIT_BAD_CALL,
+           "pair 1, a and b must be two different bodies of 0 ... 2, got 0 and 3");
+    crowd = Crowd(3, 1, 67);
+    crowd.options[0].rigid = GRIT_CONTACT_A_RIGID;
+    expect(crowd, GRIT_BAD_CALL, "pair 1: body 0 must be rigid in all of its pairs or in none");
+    crowd = Crowd(3, 1, 67);
+    crowd.options[1].penalty_power = -1.0;
+    expect(crowd, GRIT_BAD_CALL, "pair 1, penalty_power must be in (0, 1e6] [-], got -1");
+    crowd = Crowd(3, 1, 67);
+    crowd.node[0].m[2] = -1.0;
+    expect(crowd, GRIT_BAD_STATE, "pair 1, node 0: mass_b must be in [0, 1e100] [mass], got -1");
+    crowd = Crowd(3, 1, 67);
+    crowd.node[0].n[2] = {0.0, 0.0, 0.5};
+    expect(crowd, GRIT_BAD_STATE,
+           "pair 2, node 0: normal must be a unit vector, |n|^2 within 1e-06 of 1 [-], "
+           "got |n| = 0.5");
+    crowd = Crowd(3, 1, 67);
+    crowd.count = 9;
+    expect(crowd, GRIT_BAD_CALL, "count must be in [2, 8] bodies, got 9");
+}
+
+}  // namespace

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the nodal correction costs on a million nodes, beside the triad a = b + s c of the same run: a
+// routine at memory bandwidth needs the time of its bytes (each array once in, velocities once out).
+// CPU time per node; take the best of several repetitions.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <grit/contact.h>
+
+namespace {
+
+constexpr std::size_t node_count = 1000000;
+
+void triad(benchmark::State& state) {
+    std::vector<double> a(4 * node_count, 0.0), b(4 * node_count, 1.0), c(4 * node_count, 2.0);
+    for (auto _ : state) {
+        for (std::size_t i = 0; i < a.size(); ++i) a[i] = b[i] + 3.0 * c[i];
+        benchmark::DoNotOptimize(a.data());
+        benchmark::ClobberMemory();
+    }
+    const double bytes = 24.0 * static_cast<double>(a.size());
+    state.SetBytesProcessed(static_cast<std::int64_t>(bytes) * state.iterations());
+}
+
+// One array per quantity, [node][component] or [component][node].
+struct Grid {
+    std::vector<double> m_a, m_b, s, n, v_a, v_b;
+    int components;
+    bool interleaved;
+
+    Grid(int dimensions, bool structures) : components(dimensions), interleaved(structures) {
+        std::mt19937_64 random(1);
+        std::normal_distribution<double> normal;
+        std::uniform_real_distribution<double> uniform(0.0, 1.0);
+        const auto c = static_cast<std::size_t>(components);
+        for (auto* list : {&n, &v_a, &v_b}) list->resize(c * node_count);
+        for (std::size_t i = 0; i < node_count; ++i) {
+            m_a.push_back(0.1 + uniform(random));
+            m_b.push_back(0.1 + uniform(random));
+            s.push_back(1.2 * uniform(random) - 0.2);
+            double direction[3], length = 0.0;
+            for (std::size_t k = 0; k < c; ++k) {
+                direction[k] = normal(random);
+                length += direction[k] * direction[k];
+            }
+            for (std::size_t k = 0; k < c; ++k) {
+                n[at(i, k)] = direction[k] / std::sqrt(length);
+                v_a[at(i, k)] = normal(random);
+                v_b[at(i, k)] = normal(random);
+            }
+        }
+    }
+    std::size_t at(std::size_t i, std::size_t k) const {
+        return interleaved ? i * static_cast<std::size_t>(components) + k : k * node_count + i;
+    }
+    ptrdiff_t point() const { return interleaved ? components : 1; }
+    ptrdiff_t component() const { return interleaved ? 1 : static_cast<ptrdiff_t>(node_count); }
+
+    grit_contact_nodes views() {
+        static const double cell = 1.0;
+        grit_contact_nodes q{};
+        q.struct_size = sizeof q;
+        q.mass_a = grit_view_of(m_a.data(), 1, 1);
+        q.mass_b = grit_view_of(m_b.data(), 1, 1);
+        q.distance = grit_view_of(s.data(), 1, 1);
+        q.cell_size = grit_view_of(&cell, 0, 1);
+        q.normal = grit_view_of(n.data(), point(), component());
+        q.velocity_a = grit_mutable_view_of(v_a.data(), point(), component());
+        q.velocity_b = grit_mutable_view_of(v_b.data(), point(), component());
+        return q;
+    }
+};
+
+// Arguments: law, components, array of structures, nodes per call, friction in percent.
+void correct(benchmark::State& state) {
+    const int components = static_cast<int>(state.range(1));
+    Grid grid(components, state.range(2) != 0);
+    const std::vector<double> v_a = grid.v_a, v_b = grid.v_b;
+    const grit_contact_nodes all = grid.views();
+    grit_contact_options options;
+    grit_contact_options_init(&options, sizeof options);
+    options.law = static_cast<int>(state.range(0));
+    options.components = components;
+    options.friction_coefficient = 0.01 * static_cast<double>(state.range(4));
+    const auto piece = static_cast<std::size_t>(state.range(3));
+    for (auto _ : state) {
+        state.PauseTiming();
+        grid.v_a = v_a;
+        grid.v_b = v_b;
+        state.ResumeTiming();
+        grit_contact_nodes q = all;
+        for (std::size_t first = 0; first < node_count; first += piece) {
+            const auto n = static_cast<ptrdiff_t>(std::min(piece, node_count - first));
+            const auto by = static_cast<ptrdiff_t>(first);
+            q.mass_a.base = all.mass_a.base + by;
+            q.mass_b.base = all.mass_b.base + by;
+            q.distance.base = all.distance.base + by;
+            q.normal.base = all.normal.base + by * q.normal.point_stride;
+            q.velocity_a.base = all.velocity_a.base + by * q.velocity_a.point_stride;
+            q.velocity_b.base = all.velocity_b.base + by * q.velocity_b.point_stride;
+            grit_contact_correct(&options, n, &q, nullptr, nullptr, nullptr);
+        }
+        benchmark::ClobberMemory();
+    }
+    const bool geo = options.law == GRIT_CONTACT_GEO;
+    const int numbers = 2 + (geo ? 1 : 0) + 5 * components;
+    const double bytes = 8.0 * numbers * static_cast<double>(node_count);
+    state.SetBytesProcessed(static_cast<std::int64_t>(bytes) * state.iterations());
+    state.counters["per_node"] = benchmark::Counter(
+        static_cast<double>(node_count) * static_cast<double>(state.iterations()),
+        benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+constexpr std::int64_t million = node_count;
+
+BENCHMARK(triad)->Unit(benchmark::kMillisecond);
+BENCHMARK(correct)
+    ->ArgNames({"law", "components", "structures", "nodes", "mu_percent"})
+    ->Args({GRIT_CONTACT_GEO, 3, 0, million, 30})
+    ->Args({GRIT_CONTACT_FRICTIONAL, 3, 0, million, 30})
+    ->Args({GRIT_CONTACT_GEO, 3, 1, million, 30})
+    ->Args({GRIT_CONTACT_FRICTIONAL, 3, 1, million, 30})
+    ->Args({GRIT_CONTACT_GEO, 2, 0, million, 30})
+    ->Args({GRIT_CONTACT_FRICTIONAL, 2, 0, million, 30})
+    ->Args({GRIT_CONTACT_GEO, 3, 1, 1, 30})
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();
