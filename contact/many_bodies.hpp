@@ -73,7 +73,7 @@ template <int C> class ManyCorrection {
         if (options.law == GRIT_CONTACT_GEO) {
             p.x.s = load<double>(pair.distance, 0, here);
             bool good_d = true;
-            p.x.d = cell_along(pair.cell_size, pair.spacing, p.x.n, here, good_d);
+            p.x.cell = cell_along(pair.cell_size, pair.spacing, p.x.n, here, good_d);
             good = good && good_signed_length(p.x.s) && (good_d || p.silent);
         }
         if (options.adhesion > 0.0) {

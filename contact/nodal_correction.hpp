@@ -10,23 +10,31 @@
 
 GRIT_KERNEL_BEGIN
 
-// d: the cell along n, from the view of cell sizes or the edges of the cell, (C4).
+// 1/x of a component of a view: divided once where all nodes share it.
+template <class Real>
+GRIT_INLINE Real inverse_of(const Real& x, const grit_view& view, int component) {
+    if (view.point_stride == 0) return Real(1.0 / view.base[component * view.component_stride]);
+    return Real(1.0) / x;
+}
+
+// The cell along n, from the view of cell sizes or the edges of the cell, (C4).
 template <class Real, int C>
-GRIT_INLINE Real cell_along(const grit_view& cell_size, const grit_view& spacing,
-                            const Vector<Real, C>& n, const Places<lanes_of<Real>>& places,
-                            MaskOf<Real>& good) {
+GRIT_INLINE Cell<Real> cell_along(const grit_view& cell_size, const grit_view& spacing,
+                                  const Vector<Real, C>& n, const Places<lanes_of<Real>>& places,
+                                  MaskOf<Real>& good) {
     if (cell_size.base) {
         const Real d = load<Real>(cell_size, 0, places);
         good = good & good_length(d);
-        return d;
+        return {d, inverse_of(d, cell_size, 0)};
     }
     Vector<Real, C> cells;
     for (int i = 0; i < C; ++i) {
         const Real edge = load<Real>(spacing, i, places);
         good = good & good_length(edge);
-        cells[i] = n[i] / edge;
+        cells[i] = n[i] * inverse_of(edge, spacing, i);
     }
-    return Real(1.0) / sqrt(dot(cells, cells));
+    const Real inverse = sqrt(dot(cells, cells));
+    return {Real(1.0) / inverse, inverse};
 }
 
 template <int C, bool geo> class Correction {
@@ -77,7 +85,7 @@ template <int C, bool geo> class Correction {
         if (geo) {
             x.s = load<Real>(q.distance, 0, places);
             Mask good_d(true);
-            x.d = cell_along(q.cell_size, q.spacing, x.n, places, good_d);
+            x.cell = cell_along(q.cell_size, q.spacing, x.n, places, good_d);
             good = good & good_signed_length(x.s) & (good_d | no_normal);
         }
         if (adheres) {
@@ -119,25 +127,32 @@ template <int C, bool geo> class Correction {
     GRIT_INLINE void write(const Places<lanes_of<Real>>& places, const Shares<Real>& shares,
                            const Response<Real, C>& r, const Vector<Real, C>& v_a,
                            const Vector<Real, C>& v_b) const {
-        const Real per_dt(law.inverse_dt);
-        for (int i = 0; i < C; ++i) {
-            const Real a = shares.a * r.u[i], b = shares.b * r.u[i];  // (C6)
-            if (!law.rigid_a) {
-                store(select(r.touches, v_a[i] - a, v_a[i]), q.velocity_a, i, places);
-                if (q.acceleration_a.base) accelerate(places, r, q.acceleration_a, i, -a * per_dt);
-            }
-            if (!law.rigid_b) {
-                store(select(r.touches, v_b[i] + b, v_b[i]), q.velocity_b, i, places);
-                if (q.acceleration_b.base) accelerate(places, r, q.acceleration_b, i, b * per_dt);
-            }
+        const Vector<Real, C> a = scaled(-shares.a, r.u), b = scaled(shares.b, r.u);  // (C6)
+        if (!law.rigid_a) {
+            store_vector(added(r.touches, a, v_a), q.velocity_a, places);
+            if (q.acceleration_a.base) accelerate(places, r, q.acceleration_a, a);
         }
+        if (!law.rigid_b) {
+            store_vector(added(r.touches, b, v_b), q.velocity_b, places);
+            if (q.acceleration_b.base) accelerate(places, r, q.acceleration_b, b);
+        }
+    }
+
+    // v + by where mask holds, the bits of v elsewhere.
+    template <class Real>
+    static GRIT_INLINE Vector<Real, C> added(const MaskOf<Real>& mask, const Vector<Real, C>& by,
+                                             const Vector<Real, C>& v) {
+        Vector<Real, C> sum;
+        for (int i = 0; i < C; ++i) sum[i] = select(mask, v[i] + by[i], v[i]);
+        return sum;
     }
 
     template <class Real>
     GRIT_INLINE void accelerate(const Places<lanes_of<Real>>& places, const Response<Real, C>& r,
-                                const grit_mutable_view& view, int i, const Real& by) const {
-        const Real old = load<Real>(view, i, places);
-        store(select(r.touches, old + by, old), view, i, places);
+                                const grit_mutable_view& view, const Vector<Real, C>& by) const {
+        const auto old = load_vector<C, Real>(view, places);
+        const auto rate = scaled(Real(law.inverse_dt), by);
+        store_vector(added(r.touches, rate, old), view, places);
     }
 
     template <class Real>

@@ -6,6 +6,7 @@
 
 #include <grit/view.h>
 
+#include "contact/interleaved.hpp"
 #include "contact/pair_law.hpp"
 
 GRIT_KERNEL_BEGIN
@@ -49,10 +50,12 @@ GRIT_INLINE Pack<W> gather(const double* p, std::ptrdiff_t stride, const Places<
     else return V{x(0), x(1)};
 }
 
+template <class Real> inline constexpr bool is_pack = (lanes_of<Real>) != 1;
+
 template <class Real, class View>
 GRIT_INLINE Real load(const View& view, int component, const Places<lanes_of<Real>>& places) {
     const double* p = view.base + component * view.component_stride;
-    if constexpr (lanes_of < Real >> 1)
+    if constexpr (is_pack<Real>)
         if (places.consecutive && view.point_stride == 1) {
             Real x;
             __builtin_memcpy(&x.v, p + places.at[0], sizeof x.v);
@@ -61,9 +64,21 @@ GRIT_INLINE Real load(const View& view, int component, const Places<lanes_of<Rea
     return gather(p, view.point_stride, places, Real());
 }
 
+// The nodes' vectors lie one behind the other.
+template <int C, class Real, class View>
+GRIT_INLINE bool interleaved(const View& view, const Places<lanes_of<Real>>& places) {
+    return is_pack<Real> && places.consecutive && view.component_stride == 1 &&
+           view.point_stride == C;
+}
+
 template <int C, class Real, class View>
 GRIT_INLINE Vector<Real, C> load_vector(const View& view, const Places<lanes_of<Real>>& places) {
     Vector<Real, C> v;
+    if constexpr (is_pack<Real>)
+        if (interleaved<C, Real>(view, places)) {
+            load_interleaved(view.base + C * places.at[0], v.c);
+            return v;
+        }
     for (int i = 0; i < C; ++i) v[i] = load<Real>(view, i, places);
     return v;
 }
@@ -72,7 +87,7 @@ template <class Real>
 GRIT_INLINE void store(const Real& x, const grit_mutable_view& view, int component,
                        const Places<lanes_of<Real>>& places) {
     double* p = view.base + component * view.component_stride;
-    if constexpr (lanes_of < Real >> 1)
+    if constexpr (is_pack<Real>)
         if (places.consecutive && view.point_stride == 1) {
             __builtin_memcpy(p + places.at[0], &x.v, sizeof x.v);
             return;
@@ -80,6 +95,15 @@ GRIT_INLINE void store(const Real& x, const grit_mutable_view& view, int compone
 #pragma GCC unroll 8
     for (int lane = 0; lane < lanes_of<Real>; ++lane)
         if (lane < places.used) p[places.at[lane] * view.point_stride] = lane_of(x, lane);
+}
+
+template <int C, class Real>
+GRIT_INLINE void store_vector(const Vector<Real, C>& v, const grit_mutable_view& view,
+                              const Places<lanes_of<Real>>& places) {
+    if constexpr (is_pack<Real>)
+        if (interleaved<C, Real>(view, places))
+            return store_interleaved(v.c, view.base + C * places.at[0]);
+    for (int i = 0; i < C; ++i) store(v[i], view, i, places);
 }
 
 GRIT_KERNEL_END

@@ -22,6 +22,13 @@ GRIT_INLINE Real dot(const Vector<Real, C>& a, const Vector<Real, C>& b) {
     return sum;
 }
 
+template <class Real, int C>
+GRIT_INLINE Vector<Real, C> scaled(const Real& s, const Vector<Real, C>& a) {
+    Vector<Real, C> r;
+    for (int i = 0; i < C; ++i) r[i] = s * a[i];
+    return r;
+}
+
 // s a + b
 template <class Real, int C>
 GRIT_INLINE Vector<Real, C> scaled_sum(const Real& s, const Vector<Real, C>& a,
@@ -49,10 +56,35 @@ struct Law {
     bool geo, rigid_a, rigid_b;
 };
 
-template <class Real> GRIT_INLINE Real penalty_factor(const Real& s, const Real& d, double k) {
-    const Real x = min(max(s, Real(0.0)), d) / d;
-    const Real power = exp(Real(k) * log(max(x, Real(0x1p-1022))));
-    return Real(1.0) - select(x > Real(0.0), power, Real(0.0));  // (C4)
+// x^k of x in [0, 1] with 0^k = 0: by multiplication where k is a small whole number, as it mostly is.
+template <class Real> GRIT_INLINE Real power(const Real& x, double k) {
+    constexpr double largest_whole = 64.0;
+    if (k <= largest_whole && k == static_cast<double>(static_cast<int>(k))) {
+        auto bits = static_cast<unsigned>(k);
+        Real square = x;
+        while (!(bits & 1)) {
+            square = square * square;
+            bits >>= 1;
+        }
+        Real result = square;
+        while (bits >>= 1) {
+            square = square * square;
+            if (bits & 1) result = result * square;
+        }
+        return result;
+    }
+    const Real general = exp(Real(k) * log(max(x, Real(0x1p-1022))));
+    return select(x > Real(0.0), general, Real(0.0));
+}
+
+template <class Real> struct Cell {
+    Real d, inverse;  // along the normal, and 1/d
+};
+
+template <class Real>
+GRIT_INLINE Real penalty_factor(const Real& s, const Cell<Real>& cell, double k) {
+    const Real share = min(max(s, Real(0.0)) * cell.inverse, Real(1.0));
+    return Real(1.0) - power(share, k);  // (C4)
 }
 
 // Masses at a node: are there two bodies, and how do they share an impulse?
@@ -80,10 +112,11 @@ GRIT_INLINE Shares<Real> shares_of(const Law& law, const Real& m_a, const Real& 
 
 // What an active node brings along, beside its masses.
 template <class Real, int C> struct Approach {
-    Vector<Real, C> w, n;               // w = v_A - v_B
-    Real s = Real(0.0), d = Real(1.0);  // of Geo-contact only
-    Real gap;                           // -infinity where none is known
-    Real area = Real(0.0);              // with adhesion only
+    Vector<Real, C> w, n;  // w = v_A - v_B
+    Real s = Real(0.0);    // of Geo-contact only, as is the cell
+    Cell<Real> cell = {Real(1.0), Real(1.0)};
+    Real gap;               // -infinity where none is known
+    Real area = Real(0.0);  // with adhesion only
 };
 
 template <class Real, int C> struct Response {
@@ -101,8 +134,8 @@ GRIT_INLINE Response<Real, C> respond(const Law& law, const Shares<Real>& shares
     r.f_p = one;
     r.touches = shares.active & (r.w_n > zero) & (x.gap <= Real(law.gap_tolerance));  // (C3)
     if (law.geo) {
-        r.f_p = penalty_factor(x.s, x.d, law.k);
-        r.touches = r.touches & (x.s < x.d) & (r.f_p > zero);
+        r.f_p = penalty_factor(x.s, x.cell, law.k);
+        r.touches = r.touches & (x.s < x.cell.d) & (r.f_p > zero);
     }
     r.u_n = r.f_p * r.w_n;  // (C5)
     const Vector<Real, C> w_t = scaled_sum(-r.w_n, x.n, x.w);
