@@ -2,3 +2,4 @@
 #define GRIT_TARGET baseline
 #include "contact/many_bodies.hpp"
 #include "contact/nodal_correction.hpp"
+#include "contact/regression.hpp"
