@@ -1,11 +1,5 @@
-/* SPDX-License-Identifier: BSD-3-Clause
- * Values, sizes and places as callers have compiled them in. A change here is a change of the ABI:
- * append only, and only to structs that start with struct_size. */
-#include <stddef.h>
-
-#include <grit/grit.h>
-
-#define VALUE(name, number) _Static_assert((name) == (number), "value of " #name)
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "layout.h"
 
 VALUE(GRIT_SAND_PARAMETER_COUNT, 14);
 VALUE(GRIT_SAND_H11, 0);
@@ -37,9 +31,6 @@ VALUE(GRIT_ISA_AVX2, 2);
 VALUE(GRIT_ISA_AVX512, 3);
 
 #if defined(__LP64__)
-#define SIZE(type, bytes) _Static_assert(sizeof(type) == (bytes), "size of " #type)
-#define PLACE(type, member, bytes)                                                                 \
-    _Static_assert(offsetof(type, member) == (bytes), "place of " #type "." #member)
 
 SIZE(grit_sand_parameters, 120);
 PLACE(grit_sand_parameters, struct_size, 0);
