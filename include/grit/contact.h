@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * Contact of bodies at the nodes of a grid: the Geo-contact of Ma, Wang & Randolph (2014),
- * doi 10.1016/j.compgeo.2014.05.002 (GCA), and the frictional contact of Bardenhagen et al. (2000)
+ * doi 10.1002/nag.2266 (GCA), and the frictional contact of Bardenhagen et al. (2000)
  * (FCA), which is its case f_p = 1. Equations (C1)-(C7) and decisions: docs/contact.md.
  *
  *   each body maps mass and velocity to the nodes  ->  grit_contact_correct  ->  corrected velocities
