@@ -3,7 +3,7 @@ cmake_minimum_required(VERSION 3.25)
 # linker keeps one, and a baseline machine might run AVX code.
 set(found 0)
 foreach(object IN LISTS OBJECTS)
-  if(NOT object MATCHES "kernel_")
+  if(NOT object MATCHES "_(baseline|avx2|avx512)\\.cpp")
     continue()
   endif()
   math(EXPR found "${found} + 1")

@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * layout.c for normals. */
+#include <stddef.h>
+
+#include <grit/grit.h>
+
+#define VALUE(name, number) _Static_assert((name) == (number), "value of " #name)
+
+VALUE(GRIT_CONTACT_BODY_A, 0);
+VALUE(GRIT_CONTACT_BODY_B, 1);
+VALUE(GRIT_CONTACT_FIXED_1, 1);
+VALUE(GRIT_CONTACT_FIXED_2, 2);
+VALUE(GRIT_CONTACT_FIXED_3, 4);
+VALUE(GRIT_CONTACT_NORMAL_OF_A, 0);
+VALUE(GRIT_CONTACT_NORMAL_OF_B, 1);
+VALUE(GRIT_CONTACT_NORMAL_AVERAGE, 2);
+VALUE(GRIT_CONTACT_NORMAL_GIVEN, 3);
+
+#if defined(__LP64__)
+#define SIZE(type, bytes) _Static_assert(sizeof(type) == (bytes), "size of " #type)
+#define PLACE(type, member, bytes)                                                                 \
+    _Static_assert(offsetof(type, member) == (bytes), "place of " #type "." #member)
+
+SIZE(grit_contact_normal_counts, 32);
+PLACE(grit_contact_normal_counts, struct_size, 0);
+PLACE(grit_contact_normal_counts, defined, 8);
+PLACE(grit_contact_normal_counts, undefined, 16);
+PLACE(grit_contact_normal_counts, failed, 24);
+
+SIZE(grit_contact_gradients, 176);
+PLACE(grit_contact_gradients, struct_size, 0);
+PLACE(grit_contact_gradients, components, 8);
+PLACE(grit_contact_gradients, source, 12);
+PLACE(grit_contact_gradients, index, 16);
+PLACE(grit_contact_gradients, gradient_a, 24);
+PLACE(grit_contact_gradients, gradient_b, 48);
+PLACE(grit_contact_gradients, given, 72);
+PLACE(grit_contact_gradients, scale, 96);
+PLACE(grit_contact_gradients, threshold, 120);
+PLACE(grit_contact_gradients, fixed, 128);
+PLACE(grit_contact_gradients, fixed_stride, 136);
+PLACE(grit_contact_gradients, status, 144);
+PLACE(grit_contact_gradients, normal, 152);
+
+SIZE(grit_contact_clouds, 184);
+PLACE(grit_contact_clouds, struct_size, 0);
+PLACE(grit_contact_clouds, components, 8);
+PLACE(grit_contact_clouds, instruction_set, 12);
+PLACE(grit_contact_clouds, index, 16);
+PLACE(grit_contact_clouds, offset, 24);
+PLACE(grit_contact_clouds, particle, 32);
+PLACE(grit_contact_clouds, particles, 40);
+PLACE(grit_contact_clouds, position, 48);
+PLACE(grit_contact_clouds, body, 72);
+PLACE(grit_contact_clouds, body_stride, 80);
+PLACE(grit_contact_clouds, weight, 88);
+PLACE(grit_contact_clouds, length, 112);
+PLACE(grit_contact_clouds, ridge, 120);
+PLACE(grit_contact_clouds, iteration_limit, 128);
+PLACE(grit_contact_clouds, reserved, 132);
+PLACE(grit_contact_clouds, fixed, 136);
+PLACE(grit_contact_clouds, fixed_stride, 144);
+PLACE(grit_contact_clouds, status, 152);
+PLACE(grit_contact_clouds, normal, 160);
+
+#endif
