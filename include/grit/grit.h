@@ -9,6 +9,7 @@
 #pragma once
 
 #include <grit/contact.h>
+#include <grit/contact_distance.h>
 #include <grit/contact_normals.h>
 #include <grit/sand.h>
 #include <grit/sand_catalogue.h>

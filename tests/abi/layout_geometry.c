@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * layout.c for normals. */
+ * layout.c for normals and distances. */
 #include <stddef.h>
 
 #include <grit/grit.h>
@@ -15,6 +15,9 @@ VALUE(GRIT_CONTACT_NORMAL_OF_A, 0);
 VALUE(GRIT_CONTACT_NORMAL_OF_B, 1);
 VALUE(GRIT_CONTACT_NORMAL_AVERAGE, 2);
 VALUE(GRIT_CONTACT_NORMAL_GIVEN, 3);
+VALUE(GRIT_CONTACT_SUPPORT, 0);
+VALUE(GRIT_CONTACT_EDGE, 1);
+VALUE(GRIT_CONTACT_NEAREST_CENTRE, 2);
 
 #if defined(__LP64__)
 #define SIZE(type, bytes) _Static_assert(sizeof(type) == (bytes), "size of " #type)
@@ -62,5 +65,34 @@ PLACE(grit_contact_clouds, fixed, 136);
 PLACE(grit_contact_clouds, fixed_stride, 144);
 PLACE(grit_contact_clouds, status, 152);
 PLACE(grit_contact_clouds, normal, 160);
+
+SIZE(grit_contact_surfaces, 120);
+PLACE(grit_contact_surfaces, struct_size, 0);
+PLACE(grit_contact_surfaces, components, 8);
+PLACE(grit_contact_surfaces, reserved, 12);
+PLACE(grit_contact_surfaces, nodes, 16);
+PLACE(grit_contact_surfaces, position, 24);
+PLACE(grit_contact_surfaces, normal, 48);
+PLACE(grit_contact_surfaces, surface, 72);
+PLACE(grit_contact_surfaces, centre, 96);
+
+SIZE(grit_contact_domains, 104);
+PLACE(grit_contact_domains, struct_size, 0);
+PLACE(grit_contact_domains, body, 8);
+PLACE(grit_contact_domains, sides, 12);
+PLACE(grit_contact_domains, index, 16);
+PLACE(grit_contact_domains, offset, 24);
+PLACE(grit_contact_domains, nodes_each, 32);
+PLACE(grit_contact_domains, node, 40);
+PLACE(grit_contact_domains, position, 48);
+PLACE(grit_contact_domains, side, 72);
+
+SIZE(grit_contact_distances, 72);
+PLACE(grit_contact_distances, struct_size, 0);
+PLACE(grit_contact_distances, stiffer, 8);
+PLACE(grit_contact_distances, measure, 12);
+PLACE(grit_contact_distances, index, 16);
+PLACE(grit_contact_distances, distance, 24);
+PLACE(grit_contact_distances, gap, 48);
 
 #endif

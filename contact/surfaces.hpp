@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The minima of the nodes: how every function on them reads its caller's struct.
+#pragma once
+
+#include <grit/contact_distance.h>
+#include <grit/contact_normals.h>
+
+#include "contact/geometry_call.hpp"
+#include "support/versioned.hpp"
+
+namespace grit {
+
+inline double component(const grit_view& view, std::ptrdiff_t i, int c) {
+    return view.base[i * view.point_stride + c * view.component_stride];
+}
+inline double& component(const grit_mutable_view& view, std::ptrdiff_t i, int c) {
+    return view.base[i * view.point_stride + c * view.component_stride];
+}
+
+inline grit_status read_surfaces(const grit_contact_surfaces* caller, grit_contact_surfaces& ours,
+                                 grit_error* error) {
+    GRIT_REQUIRE(caller, "surfaces is null");
+    GRIT_REQUIRE(read_versioned(*caller, ours),
+                 "grit_contact_surfaces.struct_size %zu is not understood: set it to sizeof",
+                 caller->struct_size);
+    GRIT_REQUIRE(ours.components == 2 || ours.components == 3, "components must be 2 or 3, got %d",
+                 ours.components);
+    GRIT_REQUIRE(ours.reserved == 0, "grit_contact_surfaces.reserved must be 0, got %d",
+                 ours.reserved);
+    GRIT_REQUIRE(ours.nodes >= 0, "nodes must be >= 0, got %td", ours.nodes);
+    if (ours.nodes == 0) return GRIT_OK;  // an empty array may have no base pointer
+    const bool several = ours.nodes > 1;
+    GRIT_REQUIRE(usable(ours.surface, 2), "surface needs a base pointer and a component_stride");
+    GRIT_REQUIRE(!several || ours.surface.point_stride != 0,
+                 "surface is written: point_stride must not be 0 for %td nodes", ours.nodes);
+    GRIT_REQUIRE(!ours.centre.base || ours.centre.component_stride != 0,
+                 "component_stride of centre must not be 0");
+    GRIT_REQUIRE(!ours.centre.base || !several || ours.centre.point_stride != 0,
+                 "centre is written: point_stride must not be 0 for %td nodes", ours.nodes);
+    return GRIT_OK;
+}
+
+}  // namespace grit
