@@ -220,10 +220,15 @@ TEST(RegressionNormal, IsZeroWhereOneBodyIsAloneOrTheCloudsDoNotDiffer) {
         EXPECT_EQ(regressed(components, {{x, A}, {y, B, 0.0}}), zero);
         EXPECT_EQ(regressed(components, {{x, A}, {x, B}}), zero);
         EXPECT_EQ(regressed(components, {{x, A}, {x, B}, {x, B}}), zero);
-        for (const double ridge : {1e-6, 1e-3, 1.0, 1e3}) {
-            const Cloud pairs = {{x, A}, {y, A}, {z, A}, {z, B}, {y, B}, {x, B}};
-            EXPECT_EQ(regressed(components, pairs, ridge), zero);
+        Cloud coincident;  // pairs of one particle of each body, in an order of their own
+        for (int p = 0; p < 11; ++p)
+            coincident.push_back({dice.inside_ball(components), A, dice.uniform(0.1, 1.0)});
+        for (std::size_t p = 0; p < 11; ++p) {
+            coincident.push_back(coincident[7 * p % 11]);
+            coincident.back().body = B;
         }
+        for (const double ridge : {1e-6, 1e-3, 1.0, 1e3})
+            EXPECT_EQ(regressed(components, coincident, ridge), zero);
     }
 }
 
