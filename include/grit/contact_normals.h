@@ -116,7 +116,7 @@ typedef struct grit_contact_clouds {
 GRIT_API size_t grit_contact_regression_workspace_size(ptrdiff_t most_particles_per_node,
                                                        int components);
 
-/* Normals of n nodes, to about 1e-12.
+/* Normals of n nodes, to about 1e-11.
  *   workspace  of any alignment, workspace_size bytes; too small for a node of the call is
  *              GRIT_BAD_CALL and nothing is done.
  *   GRIT_BAD_STATE: position, weight or distance between particles out of range; GRIT_BAD_CALL: list,

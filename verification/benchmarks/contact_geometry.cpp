@@ -109,8 +109,9 @@ void distances(benchmark::State& state) {
     std::vector<double> node_position, normal, position, side, surface(2 * grid_nodes);
     std::vector<std::ptrdiff_t> node;
     for (std::ptrdiff_t i = 0; i < grid_nodes; ++i) {
-        node_position.insert(node_position.end(),
-                             {static_cast<double>(i % 17), static_cast<double>(i / 17)});
+        const std::ptrdiff_t row = i / 17;
+        node_position.push_back(static_cast<double>(i - 17 * row));
+        node_position.push_back(static_cast<double>(row));
         const auto n = direction(2, random);
         normal.insert(normal.end(), n.begin(), n.end());
     }
