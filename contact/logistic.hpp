@@ -28,27 +28,39 @@ template <int D> struct Loss {
     double hessian[D + 1][D + 1];  // lower triangle
 };
 
-template <int D> Loss<D> loss(const Cloud& cloud, double ridge, const Plane<D>& plane) {
+// log(1 + exp(-m)), minus its derivative, and its second derivative.
+struct Logistic {
+    Lanes value, pull, bend;
+};
+
+GRIT_INLINE Logistic logistic(Lanes m) {
+    const Lanes e = exp(-fabs(m));
+    const Lanes one_e = Lanes(1.0) + e;
+    const Lanes q = Lanes(1.0) / one_e;
+    // What 1 + e has lost is added, or small losses would be noise to the line search.
+    const Lanes log_one_e = fma(e - (one_e - Lanes(1.0)), q, log(one_e));
+    return {log_one_e + max(-m, Lanes(0.0)), select(m > Lanes(0.0), e * q, q), e * q * q};
+}
+
+// at_start: the plane is zero, and so is every m.
+template <int D, bool at_start>
+Loss<D> loss(const Cloud& cloud, double ridge, const Plane<D>& plane) {
     Lanes value(0.0), gradient[D + 1], hessian[D + 1][D + 1];
     for (int r = 0; r <= D; ++r) {
         gradient[r] = Lanes(0.0);
         for (int c = 0; c <= r; ++c) hessian[r][c] = Lanes(0.0);
     }
+    Logistic f{Lanes(0x1.62e42fefa39efp-1), Lanes(0.5), Lanes(0.25)};
     for (int k = 0; k < cloud.packs; ++k) {
         Lanes row[D + 1], m(0.0);
         for (int r = 0; r <= D; ++r) {
             row[r] = load(cloud.row[r] + k * native_lanes);
             m = fma(Lanes(plane.u[r]), row[r], m);
         }
+        if constexpr (!at_start) f = logistic(m);
         const Lanes weight = load(cloud.weight + k * native_lanes);
-        const Lanes e = exp(-fabs(m));
-        const Lanes one_e = Lanes(1.0) + e;
-        const Lanes q = Lanes(1.0) / one_e;
-        // log(1 + e) with what 1 + e has lost, or small losses would be noise to the line search
-        const Lanes log_one_e = fma(e - (one_e - Lanes(1.0)), q, log(one_e));
-        value = fma(weight, log_one_e + max(-m, Lanes(0.0)), value);
-        const Lanes pull = weight * select(m > Lanes(0.0), e * q, q);
-        const Lanes bend = weight * e * q * q;
+        value = fma(weight, f.value, value);
+        const Lanes pull = weight * f.pull, bend = weight * f.bend;
         for (int r = 0; r <= D; ++r) {
             gradient[r] = fma(-pull, row[r], gradient[r]);
             const Lanes bent = bend * row[r];
@@ -109,7 +121,7 @@ template <int D> Regression<D> separate(const Cloud& cloud, double ridge, int ev
     constexpr double sufficient = 1e-4;
     constexpr double roundoff = 1e-14;
     Regression<D> result{};
-    Loss<D> f = loss<D>(cloud, ridge, result.plane);
+    Loss<D> f = loss<D, true>(cloud, ridge, result.plane);
     result.evaluations = 1;
     for (;;) {
         const Plane<D> step = newton_step<D>(f);
@@ -127,7 +139,7 @@ template <int D> Regression<D> separate(const Cloud& cloud, double ridge, int ev
                 result.plane = trial;
                 return result;
             }
-            const Loss<D> g = loss<D>(cloud, ridge, trial);
+            const Loss<D> g = loss<D, false>(cloud, ridge, trial);
             ++result.evaluations;
             if (g.value <= f.value + sufficient * share * slope + roundoff * f.value) {
                 result.plane = trial;

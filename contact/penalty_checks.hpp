@@ -5,9 +5,6 @@
 #include "contact/penalty_surface.hpp"
 #include "support/require.hpp"
 
-#define GRIT_REQUIRE(condition, ...)                                                               \
-    if (!(condition)) return failure(error, GRIT_BAD_CALL, -1, __VA_ARGS__)
-
 namespace grit::penalty {
 
 inline bool is_switch(int x) { return x == 0 || x == 1; }

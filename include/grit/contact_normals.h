@@ -83,8 +83,9 @@ GRIT_API grit_status grit_contact_normals_from_gradients(ptrdiff_t n,
  *   sum_p a_p log(1 + exp(-y_p (w.x_p + b)))  +  ridge / 2 |w|^2
  *
  * with y = -1 for A, +1 for B, x in units of length, and a_p the particle's share of the weight of its
- * body times 1/2: an idea of Nairn, Hammerquist & Smith (2020),
- * doi 10.1016/j.cma.2020.112859. The minimum is unique, whether the clouds overlap, can be separated,
+ * body times 1/2: an idea of Nairn, Hammerquist & Smith (2020), "New material point method contact
+ * algorithms for improved accuracy, large-deformation problems, and proper null-space filtering".
+ * The minimum is unique, whether the clouds overlap, can be separated,
  * or lie on a line; it does not depend on the origin, nor on the order of the particles but for
  * roundoff. Fixed components of w are zero throughout: half a symmetric cloud gives the normal of the
  * whole. Undefined: one body alone, or clouds that do not differ (coincident particles). */
@@ -116,7 +117,7 @@ typedef struct grit_contact_clouds {
 GRIT_API size_t grit_contact_regression_workspace_size(ptrdiff_t most_particles_per_node,
                                                        int components);
 
-/* Normals of n nodes, to about 1e-12.
+/* Normals of n nodes, to about 1e-11.
  *   workspace  of any alignment, workspace_size bytes; too small for a node of the call is
  *              GRIT_BAD_CALL and nothing is done.
  *   GRIT_BAD_STATE: position, weight or distance between particles out of range; GRIT_BAD_CALL: list,

@@ -67,8 +67,7 @@ foreach(part IN LISTS parts)
 endforeach()
 
 # What the kernels of the instruction sets reach, directly or not, is their own and the standard's.
-file(GLOB_RECURSE reached ${SOURCE}/umat/kernel_*.cpp ${SOURCE}/contact/kernel_*.cpp
-     ${SOURCE}/contact/regression_baseline.cpp ${SOURCE}/contact/regression_avx*.cpp)
+file(GLOB_RECURSE reached ${SOURCE}/umat/kernel_*.cpp ${SOURCE}/contact/kernel_*.cpp)
 set(seen ${reached})
 while(reached)
   list(POP_FRONT reached file)

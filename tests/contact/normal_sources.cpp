@@ -178,11 +178,14 @@ TEST(ContactNormal, IsTheSameForGradientsOfAnySize) {
         for (const int source :
              {GRIT_CONTACT_NORMAL_OF_A, GRIT_CONTACT_NORMAL_OF_B, GRIT_CONTACT_NORMAL_AVERAGE}) {
             const Vec3 n = normal(3, source, x).n;
-            for (const double size : {0x1p-960, 0x1p-500, 0x1p500, 0x1p1023}) {
+            for (const double size : {0x1p-960, 0x1p-500, 0x1p500, 0x1p980}) {
                 Node y = x;
                 y.a *= size;
                 y.b *= size;
+                y.scale = 1e5 * size;
                 EXPECT_EQ(normal(3, source, y).n, n) << size;
+                y.scale = 1e9 * size;
+                EXPECT_EQ(normal(3, source, y).counts.undefined, 1) << size;
             }
         }
     }

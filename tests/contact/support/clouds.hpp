@@ -87,8 +87,9 @@ struct Clouds {
         fixed.assign(nodes.size(), 0);
         normal.assign(nodes.size() * static_cast<std::size_t>(c), 7.0);
         status.assign(nodes.size(), -1);
-        workspace.resize(
-            grit_contact_regression_workspace_size(static_cast<std::ptrdiff_t>(most), c));
+        workspace.assign(
+            grit_contact_regression_workspace_size(static_cast<std::ptrdiff_t>(most), c),
+            '\xff');  // whoever reads what he has not written reads NaN
     }
     std::ptrdiff_t nodes() const { return static_cast<std::ptrdiff_t>(fixed.size()); }
     grit_contact_clouds views() {
