@@ -9,17 +9,17 @@
 namespace bars {
 
 struct Particle {
-    double x;               // centre [m], along the line
-    double length;          // current [m]
-    double mass;            // per cross-section [kg/m2]
-    double volume;          // initial length [m]
-    double v = 0.0;         // velocity along the line [m/s]
-    double slip_v = 0.0;    // velocity across it [m/s]
-    double slip = 0.0;      // displacement across the line [m]
-    double stretch = 1.0;   // F [-]
-    double shear = 0.0;     // engineering shear [-]
-    double sigma = 0.0;     // stress along the line, tension + [Pa]
-    double tau = 0.0;       // shear stress [Pa]
+    double x;              // centre [m], along the line
+    double length;         // current [m]
+    double mass;           // per cross-section [kg/m2]
+    double volume;         // initial length [m]
+    double v = 0.0;        // velocity along the line [m/s]
+    double slip_v = 0.0;   // velocity across it [m/s]
+    double slip = 0.0;     // displacement across the line [m]
+    double stretch = 1.0;  // F [-]
+    double shear = 0.0;    // engineering shear [-]
+    double sigma = 0.0;    // stress along the line, tension + [Pa]
+    double tau = 0.0;      // shear stress [Pa]
 };
 
 struct Bar {

@@ -8,8 +8,19 @@ namespace bars {
 namespace {
 
 constexpr double E = 1000.0, rho = 1000.0, L = 1.0, cell = 0.05, v = 0.01;
-constexpr int particles = 40;         // two a cell
+constexpr int particles = 40;        // two a cell
 constexpr double initial_gap = 2.5;  // cells
+
+double mean_force(const std::vector<Impact::Sample>& history, double from, double to) {
+    double sum = 0.0;
+    int count = 0;
+    for (const Impact::Sample& s : history)
+        if (s.time >= from && s.time <= to) {
+            sum += s.force;
+            ++count;
+        }
+    return sum / count;
+}
 
 }  // namespace
 
@@ -33,8 +44,8 @@ Impact impact(const Contact& contact, double offset) {
     const double touch = initial_gap * cell / (2.0 * v);
     const double before = a.energy() + b.energy();
 
-    Impact result{0.0, 0.0, 0.0, 0.0, 0.0, {}};
-    double impulse = 0.0, first = -1.0, last = -1.0;
+    Impact result{};
+    double first = -1.0, last = -1.0;
     for (int step = 0; step * dt < touch + 6.0 * L / c; ++step) {
         const double gap = (b.left() - a.right()) / cell, time = step * dt;
         const StepReport report = line.step(a, b, contact, dt);
@@ -46,11 +57,12 @@ Impact impact(const Contact& contact, double offset) {
             result.start_gap = gap;
         }
         last = time + dt;
-        impulse += report.force * dt;
+        result.impulse += report.force * dt / (2.0 * rho * v * L);
     }
-    result.force = impulse / (last - first) / (rho * c * v);
     result.duration = (last - first) / (2.0 * L / c);
     result.energy = (a.energy() + b.energy()) / before;
+    result.force = mean_force(result.history, (first + 0.25 * (last - first) - touch) * c / L,
+                              (first + 0.75 * (last - first) - touch) * c / L);
     return result;
 }
 

@@ -10,11 +10,12 @@
 namespace bars {
 
 struct Impact {
-    double start_gap;  // between the faces at the first contact force [cells]
-    double force;      // mean / (rho c v) [-]
-    double duration;   // first to last contact force / (2 L / c) [-]
-    double energy;     // after / before [-]
-    double most_energy;
+    double start_gap;    // between the faces at the first contact force [cells]
+    double force;        // mean over the middle half of the contact / (rho c v) [-]
+    double duration;     // first to last contact force / (2 L / c) [-]
+    double impulse;      // of the contact / that of the elastic rebound [-]
+    double energy;       // after / before [-]
+    double most_energy;  // at any time / before [-]
     struct Sample {
         double time, force, gap;  // [L/c from the theoretical touch], [rho c v], [cells]
     };

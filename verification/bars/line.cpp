@@ -65,8 +65,8 @@ Line::Weights Line::weights(double x, double length) const {
 }
 
 void Line::gather(const Bar& bar, Nodes& nodes) const {
-    for (auto* list : {&nodes.mass, &nodes.momentum, &nodes.slip_momentum, &nodes.force,
-                       &nodes.slip_force})
+    for (auto* list :
+         {&nodes.mass, &nodes.momentum, &nodes.slip_momentum, &nodes.force, &nodes.slip_force})
         list->assign(count, 0.0);
     for (const Particle& p : bar.particles) {
         const Weights w = weights(p.x, p.length);
@@ -160,9 +160,9 @@ StepReport Line::correct(const Bar& a, const Bar& b, const Contact& contact, dou
     q.previous_velocity_a = grit_view_of(nodes_a.old_v[0].data(), 2, 1);
     q.previous_velocity_b = grit_view_of(nodes_b.old_v[0].data(), 2, 1);
     grit_contact_sums sums{};
-    require(grit_contact_correct(&options, static_cast<ptrdiff_t>(count), &q, nullptr, &sums,
-                                 &error),
-            error);
+    require(
+        grit_contact_correct(&options, static_cast<ptrdiff_t>(count), &q, nullptr, &sums, &error),
+        error);
     grit_contact_totals totals{};
     totals.struct_size = sizeof totals;
     grit_contact_sums_read(&sums, &totals);
@@ -182,12 +182,12 @@ StepReport Line::push(const Bar& a, const Bar& b, const Contact& contact, double
     options.depth_max = h;
     options.time_step = dt;
     const auto line = [](const double* x, double* force) {
-        grit_penalty_surface surface{};
-        surface.struct_size = sizeof surface;
-        surface.count = 2;
-        surface.position = grit_view_of(x, 2, 1);
-        surface.force = grit_mutable_view_of(force, 2, 1);
-        return surface;
+        grit_penalty_surface face{};
+        face.struct_size = sizeof face;
+        face.count = 2;
+        face.position = grit_view_of(x, 2, 1);
+        face.force = grit_mutable_view_of(force, 2, 1);
+        return face;
     };
     const grit_penalty_surface face_a = line(end_a, force_a), face_b = line(end_b, force_b);
     std::vector<double> workspace(grit_penalty_workspace_size(2, 2) / sizeof(double) + 1);

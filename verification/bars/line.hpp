@@ -30,9 +30,9 @@ Contact penalty_contact(double stiffness);
 
 // What contact did in a step.
 struct StepReport {
-    double force = 0.0;       // on B along the line, per cross-section [Pa]
-    double slip_force = 0.0;  // on B across it [Pa]
-    double dissipation = 0.0; // leapfrog value [J/m2]
+    double force = 0.0;              // on B along the line, per cross-section [Pa]
+    double slip_force = 0.0;         // on B across it [Pa]
+    double dissipation = 0.0;        // leapfrog value [J/m2]
     int slipping = 0, sticking = 0;  // nodes
 };
 
@@ -49,9 +49,9 @@ class Line {
         std::vector<std::array<double, 2>> v, old_v;
     };
     struct Weights {
-        std::ptrdiff_t first;       // of four nodes
-        std::array<double, 4> N;    // S of the particle's length [-]
-        std::array<double, 4> dN;   // G [1/m]
+        std::ptrdiff_t first;      // of four nodes
+        std::array<double, 4> N;   // S of the particle's length [-]
+        std::array<double, 4> dN;  // G [1/m]
     };
     Weights weights(double x, double length) const;
     void gather(const Bar& bar, Nodes& nodes) const;
