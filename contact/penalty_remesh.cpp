@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Merging in one sweep along the line: at a segment that is too short its end goes, else its start,
-// if every vertex that has gone between two neighbours stays within the tolerance of the chord that
-// replaces them.
+// Merging in one sweep along the line: of the two ends of a segment that is too short the one goes
+// that the line misses less, if every vertex that has gone between two neighbours stays within the
+// tolerance of the chord that replaces them. So a corner goes only if both ends are corners.
 #include "contact/penalty_remesh.hpp"
+
+#include <limits>
 
 namespace grit::penalty {
 namespace {
 
-constexpr double roundoff = 1e-9;  // relative: what is split once fits
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr std::ptrdiff_t longest_run = 64;  // looked at for a chord: keeps the sweep O(n)
+constexpr double roundoff = 1e-9;           // relative: what is split once fits
 
 double distance_to_chord(Vec a, Vec b, Vec x) {
     const Vec e = b - a;
@@ -28,15 +32,12 @@ class Merging {
         kept[count++] = 0;
         for (std::ptrdiff_t next = 1; next <= last; ++next) {
             while (is_short(kept[count - 1], next) && left > least()) {
-                if (next < last && replaces(kept[count - 1], next + 1)) {
-                    --left;
-                    ++next;
-                } else if (count > 1 && replaces(kept[count - 2], next)) {
-                    --left;
-                    --count;
-                } else {
-                    break;
-                }
+                const double end = next < last ? miss(kept[count - 1], next + 1) : infinite;
+                const double start = count > 1 ? miss(kept[count - 2], next) : infinite;
+                if (!(std::min(end, start) <= limits.tolerance)) break;
+                --left;
+                if (end <= start) ++next;
+                else --count;
             }
             if (next < n) kept[count++] = next;
         }
@@ -49,13 +50,14 @@ class Merging {
     bool is_short(std::ptrdiff_t a, std::ptrdiff_t b) const {
         return norm(x(b) - x(a)) < (1.0 - roundoff) * limits.shortest;
     }
-    // Would the chord from a to b do for all vertices between?
-    bool replaces(std::ptrdiff_t a, std::ptrdiff_t b) const {
+    // How far the chord from a to b is from the vertices between.
+    double miss(std::ptrdiff_t a, std::ptrdiff_t b) const {
         const Vec start = x(a), end = x(b);
-        if (!(norm(end - start) > limits.tolerance)) return false;
+        if (b - a > longest_run || !(norm(end - start) > limits.tolerance)) return infinite;
+        double largest = 0.0;
         for (std::ptrdiff_t v = a + 1; v < b; ++v)
-            if (!(distance_to_chord(start, end, x(v)) <= limits.tolerance)) return false;
-        return true;
+            largest = std::max(largest, distance_to_chord(start, end, x(v)));
+        return largest;
     }
 
     const Geometry& line;

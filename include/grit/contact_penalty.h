@@ -112,9 +112,10 @@ GRIT_API size_t grit_penalty_workspace_size(ptrdiff_t n_a, ptrdiff_t n_b);
  *             is in contact if -depth_max <= g < 0 and one of its own segments faces that point. At a
  *             re-entrant corner the normal points from the vertex to the corner.
  *   area      A_v: the length of the partner's line (times r) that lies opposite the halves of the
- *             vertex' segments, as far as both face each other. Where the partner's vertices see the
- *             same place, each side carries its half, so that together they give the traction of the
- *             deeper view.
+ *             vertex' segments, as far as both face each other and overlap; what is less than half as
+ *             deep as the vertex counts less. Where the partner's vertices see the same place the
+ *             stiffness is halved, and less so the less they see of half this depth, so that no force
+ *             jumps. In flush contact A_v is half its two segments, as in (S2).
  *   friction  trial t_t + eps_t Delta g_t, returned to mu t_n; zeroed on release. Delta g_t is free of
  *             rigid motions of both; in the first step of a contact it counts from the touch on.
  *   Action equals reaction to roundoff. Moments balance but for friction, whose two forces act a
@@ -144,6 +145,8 @@ GRIT_API grit_status grit_penalty_flush_stiffness(const grit_penalty_options* op
  * is stable: an upper bound of the frequency, exact for one spring between two masses. A body that
  * cannot move has n = 0, then it is 2 sqrt(m_i / k_i). For more bodies take the two with the largest
  * ratios. Together with the stable step of the bodies themselves: 1 / step^2 = sum of 1 / step^2.
+ * A contact whose area grows with its depth, a tip, is stiffer than its reported t_n A_v / |g| (by up
+ * to 3 for a cone): take grit_penalty_flush_stiffness, or a factor on the step, where tips matter.
  * No stiffness anywhere: infinity. mass, stiffness [n][1]; a node with stiffness needs mass > 0. */
 GRIT_API grit_status grit_penalty_stable_step(ptrdiff_t n_a, const grit_view* mass_a,
                                               const grit_view* stiffness_a, ptrdiff_t n_b,
@@ -177,8 +180,10 @@ GRIT_API size_t grit_penalty_remesh_workspace_size(ptrdiff_t count);
 
 /* Split and merge, (S5). A vertex that stays is copied bitwise (parents equal, weight 0), history of a
  * new one is interpolated; use parents and weight for any other data of the vertices. Vertex 0 and the
- * last of an open line stay; a closed line keeps three vertices. Deterministic. A line that fits is
- * returned as it is; repeated calls settle, since no part is shorter than longest / 2.
+ * last of an open line stay, a closed line keeps three vertices. Of the ends of a short segment the
+ * one goes that the line misses less: a corner goes only next to another corner. Deterministic, O(n).
+ * A line that fits is returned as it is; repeated calls settle, since no part is shorter than
+ * longest / 2 and each merge leaves one short segment less (a call takes at most 63 neighbours out).
  * capacity too small: GRIT_BAD_CALL, *new_count says what is needed, nothing else is written. */
 GRIT_API grit_status grit_penalty_remesh(const grit_penalty_remeshing* remeshing, void* workspace,
                                          size_t workspace_size, ptrdiff_t* new_count,
