@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // grit_contact_correct_many: every pair passes the checks of a pair alone.
-#include <cstdio>
 #include <cstring>
 
 #include "contact/call_checks.hpp"
@@ -44,12 +43,9 @@ grit_contact_nodes nodes_of(const grit_contact_bodies& b, const grit_contact_pai
 
 // Say which pair a message is about.
 grit_status of_pair(int p, grit_status status, grit_error* error) {
-    if (error && status != GRIT_OK) {
-        char message[GRIT_MESSAGE_SIZE];
-        std::memcpy(message, error->message, sizeof message);
-        std::snprintf(error->message, sizeof error->message, "pair %d, %.230s", p, message);
-    }
-    return status;
+    if (!error) return status;
+    const grit_error found = *error;
+    return failure(error, status, found.point, "pair %d, %.230s", p, found.message);
 }
 
 grit_status check_bodies(const grit_contact_bodies& b, grit_error* error) {

@@ -17,7 +17,6 @@ struct Particle {
     double slip_v = 0.0;   // velocity across it [m/s]
     double slip = 0.0;     // displacement across the line [m]
     double stretch = 1.0;  // F [-]
-    double shear = 0.0;    // engineering shear [-]
     double sigma = 0.0;    // stress along the line, tension + [Pa]
     double tau = 0.0;      // shear stress [Pa]
 };

@@ -166,9 +166,13 @@ StepReport Line::correct(const Bar& a, const Bar& b, const Contact& contact, dou
     grit_contact_totals totals{};
     totals.struct_size = sizeof totals;
     grit_contact_sums_read(&sums, &totals);
-    return {totals.force_on_b[0], totals.force_on_b[1],
-            totals.dissipation_normal + totals.dissipation_tangential,
-            static_cast<int>(totals.slip), static_cast<int>(totals.stick)};
+    StepReport report;
+    report.force = totals.force_on_b[0];
+    report.slip_force = totals.force_on_b[1];
+    report.dissipation = totals.dissipation_normal + totals.dissipation_tangential;
+    report.slipping = static_cast<int>(totals.slip);
+    report.sticking = static_cast<int>(totals.stick);
+    return report;
 }
 
 // Penalty contact of the two end faces, each one segment of unit height: forces before the update.
@@ -209,28 +213,38 @@ StepReport Line::push(const Bar& a, const Bar& b, const Contact& contact, double
     return report;
 }
 
-void Line::scatter(Bar& bar, const Nodes& nodes, double dt) const {
+// Returns the kinetic energy that the change of velocity has on the nodes and not on the particles.
+double Line::scatter(Bar& bar, const Nodes& nodes, double dt) const {
+    double lost = 0.0;
+    for (std::size_t i = 0; i < count && !bar.rigid; ++i)
+        for (std::size_t c = 0; c < 2; ++c) {
+            const double change = nodes.v[i][c] - nodes.old_v[i][c];
+            lost += 0.5 * nodes.mass[i] * change * change;
+        }
     for (Particle& p : bar.particles) {
         const Weights w = weights(p.x, p.length);
-        double v = 0.0, slip_v = 0.0, rate = 0.0, shear_rate = 0.0;
+        double v = 0.0, slip_v = 0.0, rate = 0.0, shear_rate = 0.0, change = 0.0, slip_change = 0.0;
         for (std::size_t k = 0; k < 4; ++k) {
             const std::size_t i = static_cast<std::size_t>(w.first) + k;
             v += w.N[k] * nodes.v[i][0];
             slip_v += w.N[k] * nodes.v[i][1];
             rate += w.dN[k] * nodes.v[i][0];
             shear_rate += w.dN[k] * nodes.v[i][1];
-            p.v += w.N[k] * (nodes.v[i][0] - nodes.old_v[i][0]);
-            p.slip_v += w.N[k] * (nodes.v[i][1] - nodes.old_v[i][1]);
+            change += w.N[k] * (nodes.v[i][0] - nodes.old_v[i][0]);
+            slip_change += w.N[k] * (nodes.v[i][1] - nodes.old_v[i][1]);
         }
         p.x += dt * v;
         p.slip += dt * slip_v;
         if (bar.rigid) continue;
+        p.v += change;
+        p.slip_v += slip_change;
+        lost -= 0.5 * p.mass * (change * change + slip_change * slip_change);
+        p.sigma += dt * bar.modulus * rate * p.stretch;  // of the nominal strain
+        p.tau += dt * bar.shear_modulus * shear_rate * p.stretch;
         p.stretch *= 1.0 + dt * rate;
         p.length = p.stretch * p.volume;
-        p.shear += dt * shear_rate;
-        p.sigma += dt * bar.modulus * rate;
-        p.tau += dt * bar.shear_modulus * shear_rate;
     }
+    return lost;
 }
 
 StepReport Line::step(Bar& a, Bar& b, const Contact& contact, double dt) {
@@ -241,8 +255,7 @@ StepReport Line::step(Bar& a, Bar& b, const Contact& contact, double dt) {
     advance(a, nodes_a, dt);
     advance(b, nodes_b, dt);
     if (contact.method == Method::nodal) report = correct(a, b, contact, dt);
-    scatter(a, nodes_a, dt);
-    scatter(b, nodes_b, dt);
+    report.transfer = scatter(a, nodes_a, dt) + scatter(b, nodes_b, dt);
     return report;
 }
 

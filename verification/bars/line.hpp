@@ -33,6 +33,7 @@ struct StepReport {
     double force = 0.0;              // on B along the line, per cross-section [Pa]
     double slip_force = 0.0;         // on B across it [Pa]
     double dissipation = 0.0;        // leapfrog value [J/m2]
+    double transfer = 0.0;           // lost between nodes and particles [J/m2]
     int slipping = 0, sticking = 0;  // nodes
 };
 
@@ -59,7 +60,7 @@ class Line {
     void measure(const Bar& a, const Bar& b);
     StepReport correct(const Bar& a, const Bar& b, const Contact& contact, double dt);
     StepReport push(const Bar& a, const Bar& b, const Contact& contact, double dt);
-    void scatter(Bar& bar, const Nodes& nodes, double dt) const;
+    double scatter(Bar& bar, const Nodes& nodes, double dt) const;
 
     double x0, h;
     std::size_t count;
