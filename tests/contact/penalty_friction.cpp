@@ -148,4 +148,17 @@ TEST(PenaltyFriction, StoresNoNegativeEnergyOnRandomPathsInBothGeometries) {
         }
 }
 
+// In a re-entrant corner of which one side turns, the corner turns half as fast.
+TEST(PenaltyFriction, InACornerSlipsAgainstTheMeanOfBothSides) {
+    Surface corner(std::vector<Point>{{4.0, 2.0}, {2.0, 2.0}, {2.0, 4.0}});
+    Surface probe(std::vector<Point>{{0.8, 2.7}, {1.8, 1.8}, {2.7, 0.8}});
+    const double omega = 3.0;
+    corner.v[2] = {-2.0 * omega, 0.0};
+    Contact contact(eps, 0.4, mu);
+    contact(probe, corner);
+    ASSERT_EQ(contact.totals.contacts_a, 1);
+    EXPECT_NEAR(probe.reports[1].gap, -0.2 * std::sqrt(2.0), 1e-15);
+    EXPECT_NEAR(probe.reports[1].slip_rate, 0.2 * std::sqrt(2.0) * 0.5 * omega, 1e-14);
+}
+
 }  // namespace
