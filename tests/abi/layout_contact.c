@@ -111,4 +111,3 @@ PLACE(grit_contact_bodies, validate_only, 96);
 PLACE(grit_contact_bodies, reserved, 100);
 #endif
 
-typedef int grit_layout_contact_is_checked;

@@ -1,10 +1,5 @@
-/* SPDX-License-Identifier: BSD-3-Clause
- * layout.c for normals and distances. */
-#include <stddef.h>
-
-#include <grit/grit.h>
-
-#define VALUE(name, number) _Static_assert((name) == (number), "value of " #name)
+/* SPDX-License-Identifier: BSD-3-Clause */
+#include "layout.h"
 
 VALUE(GRIT_CONTACT_BODY_A, 0);
 VALUE(GRIT_CONTACT_BODY_B, 1);
@@ -20,9 +15,6 @@ VALUE(GRIT_CONTACT_EDGE, 1);
 VALUE(GRIT_CONTACT_NEAREST_CENTRE, 2);
 
 #if defined(__LP64__)
-#define SIZE(type, bytes) _Static_assert(sizeof(type) == (bytes), "size of " #type)
-#define PLACE(type, member, bytes)                                                                 \
-    _Static_assert(offsetof(type, member) == (bytes), "place of " #type "." #member)
 
 SIZE(grit_contact_normal_counts, 32);
 PLACE(grit_contact_normal_counts, struct_size, 0);
