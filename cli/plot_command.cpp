@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/cycles.hpp"
 #include "cli/foreign_columns.hpp"
+#include "cli/outputs.hpp"
 #include "cli/panels.hpp"
 #include "element/nearest.hpp"
 
@@ -52,6 +52,7 @@ ExitCode plot(const PlotRequest& request) {
     if (!says_anything(picture))
         throw BadInput(
             fmt::format("none of the files has columns for a picture of {}", request.kind));
+    make_output_folder(request.out.parent_path());
     const std::string problem = draw(request.out, picture);
     if (!problem.empty()) {
         fmt::print(stderr, "grit: no picture: {}\n", problem);
