@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/case_file.hpp"
 
+#include <algorithm>
 #include <cctype>
 
 #include <fmt/format.h>
@@ -8,8 +9,8 @@
 #include "cli/exit_code.hpp"
 #include "cli/material_reader.hpp"
 #include "cli/panels.hpp"
-#include "cli/stage_reader.hpp"
 #include "cli/table.hpp"
+#include "element/check.hpp"
 #include "element/errors.hpp"
 
 namespace cli {
@@ -28,7 +29,8 @@ void check_name(const TomlTable& table, const std::string& key, const std::strin
 // The samples of a case: rows of a CSV and the column that names them; one empty row without.
 struct Samples {
     std::vector<SampleRow> rows = {{}};
-    std::string name_column;
+    bool given = false;
+    std::filesystem::path table;
 };
 
 Samples read_samples(TomlTable& root) {
@@ -36,18 +38,22 @@ Samples read_samples(TomlTable& root) {
     std::optional<TomlTable> table = root.table_if("samples");
     if (!table) return out;
     const std::string name = table->string("table");
-    std::vector<std::vector<std::string>> cells;
+    out.given = true;
+    out.table = table->folder() / name;
+    Cells cells;
     try {
-        cells = read_cells(table->folder() / name);
+        cells = read_cells(out.table);
     } catch (const BadInput& error) {
         table->fail("table", fmt::format("{}: {}", table->full("table"), error.what()));
     }
-    out.name_column = table->choice("name", cells.front());
+    const std::vector<std::string>& head = cells.rows.front();
+    const std::string name_column = table->choice("name", head);
     table->finish();
     out.rows.clear();
-    for (std::size_t i = 1; i < cells.size(); ++i) {
+    for (std::size_t i = 1; i < cells.rows.size(); ++i) {
         SampleRow row;
-        for (std::size_t j = 0; j < cells.front().size(); ++j) row[cells.front()[j]] = cells[i][j];
+        for (std::size_t j = 0; j < head.size(); ++j) row.cells[head[j]] = cells.rows[i][j];
+        row.name = row.cells.at(name_column);
         out.rows.push_back(std::move(row));
     }
     return out;
@@ -59,6 +65,10 @@ void read_numerics(TomlTable table, CaseFile& file) {
         table.fail("tolerance", fmt::format("{} must be in [1e-12, 0.1], got {:g}",
                                             table.full("tolerance"), file.options.tolerance));
     file.stress_tolerance = table.positive_or("stress_tolerance", file.stress_tolerance);
+    if (!(file.stress_tolerance >= 1e-14 && file.stress_tolerance <= 1e-2))
+        table.fail("stress_tolerance",
+                   fmt::format("{} must be in [1e-14, 0.01], got {:g}",
+                               table.full("stress_tolerance"), file.stress_tolerance));
     file.iteration_limit = table.integer_or("iteration_limit", file.iteration_limit, 1, 1000);
     file.options.evaluation_limit =
         table.integer_or("evaluation_limit", file.options.evaluation_limit, 2, 1000000);
@@ -71,25 +81,66 @@ void read_limits(TomlTable table, Limits& limits) {
     table.finish();
 }
 
-std::vector<std::string> state_names_of(const CaseFile& file) {
-    if (file.sand.empty()) return file.umat->state_names;
-    return element::GritLaw(file.parameters, file.options).state_names();
+// --umat, or a library that the case names; otherwise the law is Grit's own.
+void choose_law(TomlTable& root, CaseFile& file, const std::filesystem::path& umat) {
+    if (!umat.empty()) {
+        if (!file.umat) fill_classic_umat(file);
+        file.umat->library = umat;
+    } else if (file.umat && file.umat->library.empty()) {
+        if (file.sand.empty())
+            root.fail("umat", "umat.library is missing: name it, or give --umat FILE");
+        file.umat.reset();
+    }
+    try {
+        make_material(file);
+    } catch (const element::BadCase& error) {
+        root.fail(file.umat && root.has("umat") ? "umat" : "start", error.what());
+    }
 }
 
 void read_stages(TomlTable& root, CaseFile& file) {
-    const std::vector<std::string> state_names = state_names_of(file);
-    for (TomlTable& stage : root.tables_if("stage"))
-        file.stages.push_back(read_stage(std::move(stage), state_names));
+    const Columns columns(file.own_law, file.law->state_names());
+    StageContext context{columns};
+    double increments = 0.0;
+    for (TomlTable& stage : root.tables_if("stage")) {
+        file.stages.push_back(read_stage(std::move(stage), context));
+        try {
+            element::check_program(file.stages.back().program);
+        } catch (const element::BadCase& error) {
+            root.fail("stage", fmt::format("stage[{}]: {}", file.stages.size(), error.what()));
+        }
+        increments += static_cast<double>(element::count_increments(file.stages.back().program));
+    }
     if (file.stages.empty()) root.fail("stage", "stage is missing: a case needs a [[stage]]");
+    if (increments > static_cast<double>(element::run_limit))
+        root.fail("stage", fmt::format("a run has at most {} increments, got {:g}",
+                                       element::run_limit, increments));
 }
 
+// Of the last stage that does anything but wait.
 std::string default_picture(const CaseFile& file) {
-    return picture_of(file.stages.back().test, file.stages.back().cyclic);
+    const auto waits = [](const CaseStage& stage) {
+        return stage.test == "rest" || stage.test == "creep" || stage.test == "drain";
+    };
+    const auto last = std::find_if_not(file.stages.rbegin(), file.stages.rend(), waits);
+    const CaseStage& stage = last == file.stages.rend() ? file.stages.back() : *last;
+    return picture_of(stage.test, stage.cyclic);
 }
 
-CaseFile read_case(const std::filesystem::path& path, TomlTable& root, const std::string& sample) {
+void read_picture(TomlTable& root, CaseFile& file) {
+    file.picture =
+        root.has("picture") ? root.choice("picture", picture_names()) : default_picture(file);
+    const bool cycles = std::any_of(file.stages.begin(), file.stages.end(),
+                                    [](const CaseStage& stage) { return stage.cyclic; });
+    if (file.picture == "degradation" && !cycles)
+        root.fail("picture", "picture: \"degradation\" shows cycles, and no stage has any");
+}
+
+CaseFile read_case(const std::filesystem::path& path, TomlTable& root, const std::string& sample,
+                   const std::filesystem::path& umat_library) {
     CaseFile out;
     out.path = path;
+    out.inputs = {path};
     out.options.tolerance = 1e-6;
     out.sample = sample;
     out.name = root.string_if("name").value_or(path.stem().string());
@@ -104,32 +155,30 @@ CaseFile read_case(const std::filesystem::path& path, TomlTable& root, const std
     if (!out.umat || root.has("sand")) read_sand(root.table("sand"), out);
     if (auto numerics = root.table_if("numerics")) read_numerics(std::move(*numerics), out);
     read_start(root.table("start"), out);
-    out.options.intergranular_strain = out.start.intergranular_strain != IntergranularStrain::off;
+    choose_law(root, out, umat_library);
+    if (out.umat) out.inputs.push_back(out.umat->library);
     read_stages(root, out);
-    out.picture =
-        root.has("picture") ? root.choice("picture", picture_names()) : default_picture(out);
+    read_picture(root, out);
     if (auto limits = root.table_if("limits")) read_limits(std::move(*limits), out.limits);
     if (auto reference = root.table_if("reference"))
         out.reference =
             read_reference(std::move(*reference), static_cast<int>(out.stages.size()), sample);
+    if (!out.reference.curve_file.empty()) out.inputs.push_back(out.reference.curve_file);
     root.finish();
     return out;
 }
 
 }  // namespace
 
-std::vector<CaseFile> read_case_file(const std::filesystem::path& path) {
+std::vector<CaseFile> read_case_file(const std::filesystem::path& path,
+                                     const std::filesystem::path& umat) {
     TomlTable root = TomlTable::of_file(path);
     const Samples samples = read_samples(root);
     std::vector<CaseFile> out;
     for (const SampleRow& row : samples.rows) {
-        if (!samples.name_column.empty()) root.take_columns_from(row);
-        try {
-            out.push_back(read_case(
-                path, root, samples.name_column.empty() ? "" : row.at(samples.name_column)));
-        } catch (const element::BadCase& error) {
-            throw BadInput(fmt::format("{}: {}", path.string(), error.what()));
-        }
+        if (samples.given) root.take_columns_from(row);
+        out.push_back(read_case(path, root, row.name, umat));
+        if (samples.given) out.back().inputs.push_back(samples.table);
     }
     return out;
 }

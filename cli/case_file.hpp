@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include <grit/grit.h>
 
 #include "cli/reference.hpp"
+#include "cli/stage_reader.hpp"
 #include "element/grit_law.hpp"
 #include "element/step.hpp"
 #include "element/umat_law.hpp"
@@ -30,15 +32,6 @@ struct Start {
     double rho = 1.0;                                      // |h|/R [-]
 };
 
-struct CaseStage {
-    std::string test;  // the word of the laboratory: "triaxial_drained", ...
-    element::Program program;
-    bool zero_strain = false;  // strains count from the beginning of this stage
-    bool shear = false;        // loaded by gamma_12; otherwise along 11
-    bool cyclic = false;
-    std::vector<element::Condition> until;  // ends a stage of cycles after an increment
-};
-
 struct Limits {
     std::optional<int> increments;
     std::optional<double> milliseconds;  // of computing, the fastest of five runs
@@ -55,15 +48,21 @@ struct CaseFile {
     std::optional<element::UmatSource> umat;
     std::vector<double> umat_state;
     Start start;
+    std::shared_ptr<const element::Law> law;
+    const element::GritLaw* own_law = nullptr;  // if law is Grit's
+    element::MaterialPoint point;               // to start from
     std::vector<CaseStage> stages;
     double stress_tolerance = 1e-9;  // of the prescribed stress, relative
     int iteration_limit = 25;
     Limits limits;
     Reference reference;
-    std::string picture;  // kind of picture, see panels.hpp
+    std::string picture;                        // kind of picture, see panels.hpp
+    std::vector<std::filesystem::path> inputs;  // all files that were read
 };
 
-// One case, or one for each row of its table of samples. Throws BadInput naming file, line and key.
-std::vector<CaseFile> read_case_file(const std::filesystem::path& path);
+// One case, or one for each row of its table of samples, with the law of this library unless it is
+// empty. Throws BadInput naming file, line and key.
+std::vector<CaseFile> read_case_file(const std::filesystem::path& path,
+                                     const std::filesystem::path& umat);
 
 }  // namespace cli

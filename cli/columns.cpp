@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/columns.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "cli/parameter_units.hpp"
+#include "element/errors.hpp"
+#include "element/nearest.hpp"
 
 namespace cli {
 namespace {
@@ -16,13 +19,12 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 // What a column may need, computed once for each row.
 struct Derived {
-    const StagedRecord& staged;
+    const Record& record;
+    const Setting& setting;
     grit_sand_invariants invariants{};
     double density_factor = unknown;      // f_d [-]
     double small_strain_shear = unknown;  // G_0 [kPa]
-    double shear_stress = 0.0;            // tau [kPa]
-    double shear_strain = 0.0;            // gamma [-]
-    double secant = unknown;              // G since the last reversal [kPa]
+    ShearPair shear{};
 };
 
 // sigma_11 - (sigma_22 + sigma_33)/2, and the same of strain.
@@ -44,7 +46,8 @@ grit_sand_invariants invariants_of(const Vector6& stress) {
     return out;
 }
 
-// Shear modulus of M at the reversal of a strain that had swept the memory: m_R L_1212.
+// Shear modulus of M at the reversal of a strain that had swept the memory: m_R L_1212. Of the basic
+// model, which has no memory: L_1212.
 double shear_modulus_after_reversal(const element::GritLaw& sand, const Record& record) {
     grit_sand_parameters parameters;
     grit_sand_parameters_init(&parameters, sizeof parameters);
@@ -52,13 +55,11 @@ double shear_modulus_after_reversal(const element::GritLaw& sand, const Record& 
     double L[36];
     grit_sand_stiffness(&sand.sand(), record.effective_stress.data(), record.void_ratio, L,
                         nullptr);
-    const double m_R = parameters.reversal_stiffness;
-    return (std::isnan(m_R) ? 1.0 : m_R) * L[21];
+    return (sand.intergranular_strain() ? parameters.reversal_stiffness : 1.0) * L[21];
 }
 
-Derived derive(const StagedRecord& staged, const element::GritLaw* sand) {
-    Derived out{staged};
-    const Record& record = staged.record;
+Derived derive(const Record& record, const Setting& setting, const element::GritLaw* sand) {
+    Derived out{record, setting};
     if (sand) {
         out.invariants = sand->invariants({record.stress, record.state});
         grit_sand_scalar_factors factors{};
@@ -70,48 +71,33 @@ Derived derive(const StagedRecord& staged, const element::GritLaw* sand) {
     } else {
         out.invariants = invariants_of(record.effective_stress);
     }
-    out.shear_stress =
-        staged.shear ? record.total_stress[3] : 0.5 * axial_difference(record.total_stress);
-    out.shear_strain = staged.shear ? record.strain[3] : axial_difference(record.strain);
+    out.shear = shear_of(record, setting.shear);
     return out;
-}
-
-// G = (tau - tau_r)/(gamma - gamma_r), r: the last reversal of gamma, or the start of the stage.
-void add_secants(std::vector<Derived>& rows) {
-    std::size_t reversal = 0;
-    double direction = 0.0;
-    for (std::size_t i = 1; i < rows.size(); ++i) {
-        const double step = rows[i].shear_strain - rows[i - 1].shear_strain;
-        if (rows[i].staged.stage != rows[i - 1].staged.stage || step * direction < 0.0)
-            reversal = i - 1;
-        if (step != 0.0) direction = step;
-        const double gamma = rows[i].shear_strain - rows[reversal].shear_strain;
-        if (std::abs(gamma) > 1e-12)
-            rows[i].secant = (rows[i].shear_stress - rows[reversal].shear_stress) / gamma;
-    }
 }
 
 struct Definition {
     const char* name;
     const char* unit;
     double (*of)(const Derived&);
+    bool of_a_point = true;  // otherwise of the way to it
 };
 
-const Record& r(const Derived& d) { return d.staged.record; }
+const Record& r(const Derived& d) { return d.record; }
+double real(long count) { return static_cast<double>(count); }
 
 constexpr Definition definitions[] = {
-    {"stage", "", [](const Derived& d) -> double { return d.staged.stage; }},
-    {"step", "", [](const Derived& d) -> double { return r(d).step; }},
-    {"increment", "", [](const Derived& d) -> double { return r(d).increment; }},
+    {"stage", "", [](const Derived& d) -> double { return d.setting.stage; }, false},
+    {"step", "", [](const Derived& d) { return real(r(d).step); }, false},
+    {"increment", "", [](const Derived& d) -> double { return r(d).increment; }, false},
     {"time", "s", [](const Derived& d) { return r(d).time; }},
     {"axial_strain", "-", [](const Derived& d) { return r(d).strain[0]; }},
     {"volumetric_strain", "-", [](const Derived& d) { return r(d).strain.head<3>().sum(); }},
-    {"shear_strain", "-", [](const Derived& d) { return d.shear_strain; }},
+    {"shear_strain", "-", [](const Derived& d) { return d.shear.strain; }},
     {"p", "kPa", [](const Derived& d) { return d.invariants.p; }},
     {"q", "kPa", [](const Derived& d) { return d.invariants.q; }},
     {"axial_deviator", "kPa",
      [](const Derived& d) { return -axial_difference(r(d).total_stress); }},
-    {"shear_stress", "kPa", [](const Derived& d) { return d.shear_stress; }},
+    {"shear_stress", "kPa", [](const Derived& d) { return d.shear.stress; }},
     {"void_ratio", "-", [](const Derived& d) { return r(d).void_ratio; }},
     {"relative_density", "-", [](const Derived& d) { return d.invariants.relative_density; }},
     {"mobilised_friction", "deg",
@@ -121,7 +107,7 @@ constexpr Definition definitions[] = {
     {"f_d", "-", [](const Derived& d) { return d.density_factor; }},
     {"pore_pressure", "kPa", [](const Derived& d) { return r(d).pore_pressure; }},
     {"p_total", "kPa", [](const Derived& d) { return -r(d).total_stress.head<3>().sum() / 3.0; }},
-    {"secant_G", "kPa", [](const Derived& d) { return d.secant; }},
+    {"secant_G", "kPa", [](const Derived& d) { return d.setting.secant; }, false},
     {"G_0", "kPa", [](const Derived& d) { return d.small_strain_shear; }},
     {"stress_11", "kPa", [](const Derived& d) { return r(d).effective_stress[0]; }},
     {"stress_22", "kPa", [](const Derived& d) { return r(d).effective_stress[1]; }},
@@ -135,9 +121,9 @@ constexpr Definition definitions[] = {
     {"gamma_12", "-", [](const Derived& d) { return r(d).strain[3]; }},
     {"gamma_13", "-", [](const Derived& d) { return r(d).strain[4]; }},
     {"gamma_23", "-", [](const Derived& d) { return r(d).strain[5]; }},
-    {"newton_iterations", "", [](const Derived& d) -> double { return r(d).iterations; }},
-    {"rate_evaluations", "", [](const Derived& d) -> double { return r(d).evaluations; }},
-    {"halvings", "", [](const Derived& d) -> double { return r(d).cut_backs; }},
+    {"newton_iterations", "", [](const Derived& d) { return real(r(d).iterations); }, false},
+    {"rate_evaluations", "", [](const Derived& d) { return real(r(d).evaluations); }, false},
+    {"halvings", "", [](const Derived& d) { return real(r(d).cut_backs); }, false},
 };
 
 }  // namespace
@@ -151,24 +137,52 @@ const std::vector<std::string>& standard_column_names() {
     return names;
 }
 
-Table tabulate(const std::vector<StagedRecord>& records, const element::GritLaw* sand,
-               const std::vector<std::string>& state_names) {
-    std::vector<Derived> rows;
-    for (const StagedRecord& record : records) rows.push_back(derive(record, sand));
-    add_secants(rows);
-    Table out;
-    for (const Definition& definition : definitions) {
-        Column column{definition.name, definition.unit, {}};
-        for (const Derived& row : rows) column.values.push_back(definition.of(row));
-        out.columns.push_back(std::move(column));
-    }
+ShearPair shear_of(const Record& record, bool loaded_by_shear) {
+    if (loaded_by_shear) return {record.total_stress[3], record.strain[3]};
+    return {0.5 * axial_difference(record.total_stress), axial_difference(record.strain)};
+}
+
+Columns::Columns(const element::GritLaw* law, const std::vector<std::string>& state_names)
+    : sand(law) {
+    for (const Definition& definition : definitions)
+        heads.push_back({definition.name, definition.unit, {}, {}});
     for (std::size_t i = 0; i < state_names.size(); ++i) {
-        if (out.find(state_names[i])) continue;
-        Column column{state_names[i], "", {}};
-        for (const Derived& row : rows) column.values.push_back(r(row).state[i]);
-        out.columns.push_back(std::move(column));
+        const auto taken = [&](const Column& column) { return column.name == state_names[i]; };
+        if (std::any_of(heads.begin(), heads.end(), taken)) continue;
+        heads.push_back({state_names[i], "", {}, {}});
+        states.push_back(i);
     }
+}
+
+std::vector<double> Columns::row(const Record& record, const Setting& setting) const {
+    const Derived derived = derive(record, setting, sand);
+    std::vector<double> out;
+    for (const Definition& definition : definitions) out.push_back(definition.of(derived));
+    for (const std::size_t i : states) out.push_back(record.state[i]);
     return out;
+}
+
+element::Vocabulary Columns::words(bool loaded_by_shear) const {
+    return [this_ = *this, loaded_by_shear](const std::string& name) -> element::Quantity {
+        std::vector<std::string> known;
+        for (const Definition& definition : definitions) {
+            if (!definition.of_a_point) continue;
+            if (definition.name == name)
+                return [&definition, loaded_by_shear, sand = this_.sand](const Record& record) {
+                    const Setting setting{0, loaded_by_shear, unknown};
+                    return definition.of(derive(record, setting, sand));
+                };
+            known.emplace_back(definition.name);
+        }
+        for (std::size_t i = 0; i < this_.states.size(); ++i) {
+            known.push_back(this_.heads[std::size(definitions) + i].name);
+            if (known.back() == name)
+                return
+                    [place = this_.states[i]](const Record& record) { return record.state[place]; };
+        }
+        throw element::BadCase("a condition speaks of columns of the result, got \"" + name + "\"" +
+                               element::suggestion(name, known));
+    };
 }
 
 }  // namespace cli

@@ -8,28 +8,13 @@
 #include <fmt/format.h>
 
 #include "cli/curve_difference.hpp"
-#include "cli/foreign_columns.hpp"
+#include "cli/stage_rows.hpp"
 
 namespace cli {
 namespace {
 
-struct Stretch {
-    std::size_t first, last;  // rows
-};
-
-// The rows of a stage, from the last row of the one before; 0: all.
-Stretch rows_of(const Table& table, int stage) {
-    const std::vector<double>& stages = table.at("stage");
-    Stretch out{0, stages.size() - 1};
-    if (stage == 0) return out;
-    while (out.last > 0 && stages[out.last] != stage) --out.last;
-    out.first = out.last;
-    while (out.first > 0 && stages[out.first] == stage) --out.first;
-    return out;
-}
-
 double value_of(const ReferenceValue& wanted, const Table& table) {
-    const auto [first, last] = rows_of(table, wanted.stage);
+    const auto [first, last] = rows_of_stage(table, wanted.stage);
     const std::vector<double>& values = table.at(wanted.quantity);
     if (!wanted.over.empty()) {
         const std::vector<double>& over = table.at(wanted.over);
@@ -93,9 +78,8 @@ void compare_value(const CaseFile& file, const ReferenceValue& wanted, const Tab
 
 void compare_curve(const CaseFile& file, const CaseResult& result, Comparison& table) {
     const Reference& reference = file.reference;
-    if (reference.curve.empty() || !reference.curve_tolerance) return;
-    const CurveDifference d =
-        difference(result.table, standardised(read_table(reference.curve, reference.only)));
+    if (!reference.curve_tolerance) return;
+    const CurveDifference d = difference(result.table, reference.curve);
     if (!d.problem.empty()) return add({file.name, "curve: " + d.problem}, false, table);
     const double tolerance = *reference.curve_tolerance;
     Line line{file.name, "whole curve, stress and void ratio"};

@@ -2,93 +2,107 @@
 #include "cli/cycles.hpp"
 
 #include <cmath>
+#include <iterator>
+#include <numbers>
 
 namespace cli {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double least_strain = 1e-10;  // what Newton's method leaves over is below it
+constexpr double least_part = 1e-3;
+// The last stretch of a stage closes a cycle if it is so much of the one that closed the cycle before, or
+// so much of the one back: a sample that creeps along goes farther one way than the other.
+constexpr double whole = 0.8, most = 0.6;
 
-// Rows of a stage where the shear strain turns, its last row included.
-std::vector<std::size_t> turns(const std::vector<double>& gamma, std::size_t first,
-                               std::size_t last) {
-    std::vector<std::size_t> out;
-    double direction = 0.0;
-    for (std::size_t i = first + 1; i <= last; ++i) {
-        const double step = gamma[i] - gamma[i - 1];
-        if (step * direction < 0.0) out.push_back(i - 1);
-        if (step != 0.0) direction = step;
-    }
-    if (!out.empty()) out.push_back(last);
-    return out;
-}
+constexpr const char* states[] = {"axial_strain", "volumetric_strain", "p", "void_ratio",
+                                  "pore_pressure"};
 
-struct Loop {
-    double area = 0.0, G = 0.0, amplitude = 0.0;
-};
-
-Loop loop_of(const std::vector<double>& tau, const std::vector<double>& gamma, std::size_t a,
-             std::size_t b, std::size_t c) {
-    Loop out;
-    for (std::size_t i = a + 1; i <= c; ++i)
-        out.area += 0.5 * (tau[i] + tau[i - 1]) * (gamma[i] - gamma[i - 1]);
-    out.amplitude = 0.5 * std::abs(gamma[b] - gamma[a]);
-    out.G = (tau[b] - tau[a]) / (gamma[b] - gamma[a]);
-    return out;
+std::size_t place(const std::vector<Column>& columns, const std::string& name) {
+    std::size_t i = 0;
+    while (columns[i].name != name) ++i;
+    return i;
 }
 
 }  // namespace
 
-Table cycles_of(const Table& result, const std::vector<bool>& cyclic) {
-    const auto& stage = result.at("stage");
-    const auto& gamma = result.at("shear_strain");
-    const auto& tau = result.at("shear_stress");
-    Table out;
-    out.columns = {{"stage", "", {}},        {"cycle", "", {}},  {"gamma_amplitude", "-", {}},
-                   {"secant_G", "kPa", {}},  {"G/G_0", "-", {}}, {"damping", "-", {}},
-                   {"shear_strain", "-", {}}};
-    std::vector<const std::vector<double>*> state;
-    for (const char* name :
-         {"axial_strain", "volumetric_strain", "p", "void_ratio", "pore_pressure"})
-        for (const Column& column : result.columns)
-            if (column.name == name) {
-                out.columns.push_back({column.name, column.unit, {}});
-                state.push_back(&column.values);
-            }
-    const auto& G_0 = result.at("G_0");
-    for (std::size_t number = 1; number <= cyclic.size(); ++number) {
-        if (!cyclic[number - 1]) continue;
-        std::size_t first = stage.size(), last = 0;
-        for (std::size_t i = 0; i < stage.size(); ++i)
-            if (stage[i] == static_cast<double>(number)) {
-                first = std::min(first, i);
-                last = i;
-            }
-        if (first >= last) continue;
-        if (first > 0) --first;  // the stage begins where the one before ended
-        const std::vector<std::size_t> at = turns(gamma, first, last);
-        double cycle = 0.0;
-        for (std::size_t k = 0; k + 2 < at.size(); k += 2) {
-            const Loop loop = loop_of(tau, gamma, at[k], at[k + 1], at[k + 2]);
-            const double values[] = {static_cast<double>(number),
-                                     ++cycle,
-                                     loop.amplitude,
-                                     loop.G,
-                                     loop.G / G_0[at[k]],
-                                     loop.area /
-                                         (2.0 * pi * loop.G * loop.amplitude * loop.amplitude),
-                                     gamma[at[k + 2]]};
-            for (std::size_t c = 0; c < std::size(values); ++c)
-                out.columns[c].values.push_back(values[c]);
-            for (std::size_t c = 0; c < state.size(); ++c)
-                out.columns[std::size(values) + c].values.push_back((*state[c])[at[k + 2]]);
-        }
+Cycles::Cycles(const Columns& all) : columns(all) {
+    table.columns = {
+        {"stage", "", {}, {}},        {"cycle", "", {}, {}},  {"gamma_amplitude", "-", {}, {}},
+        {"secant_G", "kPa", {}, {}},  {"G/G_0", "-", {}, {}}, {"damping", "-", {}, {}},
+        {"shear_strain", "-", {}, {}}};
+    for (const char* name : states) {
+        const Column& head = columns.names()[place(columns.names(), name)];
+        table.columns.push_back({head.name, head.unit, {}, {}});
     }
-    if (out.rows() == 0) return {};
-    out.comments = {
-        "a cycle: from a reversal of shear_strain to the second after it; secant_G from "
-        "tip to tip; G_0 at the first; damping = loop area/(2 pi G gamma_amplitude^2); "
-        "the state at its end"};
-    return out;
 }
+
+void Cycles::begin_stage(int number, bool loaded_by_shear, const element::Record& start) {
+    stage = number;
+    by_shear = loaded_by_shear;
+    cycle = closing = 0.0;
+    tips.clear();
+    last = farthest = {start, shear_of(start, by_shear), 0.0};
+    turns.emplace(last.shear.strain, least_strain, least_part);
+}
+
+void Cycles::add(const element::Record& record) {
+    const ShearPair shear = shear_of(record, by_shear);
+    const double work =
+        0.5 * (shear.stress + last.shear.stress) * (shear.strain - last.shear.strain);
+    last = {record, shear, last.work + work};
+    const Turns::Move move = turns->add(shear.strain);
+    if (move == Turns::Move::turned) add_tip(farthest);
+    if (move != Turns::Move::back) farthest = last;
+}
+
+void Cycles::end_stage() {
+    if (tips.size() == 2) {
+        const double needed = closing > 0.0 ? whole * closing : most * distance(tips[0], tips[1]);
+        if (distance(tips[1], last) >= needed) add_tip(last);
+    }
+    turns.reset();
+}
+
+void Cycles::add_tip(Tip tip) {
+    tips.push_back(std::move(tip));
+    if (tips.size() < 3) return;
+    add_cycle(tips[0], tips[1], tips[2]);
+    closing = distance(tips[1], tips[2]);
+    tips.erase(tips.begin(), tips.begin() + 2);
+}
+
+double Cycles::distance(const Tip& a, const Tip& b) {
+    return std::abs(b.shear.strain - a.shear.strain);
+}
+
+void Cycles::add_cycle(const Tip& from, const Tip& middle, const Tip& to) {
+    const std::vector<double> at_start = columns.row(from.record, {stage, by_shear, NAN});
+    const std::vector<double> at_end = columns.row(to.record, {stage, by_shear, NAN});
+    const double range = middle.shear.strain - from.shear.strain, amplitude = 0.5 * std::abs(range);
+    const double G = (middle.shear.stress - from.shear.stress) / range;
+    const double values[] = {static_cast<double>(stage),
+                             ++cycle,
+                             amplitude,
+                             G,
+                             G / at_start[place(columns.names(), "G_0")],
+                             (to.work - from.work) /
+                                 (2.0 * std::numbers::pi * G * amplitude * amplitude),
+                             to.shear.strain};
+    for (std::size_t i = 0; i < std::size(values); ++i)
+        table.columns[i].values.push_back(values[i]);
+    for (std::size_t i = 0; i < std::size(states); ++i)
+        table.columns[std::size(values) + i].values.push_back(
+            at_end[place(columns.names(), states[i])]);
+}
+
+const std::vector<std::string>& Cycles::comments() {
+    static const std::vector<std::string> text = {
+        "a cycle: from a reversal of shear_strain to the second after it, every increment counted; "
+        "secant_G from tip to tip; G_0 at the first; damping = loop area/(2 pi G "
+        "gamma_amplitude^2); the state at its end"};
+    return text;
+}
+
+Table Cycles::take() { return table.rows() > 0 ? std::move(table) : Table{}; }
 
 }  // namespace cli

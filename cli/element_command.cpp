@@ -1,81 +1,97 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/element_command.hpp"
 
-#include <set>
+#include <algorithm>
 
 #include <fmt/format.h>
 
 #include "cli/case_run.hpp"
 #include "cli/comparison.hpp"
+#include "cli/curve_difference.hpp"
+#include "cli/cycles.hpp"
 #include "cli/element_pictures.hpp"
-#include "cli/material_reader.hpp"
+#include "cli/outputs.hpp"
+#include "cli/panels.hpp"
+#include "cli/table_file.hpp"
 
 namespace cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-// --umat, or a library that the case names; otherwise the law is Grit's own.
-void choose_law(CaseFile& file, const fs::path& umat) {
-    if (umat.empty()) {
-        if (file.umat && !file.umat->library.empty()) return;
-        if (file.sand.empty())
-            throw BadInput(fmt::format("{}: umat.library is missing: name it, or give --umat FILE",
-                                       file.path.string()));
-        file.umat.reset();
-        return;
-    }
-    if (!file.umat) fill_classic_umat(file);
-    file.umat->library = umat;
-}
-
 std::vector<CaseFile> read_cases(const ElementRequest& request) {
     std::vector<CaseFile> cases;
-    std::set<std::string> names;
     for (const fs::path& path : request.cases)
-        for (CaseFile& file : read_case_file(path)) {
-            choose_law(file, request.umat);
-            if (!names.insert(file.name).second)
-                throw BadInput(fmt::format("{}: another case is called \"{}\" too, and would "
-                                           "overwrite its files: set name",
-                                           path.string(), file.name));
-            cases.push_back(std::move(file));
-        }
+        for (CaseFile& file : read_case_file(path, request.umat)) cases.push_back(std::move(file));
     return cases;
 }
 
-void write(const ElementRequest& request, const CaseFile& file, const CaseResult& result) {
-    const fs::path csv = request.out / (file.name + ".csv");
-    write_table(csv, result.table);
-    if (!result.cycles.columns.empty())
-        write_table(request.out / (file.name + "_cycles.csv"), result.cycles);
+fs::path csv_of(const ElementRequest& request, const CaseFile& file) {
+    return request.out / (file.name + ".csv");
+}
+
+fs::path cycles_of(const ElementRequest& request, const CaseFile& file) {
+    return request.out / (file.name + "_cycles.csv");
+}
+
+void check_outputs(const ElementRequest& request, const std::vector<CaseFile>& cases) {
+    Outputs outputs;
+    for (const CaseFile& file : cases) {
+        const std::string who = fmt::format("case {} ({})", file.name, file.path.string());
+        outputs.add(csv_of(request, file), who);
+        if (std::any_of(file.stages.begin(), file.stages.end(),
+                        [](const CaseStage& stage) { return stage.cyclic; }))
+            outputs.add(cycles_of(request, file), who);
+    }
+    if (!request.no_plot)
+        for (const auto& [picture, who] : pictures_of(cases))
+            for (const char* ending : {".svg", ".png"})
+                outputs.add(request.out / (picture + ending), who);
+    for (const CaseFile& file : cases) outputs.spare(file.inputs);
+}
+
+std::set<std::string> columns_wanted(const ElementRequest& request, const CaseFile& file) {
+    std::set<std::string> out;
+    const auto want = [&](const std::vector<std::string>& names) {
+        out.insert(names.begin(), names.end());
+    };
+    for (const ReferenceValue& value : file.reference.values) want({value.quantity, value.over});
+    if (file.reference.curve_tolerance) want(compared_columns(file.reference.curve));
+    if (!request.no_plot) want(columns_of_picture(file.picture));
+    return out;
+}
+
+void report(const ElementRequest& request, const CaseFile& file, const CaseResult& result) {
     if (!result.failure.empty())
         fmt::print(stderr, "grit: {}: stopped early at {}\n", file.name, result.failure);
     if (request.quiet) return;
     fmt::print("{}: {} increments, {} Newton iterations, {} evaluations of the rate, {} halvings, "
                "{:.3f} s -> {}\n",
                file.name, result.increments, result.iterations, result.evaluations, result.halvings,
-               result.seconds, csv.string());
+               result.seconds, csv_of(request, file).string());
     for (const std::string& exit : result.exits) fmt::print("{}: ended by {}\n", file.name, exit);
+    for (const std::string& condition : result.never)
+        fmt::print("{}: note: until never held: {}\n", file.name, condition);
+    std::fflush(stdout);
 }
 
 }  // namespace
 
 ExitCode run_element_tests(const ElementRequest& request) {
     const std::vector<CaseFile> cases = read_cases(request);
+    check_outputs(request, cases);
+    make_output_folder(request.out);
     std::vector<CaseResult> results;
-    for (const CaseFile& file : cases) results.push_back(run_case(file));
-    std::error_code refused;
-    fs::create_directories(request.out, refused);
-    if (refused)
-        throw BadInput(fmt::format("{}: cannot make this folder: {}", request.out.string(),
-                                   refused.message()));
     bool complete = true;
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-        write(request, cases[i], results[i]);
-        complete = complete && results[i].failure.empty();
+    for (const CaseFile& file : cases) {
+        results.push_back(run_case(
+            file, {csv_of(request, file), columns_wanted(request, file), request.residuals}));
+        const CaseResult& result = results.back();
+        if (!result.cycles.columns.empty())
+            write_table(cycles_of(request, file), Cycles::comments(), result.cycles);
+        report(request, file, result);
+        complete = complete && result.failure.empty();
     }
-    std::fflush(stdout);
     if (!request.no_plot) draw_cases(request.out, cases, results, request.quiet);
     const Comparison comparison = compare(cases, results);
     if (!comparison.text.empty()) fmt::print("\n{}", comparison.text);

@@ -14,11 +14,13 @@ struct ElementRequest {
     std::filesystem::path out = ".";
     std::filesystem::path umat;  // library of the law, empty: Grit's own, or as the case says
     bool no_plot = false;
-    bool quiet = false;  // the table alone
+    bool quiet = false;      // the table alone
+    bool residuals = false;  // of Newton's method, printed
 };
 
 // Run every case, write DIR/<case>.csv, _cycles.csv and pictures, print the table beside the
-// references. Throws BadInput before anything is computed if any of the files is wrong.
+// references. Throws BadInput before anything is computed if any of the files is wrong, or if one would
+// be overwritten.
 ExitCode run_element_tests(const ElementRequest& request);
 
 }  // namespace cli

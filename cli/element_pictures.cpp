@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 
-#include "cli/foreign_columns.hpp"
 #include "cli/panels.hpp"
+#include "cli/picture_maker.hpp"
 
 namespace cli {
 namespace {
@@ -16,11 +17,22 @@ Curve computed(const CaseFile& file, const CaseResult& result, int colour) {
     return {file.title, result.table, result.cycles, false, colour};
 }
 
-bool has_reference(const CaseFile& file) { return !file.reference.curve.empty(); }
+bool has_reference(const CaseFile& file) { return file.reference.curve.rows() > 0; }
 
 Curve reference(const CaseFile& file, const std::string& label) {
-    return {
-        label, standardised(read_table(file.reference.curve, file.reference.only)), {}, true, -1};
+    return {label, file.reference.curve, {}, true, -1};
+}
+
+bool alike(const std::vector<CaseFile>& cases) {
+    return std::all_of(cases.begin(), cases.end(), [&](const CaseFile& file) {
+        return file.picture == cases.front().picture && file.sample.empty();
+    });
+}
+
+constexpr std::size_t most_sheets = 4;
+
+std::string sheet_name(const CaseFile& file, std::size_t panel) {
+    return fmt::format("{}_sheet{}", file.path.stem().string(), panel + 1);
 }
 
 std::vector<Curve> curves_of(const CaseFile& file, const CaseResult& result) {
@@ -52,53 +64,46 @@ Picture sheet(const std::vector<const CaseFile*>& files,
     return out;
 }
 
-class Drawer {
-  public:
-    Drawer(std::filesystem::path where, bool no_words)
-        : folder(std::move(where)), quiet(no_words) {}
-
-    void draw(const std::string& name, const Picture& picture) {
-        if (!problem.empty()) return;
-        problem = cli::draw(folder / name, picture);
-        if (!problem.empty()) fmt::print(stderr, "grit: no picture: {}\n", problem);
-        else if (!quiet) fmt::print("picture: {} and .png\n", (folder / (name + ".svg")).string());
-    }
-
-  private:
-    std::filesystem::path folder;
-    bool quiet;
-    std::string problem;
-};
-
 }  // namespace
+
+std::vector<std::pair<std::string, std::string>> pictures_of(const std::vector<CaseFile>& cases) {
+    std::vector<std::pair<std::string, std::string>> out;
+    std::set<std::filesystem::path> sampled;
+    for (const CaseFile& file : cases) {
+        const std::string who = fmt::format("case {} ({})", file.name, file.path.string());
+        if (file.sample.empty()) out.emplace_back(file.name, who);
+        else if (sampled.insert(file.path).second)
+            for (std::size_t i = 0; i < std::min(most_sheets, panels_of(file.picture)); ++i)
+                out.emplace_back(sheet_name(file, i), "the samples of " + file.path.string());
+    }
+    if (cases.size() > 1 && alike(cases)) out.emplace_back("comparison", "the comparison of cases");
+    return out;
+}
 
 void draw_cases(const std::filesystem::path& folder, const std::vector<CaseFile>& cases,
                 const std::vector<CaseResult>& results, bool quiet) {
-    Drawer drawer(folder, quiet);
+    PictureMaker maker(folder, quiet);
     std::vector<Curve> all;
     std::map<std::filesystem::path, std::vector<std::size_t>> samples;
-    bool alike = true;
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        alike = alike && cases[i].picture == cases.front().picture;
         if (!cases[i].sample.empty()) {
             samples[cases[i].path].push_back(i);
             continue;
         }
-        drawer.draw(cases[i].name, picture_of_curves(cases[i].picture, cases[i].title,
-                                                     curves_of(cases[i], results[i])));
-        all.push_back(computed(cases[i], results[i], static_cast<int>(all.size())));
+        maker.draw(cases[i].name, picture_of_curves(cases[i].picture, cases[i].title,
+                                                    curves_of(cases[i], results[i])));
+        if (cases.size() > 1)
+            all.push_back(computed(cases[i], results[i], static_cast<int>(all.size())));
     }
-    const bool referenced = std::any_of(cases.begin(), cases.end(), has_reference);
-    if (referenced && alike) {
+    if (cases.size() > 1 && alike(cases)) {
         bool labelled = false;
         for (const CaseFile& file : cases)
-            if (file.sample.empty() && has_reference(file)) {
+            if (has_reference(file)) {
                 all.push_back(reference(file, labelled ? "" : "reference"));
                 labelled = true;
             }
+        maker.draw("comparison", picture_of_curves(cases.front().picture, "Comparison", all));
     }
-    if (alike && samples.empty() && cases.size() > 1)
-        drawer.draw("comparison", picture_of_curves(cases.front().picture, "Comparison", all));
     for (const auto& [path, which] : samples) {
         std::vector<const CaseFile*> files;
         std::vector<const CaseResult*> runs;
@@ -106,11 +111,8 @@ void draw_cases(const std::filesystem::path& folder, const std::vector<CaseFile>
             files.push_back(&cases[i]);
             runs.push_back(&results[i]);
         }
-        for (std::size_t panel = 0; panel < 4; ++panel) {
-            if (panel >= panels_of(files.front()->picture)) break;
-            drawer.draw(fmt::format("{}_sheet{}", path.stem().string(), panel + 1),
-                        sheet(files, runs, panel));
-        }
+        for (std::size_t i = 0; i < std::min(most_sheets, panels_of(files.front()->picture)); ++i)
+            maker.draw(sheet_name(*files.front(), i), sheet(files, runs, i));
     }
 }
 

@@ -28,6 +28,19 @@ constexpr Name names[] = {
     {"s13", "stress_13", "kPa", 1.0},
     {"s23", "stress_23", "kPa", 1.0},
     {"e", "void_ratio", "-", 1.0},
+    {"time(1)", "time", "s", 1.0},
+    {"stran(1)", "strain_11", "-", 1.0},
+    {"stran(2)", "strain_22", "-", 1.0},
+    {"stran(3)", "strain_33", "-", 1.0},
+    {"stran(4)", "gamma_12", "-", 1.0},
+    {"stran(5)", "gamma_13", "-", 1.0},
+    {"stran(6)", "gamma_23", "-", 1.0},
+    {"stress(1)", "stress_11", "kPa", 1.0},
+    {"stress(2)", "stress_22", "kPa", 1.0},
+    {"stress(3)", "stress_33", "kPa", 1.0},
+    {"stress(4)", "stress_12", "kPa", 1.0},
+    {"stress(5)", "stress_13", "kPa", 1.0},
+    {"stress(6)", "stress_23", "kPa", 1.0},
     {"eps_a_percent", "axial_strain", "-", -0.01},
     {"eps_v_percent", "volumetric_strain", "-", -0.01},
     {"q_kPa", "axial_deviator", "kPa", 1.0},
@@ -39,8 +52,10 @@ constexpr Name names[] = {
 // Sum of factors times columns; nothing where one of them is missing or the name is taken.
 void combine(Table& table, const char* name, const char* unit,
              std::initializer_list<std::pair<const char*, double>> terms) {
-    if (table.find(name)) return;
-    Column out{name, unit, std::vector<double>(table.rows(), 0.0)};
+    if (std::any_of(table.columns.begin(), table.columns.end(),
+                    [&](const Column& column) { return column.name == name; }))
+        return;
+    Column out{name, unit, std::vector<double>(table.rows(), 0.0), {}};
     for (const auto& [term, factor] : terms) {
         const std::vector<double>* values = table.find(term);
         if (!values) return;

@@ -7,7 +7,7 @@
 namespace cli {
 
 // Understood: results of Grit as they are; references with eps11 ... gam23, s11 ... s23, e (tension
-// positive); laboratory sheets with eps_a_percent, eps_v_percent, q_kPa, p_kPa, void_ratio,
+// positive); tables that incrementalDriver writes; laboratory sheets with eps_a_percent, eps_v_percent, q_kPa, p_kPa, void_ratio,
 // sigma_a_kPa, sigma_r_kPa (compression positive). Other columns stay as they are.
 Table standardised(Table table);
 

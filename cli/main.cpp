@@ -6,24 +6,26 @@
 #include <fmt/format.h>
 #include <grit/grit.h>
 
+#include "cli/abnormal_end.hpp"
 #include "cli/element_command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/incremental_driver_command.hpp"
 #include "cli/plot_command.hpp"
 #include "cli/sand_command.hpp"
+#include "cli/version.hpp"
 
 namespace {
 
 std::string version() {
     constexpr const char* names[] = {"", "baseline", "AVX2", "AVX-512"};
-    const int v = grit_version();
-    return fmt::format("grit {}.{}.{}, instruction set {}", v / 10000, v / 100 % 100, v % 100,
+    return fmt::format("grit {}, instruction set {}", cli::version(),
                        names[grit_instruction_set()]);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+    cli::handle_abnormal_ends();
     std::function<cli::ExitCode()> command;
     CLI::App app("Grit: hypoplastic sand. Exit status 0: done, 1: the computation failed or missed "
                  "its reference, 2: bad input.",
@@ -48,17 +50,21 @@ int main(int argc, char** argv) {
                                            "Folder for data and pictures, made if missing [.]");
     element->add_flag("--no-plot", request.no_plot, "Data only");
     element->add_flag("--quiet", request.quiet, "The table of references alone");
+    CLI::Option* residuals = element->add_flag(
+        "--residuals", request.residuals, "Print the residuals of Newton's method for every row");
     cli::IncrementalDriverRequest driver;
     CLI::Option* folder =
         element->add_option("--incremental-driver", driver.folder,
                             "Folder of incrementalDriver's input files, see "
                             "docs/incremental-driver.md; output goes there or to --out");
-    folder->excludes(cases);
+    folder->excludes(cases)->excludes(residuals);
     element->add_option("--umat", request.umat, "Library with the law, instead of Grit's sand");
     element->callback([&] {
         if (!*cases && !*folder) throw CLI::RequiredError("CASE or --incremental-driver");
         if (*folder && *out) driver.out = request.out;
         driver.umat = request.umat;
+        driver.no_plot = request.no_plot;
+        driver.quiet = request.quiet;
         command = [&, of_folder = static_cast<bool>(*folder)] {
             return of_folder ? cli::run_incremental_driver(driver)
                              : cli::run_element_tests(request);

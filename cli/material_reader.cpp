@@ -84,6 +84,12 @@ void read_sand(TomlTable table, CaseFile& file) {
         file.sand = *name;
     }
     for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i) set_parameter(table, i, file.parameters);
+    if (const auto K_w = table.number_if("water_stiffness_kPa")) {
+        if (!(*K_w >= 0.0))
+            table.fail("water_stiffness_kPa", fmt::format("{} must be >= 0, got {:g}",
+                                                          table.full("water_stiffness_kPa"), *K_w));
+        file.options.water_stiffness = *K_w;
+    }
     table.finish();
     grit_sand sand;
     grit_error error{};
@@ -140,32 +146,19 @@ void read_start(TomlTable table, CaseFile& file) {
                        fmt::format("{} must be in [0, 1], got {:g}",
                                    table.full("intergranular_rho"), start.rho));
     }
+    file.options.intergranular_strain = start.intergranular_strain != IntergranularStrain::off;
     table.finish();
 }
 
 void fill_classic_umat(CaseFile& file) {
     const grit_sand_parameters& p = file.parameters;
-    const bool off = file.start.intergranular_strain == IntergranularStrain::off;
-    const auto igs = [&](double value) { return off ? 0.0 : value; };
     element::UmatSource source;
-    source.props = {p.critical_friction_angle / degree,
-                    p.pressure_shift,
-                    p.granulate_hardness,
-                    p.stiffness_exponent,
-                    p.densest_void_ratio,
-                    p.critical_void_ratio,
-                    p.loosest_void_ratio,
-                    p.pyknotropy_exponent,
-                    p.stiffness_void_exponent,
-                    igs(p.reversal_stiffness),
-                    igs(p.transverse_stiffness),
-                    igs(p.elastic_strain_radius),
-                    igs(p.evolution_exponent),
-                    igs(p.stiffness_interpolation_exponent),
-                    0.0,
-                    0.0};
-    source.state_size = 14;
-    source.void_ratio = 6;
+    source.props.resize(GRIT_CLASSIC_NPROPS);
+    grit_classic_props(&p, file.options.intergranular_strain, source.props.data());
+    source.props[GRIT_CLASSIC_WATER_STIFFNESS] = file.options.water_stiffness;
+    source.state_size = GRIT_CLASSIC_NSTATV + 1;
+    source.void_ratio = GRIT_CLASSIC_VOID_RATIO;
+    if (file.options.water_stiffness > 0.0) source.minus_pore_pressure = GRIT_CLASSIC_PORE_STRESS;
     source.state_names = {"h_11", "h_22", "h_33", "h_12", "h_13", "h_23", "void_ratio"};
     file.umat = std::move(source);
     file.umat_state.assign(7, 0.0);
@@ -176,7 +169,23 @@ void fill_classic_umat(CaseFile& file) {
         grit_sand_mobilise(&sand, file.start.direction.data(), file.start.rho, state);
         std::copy_n(state, 6, file.umat_state.begin());
     }
-    file.umat_state[6] = file.start.void_ratio;
+    file.umat_state[GRIT_CLASSIC_VOID_RATIO] = file.start.void_ratio;
+}
+
+void make_material(CaseFile& file) {
+    const Start& start = file.start;
+    if (file.umat) {
+        const auto law = std::make_shared<element::UmatLaw>(*file.umat);
+        file.point = law->start(start.stress, file.umat_state);
+        file.law = law;
+        return;
+    }
+    const auto law = std::make_shared<element::GritLaw>(file.parameters, file.options);
+    file.point = law->start(start.stress, start.void_ratio);
+    if (start.intergranular_strain == IntergranularStrain::mobilised)
+        law->mobilise(file.point, start.direction, start.rho);
+    file.own_law = law.get();
+    file.law = law;
 }
 
 }  // namespace cli

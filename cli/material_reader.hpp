@@ -15,4 +15,7 @@ void read_start(TomlTable table, CaseFile& file);
 // A UMAT of the classic layout (PROPS 16, STATEV 14) with the sand and the start of the case.
 void fill_classic_umat(CaseFile& file);
 
+// law, own_law and point of the case. Throws element::BadCase.
+void make_material(CaseFile& file);
+
 }  // namespace cli

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "cli/thinning.hpp"
+
 namespace cli {
 namespace {
 
@@ -47,44 +49,19 @@ const std::map<std::string, Axes>& kinds() {
         {"shear", {{gamma_12, tau_12}, {gamma_12, eps_v}, {sigma_n, tau_12}, {gamma_12, e}}},
         {"shear_constant_volume",
          {{gamma_12, tau_12}, {sigma_n, tau_12}, {gamma_12, p}, {gamma_12, phi}}},
-        {"cyclic", {{gamma, tau}, {p, q}, {eps_a, eps_v}, {log_p, e}}},
-        {"cyclic_undrained", {{gamma, tau}, {p, q}, {gamma, pw}, {gamma, phi}}},
+        {"cyclic", {{eps_a, q}, {p, q}, {eps_a, eps_v}, {log_p, e}}},
+        {"cyclic_undrained", {{eps_a, q}, {p, q}, {eps_a, pw}, {eps_a, phi}}},
         {"degradation", {{amplitude, ratio}, {amplitude, damping}, {gamma, tau}, {log_p, e}}},
     };
     return all;
 }
 
+bool of_cycles(const std::string& column) {
+    return column == "gamma_amplitude" || column == "G/G_0" || column == "damping";
+}
+
 const std::vector<double>* column(const Curve& curve, const char* name) {
-    const std::vector<double>* values = curve.cycles.find(name);
-    const std::string wanted = name;
-    const bool of_cycles = wanted == "gamma_amplitude" || wanted == "G/G_0" || wanted == "damping";
-    return of_cycles ? values : curve.table.find(name);
-}
-
-double span(const std::vector<double>& values) {
-    double low = INFINITY, high = -INFINITY;
-    for (const double value : values) {
-        if (!std::isfinite(value)) continue;
-        low = std::min(low, value);
-        high = std::max(high, value);
-    }
-    return high > low ? high - low : 1.0;
-}
-
-// Points far enough apart to leave the line visible between them.
-Series spaced(const Series& all) {
-    Series out = all;
-    out.x.clear();
-    out.y.clear();
-    const double dx = span(all.x), dy = span(all.y);
-    for (std::size_t i = 0; i < all.x.size(); ++i) {
-        if (!out.x.empty() &&
-            std::hypot((all.x[i] - out.x.back()) / dx, (all.y[i] - out.y.back()) / dy) < 0.04)
-            continue;
-        out.x.push_back(all.x[i]);
-        out.y.push_back(all.y[i]);
-    }
-    return out;
+    return of_cycles(name) ? curve.cycles.find(name) : curve.table.find(name);
 }
 
 Series series_of(const Curve& curve, const Axis& x, const Axis& y) {
@@ -98,7 +75,7 @@ Series series_of(const Curve& curve, const Axis& x, const Axis& y) {
         out.x.push_back(x.factor * (*xs)[i]);
         out.y.push_back(y.factor * (*ys)[i]);
     }
-    return out.points ? spaced(out) : out;
+    return out.points ? spaced(out) : thinned(std::move(out));
 }
 
 }  // namespace
@@ -113,15 +90,35 @@ const std::vector<std::string>& picture_names() {
 }
 
 std::string picture_of(const std::string& test, bool cyclic) {
-    if (cyclic && test != "oedometer" && test != "isotropic")
-        return test.ends_with("undrained") || test.ends_with("volume") ? "cyclic_undrained"
-                                                                       : "cyclic";
     if (test == "k0_consolidation") return "oedometer";
     if (test == "oedometer" || test == "isotropic") return test;
     if (test == "simple_shear_constant_stress") return "shear";
     if (test == "simple_shear_constant_volume") return "shear_constant_volume";
-    if (test == "triaxial_constant_volume") return "triaxial_undrained";
-    return test.ends_with("undrained") ? "triaxial_undrained" : "triaxial";
+    const bool undrained = test.ends_with("undrained") || test.ends_with("volume");
+    if (cyclic) return undrained ? "cyclic_undrained" : "cyclic";
+    return undrained ? "triaxial_undrained" : "triaxial";
+}
+
+std::string picture_of_path(const Table& path) {
+    const auto range = [&](const char* name) {
+        const auto [low, high] = std::minmax_element(path.at(name).begin(), path.at(name).end());
+        return *high - *low;
+    };
+    constexpr double nothing = 1e-6;
+    const double axial = range("strain_11"), shear = range("gamma_12");
+    const double strain = std::max(axial, shear), volume = range("volumetric_strain");
+    if (shear > axial) return volume < nothing * strain ? "shear_constant_volume" : "shear";
+    if (range("strain_22") + range("strain_33") < nothing * axial) return "oedometer";
+    if (range("axial_deviator") < nothing * range("p")) return "isotropic";
+    return volume < nothing * strain ? "triaxial_undrained" : "triaxial";
+}
+
+std::vector<std::string> columns_of_picture(const std::string& kind) {
+    std::vector<std::string> out;
+    for (const auto& [x, y] : kinds().at(kind))
+        for (const Axis& axis : {x, y})
+            if (!of_cycles(axis.column)) out.emplace_back(axis.column);
+    return out;
 }
 
 std::size_t panels_of(const std::string& kind) { return kinds().at(kind).size(); }

@@ -13,6 +13,10 @@ namespace cli {
 const std::vector<std::string>& picture_names();
 // For a laboratory test: "triaxial_drained" -> "triaxial", or "cyclic".
 std::string picture_of(const std::string& test, bool cyclic);
+// For a path of strain_11 ... p of which no more is known.
+std::string picture_of_path(const Table& path);
+// Of a result, without those of its cycles.
+std::vector<std::string> columns_of_picture(const std::string& kind);
 
 // A curve of a picture: a result, a reference or laboratory data, with standard column names.
 struct Curve {

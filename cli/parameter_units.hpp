@@ -4,11 +4,12 @@
 
 #include <string>
 
+#include <grit/classic_layout.h>
 #include <grit/grit.h>
 
 namespace cli {
 
-inline constexpr double degree = 3.14159265358979323846 / 180.0;  // [rad]
+inline constexpr double degree = GRIT_DEGREE;  // [rad]
 
 // "deg", "kPa" or "-", and what one of it is in the unit of the library (rad, kPa, 1).
 struct Unit {

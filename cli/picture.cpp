@@ -8,7 +8,8 @@
 #include <fmt/format.h>
 
 #include "cli/gnuplot.hpp"
-#include "cli/table.hpp"
+#include "cli/tics.hpp"
+#include "element/aside_file.hpp"
 
 namespace cli {
 namespace {
@@ -78,7 +79,7 @@ int labels_of(const Panel& panel) {
         }));
 }
 
-// Tics of a logarithmic axis: 1, 2, 5 of every decade, or the decades alone where there are many.
+// Tics of a logarithmic axis.
 std::string log_tics(const Panel& panel) {
     double low = INFINITY, high = 0.0;
     for (const Series& series : panel.series)
@@ -88,14 +89,9 @@ std::string log_tics(const Panel& panel) {
                 high = std::max(high, series.x[i]);
             }
     if (high == 0.0) return "";
-    const int first = static_cast<int>(std::floor(std::log10(low)));
-    const int last = static_cast<int>(std::ceil(std::log10(high)));
     std::string out;
-    for (int decade = first; decade <= last; ++decade)
-        for (const int digit : {1, 2, 3, 5, 7}) {
-            if (digit > 1 && last - first > 2) break;
-            out += fmt::format("{}{:g}", out.empty() ? "" : ", ", digit * std::pow(10.0, decade));
-        }
+    for (const double tic : logarithmic_tics(low, high))
+        out += fmt::format("{}{:g}", out.empty() ? "" : ", ", tic);
     return fmt::format("set logscale x\nset autoscale xfix\nset format x '%g'\nset xtics ({})\n",
                        out);
 }
@@ -156,27 +152,24 @@ fs::path with(fs::path stem, const char* ending) { return stem += ending; }
 
 std::string draw(const fs::path& stem, const Picture& picture) {
     const Layout layout(picture);
-    const fs::path script = with(stem, ".gnuplot.part"), log = with(stem, ".log.part");
-    const fs::path svg = with(stem, ".svg.part"), png = with(stem, ".png.part");
+    element::AsideFile script(with(stem, ".gnuplot"));
+    const element::AsidePath log(with(stem, ".log"));
+    element::AsidePath svg(with(stem, ".svg")), png(with(stem, ".png"));
     const std::string drawing = sheet(picture, layout);
-    write_file(script,
-               data(picture) +
-                   fmt::format("set terminal svg size {},{} dynamic enhanced font 'sans-serif,13' "
-                               "background '#ffffff'\nset output {}\n{}unset output\n",
-                               layout.width, layout.height, gnuplot_quoted(svg.string()), drawing) +
-                   fmt::format("set terminal pngcairo size {},{} enhanced font 'Sans,13'\n"
-                               "set output {}\n{}unset output\n",
-                               layout.width, layout.height, gnuplot_quoted(png.string()), drawing));
-    const std::string problem = run_gnuplot(script, log);
-    fs::remove(script);
-    fs::remove(log);
-    if (!problem.empty()) {
-        fs::remove(svg);
-        fs::remove(png);
-        return problem;
-    }
-    fs::rename(svg, with(stem, ".svg"));
-    fs::rename(png, with(stem, ".png"));
+    script.write(data(picture));
+    script.write(fmt::format("set terminal svg size {},{} dynamic enhanced font 'sans-serif,13' "
+                             "background '#ffffff'\nset output {}\n{}unset output\n",
+                             layout.width, layout.height, gnuplot_quoted(svg.path().string()),
+                             drawing));
+    script.write(fmt::format("set terminal pngcairo size {},{} enhanced font 'Sans,13'\n"
+                             "set output {}\n{}unset output\n",
+                             layout.width, layout.height, gnuplot_quoted(png.path().string()),
+                             drawing));
+    script.flush();
+    std::string problem = run_gnuplot(script.path(), log.path());
+    if (!problem.empty()) return problem;
+    svg.complete();
+    png.complete();
     return "";
 }
 

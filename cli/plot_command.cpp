@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/cycles.hpp"
 #include "cli/foreign_columns.hpp"
+#include "cli/outputs.hpp"
 #include "cli/panels.hpp"
 #include "element/nearest.hpp"
 
@@ -28,7 +28,11 @@ Curve curve_of(const fs::path& path, const std::string& only, bool points, int c
     return out;
 }
 
-bool says_anything(const Picture& picture) {
+bool says_anything(const Picture& picture, const PlotRequest& request,
+                   const std::vector<Curve>& curves) {
+    const auto cycled = [](const Curve& curve) { return curve.cycles.rows() > 0; };
+    if (request.kind == "degradation" && std::none_of(curves.begin(), curves.end(), cycled))
+        return false;
     return std::any_of(picture.panels.begin(), picture.panels.end(), [](const Panel& panel) {
         return std::any_of(panel.series.begin(), panel.series.end(),
                            [](const Series& series) { return !series.x.empty(); });
@@ -49,9 +53,10 @@ ExitCode plot(const PlotRequest& request) {
         curves.push_back(curve_of(request.data[i], request.only, true,
                                   i == 0 ? -1 : static_cast<int>(curves.size())));
     const Picture picture = picture_of_curves(request.kind, request.title, curves);
-    if (!says_anything(picture))
+    if (!says_anything(picture, request, curves))
         throw BadInput(
             fmt::format("none of the files has columns for a picture of {}", request.kind));
+    make_output_folder(request.out.parent_path());
     const std::string problem = draw(request.out, picture);
     if (!problem.empty()) {
         fmt::print(stderr, "grit: no picture: {}\n", problem);

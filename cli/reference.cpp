@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/reference.hpp"
 
-#include <fstream>
-
 #include <fmt/format.h>
 
 #include "cli/columns.hpp"
+#include "cli/curve_difference.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/foreign_columns.hpp"
 
 namespace cli {
 namespace {
@@ -43,16 +44,21 @@ Reference read_reference(TomlTable table, int stages, const std::string& sample)
     for (TomlTable& value : table.tables_if("value"))
         out.values.push_back(read_value(std::move(value), stages));
     if (const std::optional<std::string> curve = table.string_if("curve")) {
-        out.curve = (table.folder() / *curve).lexically_normal();
-        if (!std::ifstream(out.curve))
-            table.fail("curve",
-                       fmt::format("{}: cannot read {}", table.full("curve"), out.curve.string()));
-        out.only = sample;
+        out.curve_file = (table.folder() / *curve).lexically_normal();
+        try {
+            out.curve = standardised(read_table(out.curve_file, sample));
+            // Every column that somebody may ask for, while nothing has been computed yet.
+            for (const std::string& name : standard_column_names()) out.curve.find(name);
+        } catch (const BadInput& error) {
+            table.fail("curve", fmt::format("{}: {}", table.full("curve"), error.what()));
+        }
     }
     if (table.has("curve_tolerance")) {
         out.curve_tolerance = table.positive_or("curve_tolerance", 1.0);
-        if (out.curve.empty())
+        if (out.curve_file.empty())
             table.fail("curve_tolerance", table.full("curve_tolerance") + " needs a curve");
+        if (const std::string why = incomparable(out.curve); !why.empty())
+            table.fail("curve", fmt::format("{}: {}", table.full("curve"), why));
     }
     if (std::optional<TomlTable> exceptions = table.table_if("exceptions")) {
         if (sample.empty()) table.fail("exceptions", table.full("exceptions") + " needs samples");

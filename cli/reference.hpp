@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/table.hpp"
 #include "cli/toml_table.hpp"
 
 namespace cli {
@@ -26,8 +27,8 @@ struct ReferenceValue {
 struct Reference {
     std::string origin;
     std::vector<ReferenceValue> values;
-    std::filesystem::path curve;            // CSV, empty: none
-    std::string only;                       // rows of the curve: those of this sample
+    std::filesystem::path curve_file;  // empty: none
+    Table curve;                       // in the names of Grit; of samples, the rows of this one
     std::optional<double> curve_tolerance;  // of the largest stress of the curve, and of e
     // Over all samples of a file: mean of computed / reference of the first value.
     std::optional<double> mean_ratio;

@@ -2,7 +2,6 @@
 #include "cli/toml_table.hpp"
 
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 
 #include <fmt/format.h>
@@ -11,6 +10,7 @@
 
 #include "cli/exit_code.hpp"
 #include "element/nearest.hpp"
+#include "element/number.hpp"
 
 namespace cli {
 
@@ -52,8 +52,9 @@ std::filesystem::path TomlTable::folder() const {
 void TomlTable::fail(const std::string& key, const std::string& message) const {
     const toml::node* node = content->get(key);
     const auto line = (node ? node->source() : content->values->source()).begin.line;
-    throw BadInput(line ? fmt::format("{}:{}: {}", path, line, message)
-                        : fmt::format("{}: {}", path, message));
+    const std::string sample = columns ? fmt::format("sample {}: ", columns->name) : "";
+    throw BadInput(line ? fmt::format("{}:{}: {}{}", path, line, sample, message)
+                        : fmt::format("{}: {}{}", path, sample, message));
 }
 
 bool TomlTable::look(const std::string& key) {
@@ -80,27 +81,32 @@ void TomlTable::require(const std::string& key) {
 
 std::optional<double> TomlTable::column_of(const std::string& key, const std::string& text) const {
     if (!columns || !text.starts_with("column ")) return std::nullopt;
-    const auto cell = columns->find(text.substr(7));
-    if (cell == columns->end()) {
+    const auto cell = columns->cells.find(text.substr(7));
+    if (cell == columns->cells.end()) {
         std::vector<std::string> names;
-        for (const auto& [column, value] : *columns) names.push_back(column);
+        for (const auto& [column, value] : columns->cells) names.push_back(column);
         fail(key, fmt::format("{}: the samples have no column {}{}", full(key), text.substr(7),
                               element::suggestion(text.substr(7), names)));
     }
-    char* end = nullptr;
-    const double value = std::strtod(cell->second.c_str(), &end);
-    if (cell->second.empty() || *end)
+    const std::optional<double> value = element::number_of(cell->second);
+    if (!value)
         fail(key, fmt::format("{}: column {} has \"{}\" where a number is needed", full(key),
                               cell->first, cell->second));
     return value;
 }
 
+std::optional<double> TomlTable::value_of(const std::string& key, std::ptrdiff_t place) const {
+    const toml::node* whole = content->get(key);
+    const toml::node& node =
+        place < 0 ? *whole : *whole->as_array()->get(static_cast<std::size_t>(place));
+    if (node.is_number()) return node.value<double>();
+    if (node.is_string()) return column_of(key, node.value<std::string>().value());
+    return std::nullopt;
+}
+
 double TomlTable::number(const std::string& key) {
     require(key);
-    const toml::node& node = *content->get(key);
-    std::optional<double> value;
-    if (node.is_number()) value = node.value<double>();
-    if (node.is_string()) value = column_of(key, node.value<std::string>().value());
+    const std::optional<double> value = value_of(key);
     if (!value) fail(key, full(key) + " must be a number");
     if (!std::isfinite(*value))
         fail(key, fmt::format("{} must be finite, got {}", full(key), *value));
@@ -121,11 +127,12 @@ double TomlTable::positive_or(const std::string& key, double otherwise) {
 int TomlTable::integer_or(const std::string& key, int otherwise, int lowest, int highest) {
     if (!has(key)) return otherwise;
     const toml::node& node = *content->get(key);
-    if (!node.is_integer()) fail(key, full(key) + " must be an integer");
-    const auto value = node.value<std::int64_t>().value();
-    if (value < lowest || value > highest)
-        fail(key, fmt::format("{} must be in [{}, {}], got {}", full(key), lowest, highest, value));
-    return static_cast<int>(value);
+    const std::optional<double> value = node.is_floating_point() ? std::nullopt : value_of(key);
+    if (!value || *value != std::floor(*value)) fail(key, full(key) + " must be an integer");
+    if (!(*value >= lowest && *value <= highest))
+        fail(key,
+             fmt::format("{} must be in [{}, {}], got {:.0f}", full(key), lowest, highest, *value));
+    return static_cast<int>(*value);
 }
 
 bool TomlTable::boolean_or(const std::string& key, bool otherwise) {
@@ -164,9 +171,9 @@ std::vector<double> TomlTable::numbers(const std::string& key, std::size_t size)
         size ? fmt::format("a list of {} numbers", size) : std::string("a list of numbers");
     if (!array) fail(key, fmt::format("{} must be {}", full(key), wanted));
     std::vector<double> out;
-    for (const toml::node& node : *array) {
-        const std::optional<double> value = node.value<double>();
-        if (!node.is_number() || !std::isfinite(*value))
+    for (std::size_t i = 0; i < array->size(); ++i) {
+        const std::optional<double> value = value_of(key, static_cast<std::ptrdiff_t>(i));
+        if (!value || !std::isfinite(*value))
             fail(key, fmt::format("{} must be {}: number {} is none", full(key), wanted,
                                   out.size() + 1));
         out.push_back(*value);

@@ -13,8 +13,11 @@
 
 namespace cli {
 
-// What "column NAME" stands for, by name.
-using SampleRow = std::map<std::string, std::string>;
+// A row of a table of samples: its name, and what "column NAME" stands for, by name.
+struct SampleRow {
+    std::string name;
+    std::map<std::string, std::string> cells;
+};
 
 class TomlTable {
   public:
@@ -65,6 +68,8 @@ class TomlTable {
     bool look(const std::string& key);  // and remember that it was asked for
     void require(const std::string& key);
     void refuse_misspelt(const std::string& key) const;
+    // Of a key, or of a place in its list.
+    std::optional<double> value_of(const std::string& key, std::ptrdiff_t place = -1) const;
     std::optional<double> column_of(const std::string& key, const std::string& text) const;
 
     std::shared_ptr<const Content> content;

@@ -2,22 +2,19 @@
 // PROPS in the classic layout (docs/umat.md): the material, the pore water, the initial void ratio.
 #pragma once
 
-#include <grit/sand.h>
+#include <grit/classic_layout.h>
 
 namespace grit::abaqus {
-
-constexpr int classic_nprops = 16;
 
 struct ClassicProps {
     grit_sand_parameters parameters;  // initialised; without intergranular strain if m_R <= 0.5
     double K_w;                       // [stress] of the mixture (W1); 0: drained
-    double e_0;                       // see initial_void_ratio
+    double e_0;                       // see grit_classic_void_ratio
 };
 
 grit_status read_props(const double* props, ClassicProps& out, grit_error& error);
 
-// The void ratio of a point that has none yet, at the effective pressure p [stress]:
-//   e_0 > 10: e_0 - 10;  e_0 <= 10: e_0 at zero pressure, compressed by (H6) where p > 1e-3.
+// grit_classic_void_ratio, with words where it refuses.
 grit_status initial_void_ratio(const grit_sand& sand, double e_0, double p, double& void_ratio,
                                grit_error& error);
 

@@ -4,35 +4,24 @@
 namespace grit::abaqus {
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
-
-// Places in STATEV, counted from 0; 0 ... 5 are h.
-enum {
-    void_ratio = 6,
-    pore_stress = 7,
-    effective_pressure = 8,
-    evaluation_count = 9,
-    mobilised_angle = 10,
-    rho = 11,
-    substep = 12,
-    separation = 13  // if the host allots it
-};
-
-bool carries_separation(const UmatArguments& call) { return *call.nstatv > separation; }
+bool carries_separation(const UmatArguments& call) {
+    return *call.nstatv > GRIT_CLASSIC_SEPARATION;
+}
 
 }  // namespace
 
 Point read_point(const UmatArguments& call) {
     Point p{};
-    p.pore_stress = call.statev[pore_stress];
+    p.pore_stress = call.statev[GRIT_CLASSIC_PORE_STRESS];
     for (int c = 0; c < *call.ntens; ++c) {
         p.strain_increment[c] = call.dstran[c];
         p.stress[c] = c < 3 ? call.stress[c] - p.pore_stress : call.stress[c];
         p.state[c] = call.statev[c];
     }
-    p.state[GRIT_SAND_VOID_RATIO] = call.statev[void_ratio];
-    p.state[GRIT_SAND_SEPARATION] = carries_separation(call) ? call.statev[separation] : 0.0;
-    p.substep = call.statev[substep];
+    p.state[GRIT_SAND_VOID_RATIO] = call.statev[GRIT_CLASSIC_VOID_RATIO];
+    p.state[GRIT_SAND_SEPARATION] =
+        carries_separation(call) ? call.statev[GRIT_CLASSIC_SEPARATION] : 0.0;
+    p.substep = call.statev[GRIT_CLASSIC_SUBSTEP];
     return p;
 }
 
@@ -48,10 +37,11 @@ void write_point(const UmatArguments& call, const Point& start, const Point& end
             call.stress[c] = c < 3 ? end.stress[c] + end.pore_stress : end.stress[c];
     }
     for (int c = 0; c < 6; ++c) call.statev[c] = end.state[c];
-    call.statev[void_ratio] = end.state[GRIT_SAND_VOID_RATIO];
-    call.statev[pore_stress] = end.pore_stress;
-    call.statev[substep] = end.substep;
-    if (carries_separation(call)) call.statev[separation] = end.state[GRIT_SAND_SEPARATION];
+    call.statev[GRIT_CLASSIC_VOID_RATIO] = end.state[GRIT_SAND_VOID_RATIO];
+    call.statev[GRIT_CLASSIC_PORE_STRESS] = end.pore_stress;
+    call.statev[GRIT_CLASSIC_SUBSTEP] = end.substep;
+    if (carries_separation(call))
+        call.statev[GRIT_CLASSIC_SEPARATION] = end.state[GRIT_SAND_SEPARATION];
 }
 
 void write_output(const UmatArguments& call, const grit_sand& sand, const Point& end,
@@ -59,10 +49,10 @@ void write_output(const UmatArguments& call, const grit_sand& sand, const Point&
     grit_sand_invariants invariants{};
     invariants.struct_size = sizeof invariants;
     grit_sand_invariants_of(&sand, end.stress, end.state, &invariants);
-    call.statev[effective_pressure] = invariants.p;
-    call.statev[evaluation_count] = evaluations;
-    call.statev[mobilised_angle] = invariants.mobilised_friction_angle / degree;
-    call.statev[rho] = invariants.rho;
+    call.statev[GRIT_CLASSIC_PRESSURE] = invariants.p;
+    call.statev[GRIT_CLASSIC_EVALUATIONS] = evaluations;
+    call.statev[GRIT_CLASSIC_MOBILISED_ANGLE] = invariants.mobilised_friction_angle / GRIT_DEGREE;
+    call.statev[GRIT_CLASSIC_RHO] = invariants.rho;
 }
 
 }  // namespace grit::abaqus

@@ -3,14 +3,11 @@
 // back. Components that a host does not carry are zero.
 #pragma once
 
-#include <grit/sand_operators.h>
+#include <grit/classic_layout.h>
 
 #include "adapters/abaqus/umat_arguments.hpp"
 
 namespace grit::abaqus {
-
-constexpr int classic_nstatv = 13;      // the least; with 14 the separation is kept
-constexpr double no_void_ratio = 1e-3;  // STATEV(7) below it: not initialised
 
 // A point as the library takes it.
 struct Point {

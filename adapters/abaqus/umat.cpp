@@ -30,13 +30,13 @@ grit_status check_call(const UmatArguments& call, grit_error& error) {
                        "NTENS must be 6, 4 (11 22 33 12) or 3 (11 22 33) with NDI 3, got NTENS %d, "
                        "NDI %d, NSHR %d: plane stress is not supported",
                        n, ndi, nshr);
-    if (*call.nprops < classic_nprops)
+    if (*call.nprops < GRIT_CLASSIC_NPROPS)
         return failure(error, GRIT_BAD_CALL, "NPROPS must be at least %d (*USER MATERIAL), got %d",
-                       classic_nprops, *call.nprops);
-    if (*call.nstatv < classic_nstatv)
+                       GRIT_CLASSIC_NPROPS, *call.nprops);
+    if (*call.nstatv < GRIT_CLASSIC_NSTATV)
         return failure(error, GRIT_BAD_CALL,
-                       "NSTATV must be at least %d, better %d (*DEPVAR), got %d", classic_nstatv,
-                       classic_nstatv + 1, *call.nstatv);
+                       "NSTATV must be at least %d, better %d (*DEPVAR), got %d",
+                       GRIT_CLASSIC_NSTATV, GRIT_CLASSIC_NSTATV + 1, *call.nstatv);
     return GRIT_OK;
 }
 
@@ -93,7 +93,7 @@ grit_status run(const UmatArguments& call, grit_sand_report& report, grit_error&
 
     Point start = read_point(call);
     double& e = start.state[GRIT_SAND_VOID_RATIO];
-    if (e < no_void_ratio)
+    if (e < GRIT_CLASSIC_NO_VOID_RATIO)
         if (const grit_status s =
                 initial_void_ratio(sand, props.e_0, mean_pressure(start), e, error))
             return s;

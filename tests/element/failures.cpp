@@ -86,9 +86,25 @@ TEST(Failure, OfSandBeyondItsPeakKeepsTheRecordsBefore) {
     ASSERT_TRUE(history.failure);
     EXPECT_GT(history.records.size(), 10u);
     EXPECT_NE(history.failure->message.find("step 1, increment "), std::string::npos);
+    EXPECT_EQ(history.records.back().strain, sample.strain);
+    EXPECT_NE(history.failure->message.find("the prescribed stress cannot be reached"),
+              std::string::npos)
+        << history.failure->message;
     const double q = history.records.back().stress[2] - history.records.back().stress[0];
     EXPECT_GT(q, 200.0);
     EXPECT_LT(q, 400.0);
+}
+
+TEST(Failure, LeavesARecordOfTheLastStateHoweverRareRecordsAre) {
+    const GritLaw law = lausitz_law();
+    Sample sample = isotropic_sample(law, 100.0, 0.6);
+    Step step = triaxial_drained_stress(-1000.0);
+    step.every = 1000;
+    const History history = simulate(law, sample, {step});
+    ASSERT_TRUE(history.failure);
+    ASSERT_EQ(history.records.size(), 2u);
+    EXPECT_EQ(history.records.back().stress, sample.point.stress);
+    EXPECT_GT(history.records.back().iterations, history.failure->increment);
 }
 
 TEST(Program, ThatMakesNoSenseIsRefusedBeforeAnythingIsComputed) {
@@ -101,8 +117,9 @@ TEST(Program, ThatMakesNoSenseIsRefusedBeforeAnythingIsComputed) {
     step = triaxial_drained(NAN);
     EXPECT_EQ(complaint_about({step}), "step 1: changes must be finite");
     step = triaxial_drained(-0.01);
-    step.shares = {0.5, 0.4, 1.0};
-    EXPECT_EQ(complaint_about({step}), "step 1: shares must rise from 0, got 0.4 after 0.5");
+    step.first_share = 0.5;
+    EXPECT_EQ(complaint_about({step}),
+              "step 1: the first increment must be <= 1/100 of the path, got 0.5 of it");
     step = simple_shear_constant_volume(0.01);
     step.undrained = true;
     EXPECT_NE(complaint_about({step}).find("the pore pressure stays unknown"), std::string::npos);
@@ -114,6 +131,13 @@ TEST(Program, ThatMakesNoSenseIsRefusedBeforeAnythingIsComputed) {
     step.duration = -1.0;
     repetition.kind = Repetition{{triaxial_drained(-0.01), step}, 3};
     EXPECT_EQ(complaint_about({repetition}), "step 1, step 2: duration must be >= 0, got -1");
+}
+
+TEST(Program, OfMoreIncrementsThanALifetimeIsRefused) {
+    Step repetition;
+    repetition.kind = Repetition{{triaxial_drained(-0.01)}, 10000000};
+    repetition.kind = Repetition{{repetition}, 10000000};
+    EXPECT_EQ(complaint_about({repetition}), "a run has at most 1000000000 increments, got 1e+16");
 }
 
 TEST(Program, WithRestrictionsThatRepeatOneAnotherIsRefused) {
@@ -134,7 +158,7 @@ TEST(Program, WithAMirroringOrPartialTableIsRefused) {
     step.kind = mirror;
     EXPECT_EQ(complaint_about({step}), "step 1: det F must be > 0, got -1");
     Imported history;
-    history.rows = strain_control();
+    history.rows = mixed_control({});
     history.table = {{0.0, 1.0}, {1.0, 2.0}};
     history.columns[0].index = 2;
     step.kind = history;

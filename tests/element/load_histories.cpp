@@ -11,22 +11,6 @@ using namespace element;
 
 constexpr double pi = std::numbers::pi;
 
-TEST(Cycles, OfTheLaboratoryGoBackAndForthAboutTheStart) {
-    Step quarter = triaxial_drained(-0.001);
-    quarter.increments = 50;
-    const Finished out = run_sand(triangular_cycles(quarter, 3));
-    double lowest = 0.0, highest = 0.0;
-    for (const Record& r : out.history.records) {
-        lowest = std::min(lowest, r.strain[0]);
-        highest = std::max(highest, r.strain[0]);
-        EXPECT_NEAR(r.stress[2], -100.0, 1e-6);
-    }
-    EXPECT_NEAR(lowest, -0.001, 1e-14);
-    EXPECT_NEAR(highest, 0.001, 1e-14);
-    EXPECT_NEAR(out.sample.strain[0], -0.001, 1e-14);
-    EXPECT_EQ(out.history.records.back().step, 7);
-}
-
 TEST(CirculatingLoad, FollowsTheSineWithPhaseAndDriftAndComesBack) {
     Circulating kind;
     kind.rows = mixed_control({Control::stress, Control::stress, Control::stress, Control::strain,
@@ -47,7 +31,7 @@ TEST(CirculatingLoad, FollowsTheSineWithPhaseAndDriftAndComesBack) {
 
 TEST(CirculatingLoad, TakesTheRateAtMidpointWhereIncrementalDriverIsToBeMatched) {
     Circulating kind;
-    kind.rows = strain_control();
+    kind.rows = mixed_control({});
     kind.amplitude[0] = 1e-3;
     kind.rate_at_midpoint = true;
     constexpr int n = 20;
@@ -97,7 +81,7 @@ TEST(Perturbations, ProbeEveryDirectionFromOneStateAndLeaveIt) {
 
 TEST(RandomWalk, IsTheSameForOneSeedAndStaysWithinItsSteps) {
     RandomWalk kind;
-    kind.rows = strain_control();
+    kind.rows = mixed_control({});
     kind.amplitude << 1e-4, 1e-4, 1e-4, 2e-4, 0.0, 0.0;
     kind.seed = 7;
     const Finished a = run_sand({step_of(kind, 200)}), b = run_sand({step_of(kind, 200)});

@@ -84,7 +84,7 @@ TEST(Newton, NeedsFewIterationsAlongADrainedTriaxialTest) {
     step.first_share = 1e-4;
     const History history = simulate(law, sample, {step});
     ASSERT_FALSE(history.failure) << history.failure->message;
-    int iterations = 0, cut_backs = 0;
+    long iterations = 0, cut_backs = 0;
     for (const Record& record : history.records) {
         iterations += record.iterations;
         cut_backs += record.cut_backs;

@@ -69,6 +69,21 @@ TEST(UndrainedStep, MayFollowAndPrecedeDrainedOnes) {
     EXPECT_NEAR(r[300].total_stress[2], r[200].total_stress[2], 1e-6);
 }
 
+TEST(DrainingStep, LetsTheWaterOutUnderTheTotalStressThatActs) {
+    const GritLaw law = lausitz_law();
+    Sample sample = isotropic_sample(law, 100.0, 0.8);
+    const History history = simulate(law, sample, {triaxial_undrained(-0.01), drainage()});
+    ASSERT_FALSE(history.failure) << history.failure->message;
+    const Record &before = history.records[100], &half = history.records[150];
+    const Record& after = history.records.back();
+    EXPECT_GT(before.pore_pressure, 10.0);
+    EXPECT_NEAR(half.pore_pressure, 0.5 * before.pore_pressure, 1e-9);
+    EXPECT_EQ(after.pore_pressure, 0.0);
+    EXPECT_LE((after.total_stress - before.total_stress).norm(), 1e-6);
+    EXPECT_LT(after.strain.head<3>().sum(), -1e-4);  // it consolidates
+    EXPECT_LE((after.effective_stress - after.total_stress).norm(), 0.0);
+}
+
 TEST(PoreWater, OfTheLawApproachesTheIncompressibleWaterOfTheDriver) {
     const GritLaw dry = lausitz_law(1e-8);
     Sample incompressible = isotropic_sample(dry, 100.0, 0.75);

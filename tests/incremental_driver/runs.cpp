@@ -189,4 +189,27 @@ TEST(IncrementalDriverRun, KeepsTheRowsBeforeAFailureAndSaysTheLine) {
     EXPECT_LT(result.rows.back()[stress], -200.0);
 }
 
+TEST(IncrementalDriverOutput, EndsWithTheRowWhereAConditionHeldHoweverRareRowsAre) {
+    const Result result = run("*OedometricE1 ? s1 < -200\n400 5 1 : 30\n-0.05\n");
+    ASSERT_EQ(result.report.exits.size(), 1u);
+    EXPECT_LT(result.rows.back()[stress], -200.0);
+    EXPECT_NEAR(result.rows.back()[stran],
+                -0.05 / 400 * static_cast<double>(result.report.increments), 1e-12);
+}
+
+TEST(IncrementalDriverOutput, EndsWithTheStateReachedWhereTheRunFails) {
+    const Result result = run("*TriaxialS1\n100 10 1 : 1000\n-1000\n");
+    EXPECT_FALSE(result.report.failure.empty());
+    ASSERT_EQ(result.rows.size(), 3u);
+    EXPECT_LT(result.rows.back()[stress], -300.0);
+}
+
+TEST(IncrementalDriverOutput, MayLieInAFolderBelow) {
+    const Folder folder;
+    Folder::fill(folder);
+    folder.write("test.inp", "below/result.out\n*PureCreep\n2 5 1\n");
+    incremental_driver::run({folder.path(), {}, {}});
+    EXPECT_EQ(read_table(folder.path("below/result.out")).size(), 3u);
+}
+
 }  // namespace

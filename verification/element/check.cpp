@@ -51,7 +51,8 @@ struct CheckKind {
             text("a rate at midpoint needs more increments than cycles, got %d", step.increments));
     }
     void operator()(const DeformationGradient& k) const {
-        require(!step.undrained, "a deformation gradient cannot be undrained");
+        require(!step.undrained && !step.drains,
+                "a deformation gradient can neither be undrained nor drain");
         require(k.F.allFinite() && k.F.determinant() > 0.0,
                 text("det F must be > 0, got %g", k.F.determinant()));
     }
@@ -68,6 +69,8 @@ struct CheckKind {
         check_column(k, k.time);
     }
     void operator()(const Perturbations& k) const {
+        require(step.exit.any_of.empty(),
+                "probes are undone one by one: no condition can end them");
         check_rows(k.rows, step.undrained);
         require(k.first.allFinite() && k.second.allFinite(), "directions must be finite");
     }
@@ -85,52 +88,27 @@ struct CheckKind {
     }
 };
 
-void check_shares(const Step& step) {
+void check_increments(const Step& step) {
     if (std::holds_alternative<Imported>(step.kind)) return;
-    if (step.shares.empty()) {
-        require(step.increments >= 1 && step.increments <= increment_limit,
-                text("increments must be in [1, %d], got %d", increment_limit, step.increments));
-        require(step.first_share >= 0.0,
-                text("the first share must be >= 0, got %g", step.first_share));
-        schedule(step.increments, step.first_share);
-        return;
-    }
-    double last = 0.0;
-    for (const double share : step.shares) {
-        require(share > last, text("shares must rise from 0, got %g after %g", share, last));
-        last = share;
-    }
-    require(last == 1.0, text("the last share must be 1, got %g", last));
+    require(step.increments >= 1 && step.increments <= increment_limit,
+            text("increments must be in [1, %d], got %d", increment_limit, step.increments));
+    require(step.first_share >= 0.0,
+            text("the first share must be >= 0, got %g", step.first_share));
+    check_schedule(step.increments, step.first_share);
 }
 
-void check_step(const Step& step, const std::vector<std::string>& state_names) {
-    check_shares(step);
-    require(step.every >= 1, text("every must be >= 1, got %d", step.every));
-    require(step.duration >= 0.0 && std::isfinite(step.duration),
-            text("duration must be >= 0, got %g", step.duration));
-    require(std::isfinite(step.temperature_change), "temperature change must be finite");
-    require(step.iteration_limit >= 0,
-            text("iteration limit must be >= 0, got %d", step.iteration_limit));
-    std::visit(CheckKind{step}, step.kind);
-    Record record;
-    record.state.assign(state_names.size(), 0.0);
-    for (const Condition& condition : step.exit.any_of) holds(condition, record, state_names);
-}
-
-void check(const Program& program, const std::vector<std::string>& state_names,
-           const std::string& where) {
+void check_steps(const Program& program, const std::string& where) {
     int number = 0;
     for (const Step& step : program) {
-        ++number;
-        const std::string here = where + text("step %d", number);
+        const std::string here = where + text("step %d", ++number);
         if (const auto* repetition = std::get_if<Repetition>(&step.kind)) {
             require(repetition->times >= 1 && !repetition->steps.empty(),
                     here + ": a repetition needs steps and at least one time");
-            check(repetition->steps, state_names, here + ", ");
+            check_steps(repetition->steps, here + ", ");
             continue;
         }
         try {
-            check_step(step, state_names);
+            check_step(step);
         } catch (const BadCase& error) {
             throw BadCase(here + (step.name.empty() ? "" : " (" + step.name + ")") + ": " +
                           error.what());
@@ -138,10 +116,36 @@ void check(const Program& program, const std::vector<std::string>& state_names,
     }
 }
 
+// Beyond any integer, if need be.
+double increments_of_all(const Program& program) {
+    double n = 0.0;
+    for (const Step& step : program) {
+        const auto* repetition = std::get_if<Repetition>(&step.kind);
+        n += repetition ? repetition->times * increments_of_all(repetition->steps)
+                        : increments_of(step);
+    }
+    return n;
+}
+
 }  // namespace
 
-void check_program(const Program& program, const std::vector<std::string>& state_names) {
-    check(program, state_names, "");
+void check_step(const Step& step) {
+    check_increments(step);
+    require(step.every >= 1, text("every must be >= 1, got %d", step.every));
+    require(step.duration >= 0.0 && std::isfinite(step.duration),
+            text("duration must be >= 0, got %g", step.duration));
+    require(std::isfinite(step.temperature_change), "temperature change must be finite");
+    require(step.iteration_limit >= 0,
+            text("iteration limit must be >= 0, got %d", step.iteration_limit));
+    require(!step.undrained || !step.drains, "an undrained step cannot drain");
+    std::visit(CheckKind{step}, step.kind);
+}
+
+void check_program(const Program& program) {
+    check_steps(program, "");
+    const double n = increments_of_all(program);
+    require(n <= static_cast<double>(run_limit),
+            text("a run has at most %ld increments, got %.3g", run_limit, n));
 }
 
 void check_settings(const Settings& s) {

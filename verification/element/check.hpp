@@ -6,7 +6,10 @@
 namespace element {
 
 // Throws BadCase for a program that makes no sense, naming step, value and limit.
-void check_program(const Program& program, const std::vector<std::string>& state_names);
+void check_program(const Program& program);
+
+// The same of a step, which the message does not name.
+void check_step(const Step& step);
 
 // Throws BadCase for settings out of range.
 void check_settings(const Settings& settings);

@@ -72,16 +72,4 @@ Restrictions mixed_control(const Controls& controls, Variables variables) {
     return out;
 }
 
-Restrictions strain_control() {
-    Restrictions out;
-    out.strain.setIdentity();
-    return out;
-}
-
-Restrictions stress_control() {
-    Restrictions out;
-    out.stress.setIdentity();
-    return out;
-}
-
 }  // namespace element

@@ -28,8 +28,6 @@ enum class Variables { cartesian, roscoe, roscoe_isomorph, rendulic };
 
 // Row r prescribes the stress or the strain variable number r.
 Restrictions mixed_control(const Controls& controls, Variables variables = Variables::cartesian);
-Restrictions strain_control();
-Restrictions stress_control();
 
 // Value of the six variables: stress_variables(v) * sigma, strain_variables(v) * eps.
 Matrix6 stress_variables(Variables variables);

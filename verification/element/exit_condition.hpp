@@ -2,6 +2,7 @@
 // "s1 - 2*s3 < -400": when a step ends before its time.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -9,38 +10,39 @@
 
 namespace element {
 
+// Of a point.
+using Quantity = std::function<double(const Record&)>;
+
+// What a name means; throws BadCase for an unknown one, listing those known.
+using Vocabulary = std::function<Quantity(const std::string& name)>;
+
 enum class Comparison { less, greater };
 
-struct Term {
-    double factor = 1.0;
-    std::string quantity;
-};
-
-// True where the sum of the terms is < or > limit.
+// True where the sum of factor times quantity is < or > limit.
 struct Condition {
-    std::vector<Term> sum;
+    struct Addend {
+        double factor = 1.0;
+        Quantity quantity;
+    };
+    std::vector<Addend> sum;
     Comparison comparison = Comparison::less;
     double limit = 0.0;
     std::string text;  // as written, for messages
 };
 
 // Reads "s1 < -400", "-s1 + 2*s3 > 100"; throws BadCase naming the position of the error.
-Condition parse_condition(const std::string& text);
+Condition parse_condition(const std::string& text, const Vocabulary& vocabulary);
 
-// Quantities, by the names of incrementalDriver (which takes no principal values):
+// The sum of a condition minus its limit.
+double excess(const Condition& condition, const Record& record);
+bool holds(const Condition& condition, const Record& record);
+
+// The names of incrementalDriver (which takes no principal values):
 //   s1 s2 s3 s12 s13 s23  stress of the law       e1 e2 e3 g12 g13 g23  strain
 //   p = -(s1+s2+s3)/3, P = sqrt3 p, q = Q = -(s1-s3)
 //   ev = -(e1+e2+e3), eP = ev/sqrt3, eq = -2/3 (e1-e3), eQ = -sqrt(2/3) (e1-e3)
 //   v1 v2 ...  state variables, also by their names
 // and of Grit: pw pore pressure, time, sI sII sIII principal stresses (sI largest, tension positive).
-// Throws BadCase for an unknown name, listing the known ones.
-double quantity(const std::string& name, const Record& record,
-                const std::vector<std::string>& state_names);
-
-// The sum of a condition minus its limit.
-double excess(const Condition& condition, const Record& record,
-              const std::vector<std::string>& state_names);
-bool holds(const Condition& condition, const Record& record,
-           const std::vector<std::string>& state_names);
+Vocabulary incremental_driver_words(std::vector<std::string> state_names);
 
 }  // namespace element

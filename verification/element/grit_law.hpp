@@ -39,6 +39,7 @@ class GritLaw : public Law {
     // p, q, mobilised friction angle and so on, of the effective stress.
     grit_sand_invariants invariants(const MaterialPoint& point) const;
     const grit_sand& sand() const { return prepared; }
+    bool intergranular_strain() const { return options.intergranular_off == 0; }
 
   private:
     double pore_pressure(const MaterialPoint& point) const;

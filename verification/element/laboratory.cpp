@@ -60,12 +60,6 @@ Step oedometer_stress(double change_of_axial_stress) {
     return linear({s, e, e, e, e, e}, change_of_axial_stress);
 }
 
-Step oedometer_to_stress(double axial_stress) {
-    Step step = oedometer_stress(axial_stress);
-    std::get<Linear>(step.kind).absolute[0] = true;
-    return step;
-}
-
 Step triaxial_drained(double axial_strain) { return linear({e, s, s, e, e, e}, axial_strain); }
 
 Step triaxial_drained_stress(double change_of_axial_stress) {
@@ -109,19 +103,10 @@ Step relaxation(double duration) { return lasting(linear({e, e, e, e, e, e}, 0.0
 
 Step creep(double duration) { return lasting(linear({s, s, s, s, s, s}, 0.0), duration); }
 
-Step undrained_creep(double duration) {
-    return lasting(linear({e, s, s, s, s, s}, 0.0, Variables::roscoe), duration);
-}
-
-Program triangular_cycles(const Step& amplitude, int count) {
-    const auto scaled = [&](double factor) {
-        Step step = amplitude;
-        std::get<Linear>(step.kind).change *= factor;
-        return step;
-    };
-    Step back_and_forth;
-    back_and_forth.kind = Repetition{{scaled(-2.0), scaled(2.0)}, count};
-    return {amplitude, back_and_forth};
+Step drainage() {
+    Step step = creep(0.0);
+    step.drains = true;
+    return step;
 }
 
 }  // namespace element

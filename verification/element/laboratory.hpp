@@ -14,8 +14,7 @@ Step isotropic_stress(double change_of_each);     // s11 = s22 = s33 by stress
 Step isotropic_strain(double volumetric_strain);  // a third each
 Step oedometer_strain(double axial_strain);       // lateral strain 0; K0 consolidation
 Step oedometer_stress(double change_of_axial_stress);
-Step oedometer_to_stress(double axial_stress);  // wherever it starts from
-Step triaxial_drained(double axial_strain);     // radial stress constant
+Step triaxial_drained(double axial_strain);  // radial stress constant
 Step triaxial_drained_stress(double change_of_axial_stress);
 Step triaxial_undrained(double axial_strain);  // radial total stress constant, pore pressure
 Step triaxial_undrained_stress(double change_of_axial_total_stress);
@@ -25,13 +24,8 @@ Step biaxial_drained(double axial_strain);           // strain 33 zero, stress 2
 Step true_triaxial(const Vector6& stress_change);    // three principal stresses
 Step simple_shear_constant_stress(double gamma);     // s22 constant, strain 11 and 33 zero
 Step simple_shear_constant_volume(double gamma);
-Step relaxation(double duration);       // strain held
-Step creep(double duration);            // stress held
-Step undrained_creep(double duration);  // q, z, shear held, volume constant
-
-// +a, -a, +a ... about the starting point of a step given for the amplitude a: a quarter, then
-// `count` times half a cycle back and half forth; linear in between. The first quarter goes the way
-// of the step.
-Program triangular_cycles(const Step& amplitude, int count);
+Step relaxation(double duration);  // strain held
+Step creep(double duration);       // stress held
+Step drainage();                   // total stress held, pore pressure to zero
 
 }  // namespace element

@@ -73,6 +73,13 @@ class Equations {
     double level, stiffness;
 };
 
+// What it means where stress is prescribed: the number alone helps nobody.
+std::string consequence(const Task& task) {
+    return task.rows.stress.isZero(0.0)
+               ? ""
+               : "the prescribed stress cannot be reached (beyond the strength, or tension?): ";
+}
+
 const char* undetermined(bool stress_free) {
     return stress_free ? "the point has separated and the restrictions need its stress"
                        : "the restrictions do not determine the strain increment (singular)";
@@ -101,7 +108,7 @@ Solution solve(const Law& law, const Task& task) {
             }
             out.outcome = out.iterations > 0 ? Outcome::retry_smaller : response.outcome;
             out.reduction = response.reduction;
-            out.message = response.message;
+            out.message = (out.iterations > 0 ? consequence(task) : "") + response.message;
             return out;
         }
         const Equations equations(task, response.end, response.tangent);
@@ -119,11 +126,13 @@ Solution solve(const Law& law, const Task& task) {
             out.outcome = Outcome::retry_smaller;
             out.reduction = 0.5;
             out.message =
-                correction ? text("residual of the restrictions must be <= %.3g of the stress norm "
-                                  "(%.4g), is %.3g after %d iterations",
-                                  task.tolerance, equations.stress_level(), residual.norm(),
-                                  out.iterations)
-                           : undetermined(response.stress_free);
+                correction
+                    ? consequence(task) +
+                          text("residual of the restrictions must be <= %.3g of the stress norm "
+                               "(%.4g), is %.3g after %d iterations",
+                               task.tolerance, equations.stress_level(), residual.norm(),
+                               out.iterations)
+                    : undetermined(response.stress_free);
             return out;
         }
         last = *correction;

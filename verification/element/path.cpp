@@ -87,16 +87,12 @@ Table table_of(const RandomWalk& walk, int increments) {
 int increments_of(const Step& step) {
     if (const auto* imported = std::get_if<Imported>(&step.kind))
         return static_cast<int>(imported->table.size()) - 1;
-    if (!step.shares.empty()) return static_cast<int>(step.shares.size());
     return step.increments;
 }
 
 std::vector<double> knots_of(const Step& step) {
     if (std::holds_alternative<Imported>(step.kind)) return schedule(increments_of(step), 0.0);
-    if (step.shares.empty()) return schedule(step.increments, step.first_share);
-    std::vector<double> knots{0.0};
-    knots.insert(knots.end(), step.shares.begin(), step.shares.end());
-    return knots;
+    return schedule(step.increments, step.first_share);
 }
 
 Path path_of(const Step& step, const Sample& sample) {

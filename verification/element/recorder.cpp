@@ -7,7 +7,8 @@
 
 namespace element {
 
-Recorder::Recorder(const Law& l, bool keep) : law(l), keep_residuals(keep) {
+Recorder::Recorder(const Law& l, const Settings& set, const Listeners& who)
+    : law(l), settings(set), listeners(who) {
     history.state_names = law.state_names();
 }
 
@@ -35,20 +36,20 @@ void Recorder::add(const Advance& more) {
     work.residuals = more.residuals;
 }
 
-void Recorder::record(const Sample& sample, Place place, double step_time) {
+void Recorder::record(const Sample& sample, Place place) {
     Record out = snapshot(sample, place);
-    out.step_time = step_time;
     out.iterations = work.iterations;
     out.evaluations = work.evaluations;
     out.cut_backs = work.cut_backs;
-    if (keep_residuals) out.residuals = std::move(work.residuals);
+    if (settings.keep_residuals) out.residuals = std::move(work.residuals);
     work = Advance{};
-    history.records.push_back(std::move(out));
+    if (listeners.record) listeners.record(out);
+    else history.records.push_back(std::move(out));
 }
 
 void Recorder::exit(Place place, const Condition& condition) {
     history.exits.push_back(
-        text("step %d, increment %d: %s", place.step, place.increment, condition.text.c_str()));
+        text("step %ld, increment %d: %s", place.step, place.increment, condition.text.c_str()));
 }
 
 void Recorder::fail(const Step& step, const Sample& sample, Place place, int increments,
@@ -57,7 +58,7 @@ void Recorder::fail(const Step& step, const Sample& sample, Place place, int inc
     const Vector6& e = sample.strain;
     history.failure =
         Failure{place.step, place.increment,
-                text("step %d%s, increment %d of %d, at strain %.6g %.6g %.6g %.6g %.6g %.6g: %s",
+                text("step %ld%s, increment %d of %d, at strain %.6g %.6g %.6g %.6g %.6g %.6g: %s",
                      place.step, name.c_str(), place.increment, increments, e[0], e[1], e[2], e[3],
                      e[4], e[5], why.c_str())};
 }

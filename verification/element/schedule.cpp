@@ -22,14 +22,18 @@ double growth(int n, double first) {
 
 }  // namespace
 
-std::vector<double> schedule(int n, double first_share) {
+void check_schedule(int n, double first_share) {
     if (n < 1 || n > increment_limit)
         throw BadCase(text("increments must be in [1, %d], got %d", increment_limit, n));
+    if (!(first_share * n <= 1.0 + 1e-9))
+        throw BadCase(
+            text("the first increment must be <= 1/%d of the path, got %g of it", n, first_share));
+}
+
+std::vector<double> schedule(int n, double first_share) {
+    check_schedule(n, first_share);
     const double even = 1.0 / n;
     const double first = first_share > 0.0 ? first_share : even;
-    if (!(first <= even * (1.0 + 1e-9)))
-        throw BadCase(
-            text("the first increment must be <= 1/%d of the path, got %g of it", n, first));
     std::vector<double> shares{0.0};
     const double g = first < even * (1.0 - 1e-9) ? growth(n, first) : 1.0;
     for (int i = 1; i < n; ++i)

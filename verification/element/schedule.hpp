@@ -12,4 +12,7 @@ inline constexpr int increment_limit = 10000000;
 // reversal must resolve R: they may start small and grow. Throws BadCase.
 std::vector<double> schedule(int increments, double first_share);
 
+// The same complaints without the shares.
+void check_schedule(int increments, double first_share);
+
 }  // namespace element

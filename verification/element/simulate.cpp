@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "element/simulate.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "element/check.hpp"
 #include "element/errors.hpp"
@@ -29,16 +31,22 @@ Step probe_of(const Step& step, int index) {
     return probe;
 }
 
+// What has ended, and why.
+struct Ending {
+    const Step* step = nullptr;
+    const Condition* condition = nullptr;
+};
+
 // A run in progress; every function that returns bool returns false where the run is over.
 class Runner {
   public:
-    Runner(const Law& l, Sample& s, const Settings& set, const RunObserver& o)
-        : law(l), sample(s), settings(set), observer(o), recorder(l, set.keep_residuals) {}
+    Runner(const Law& l, Sample& s, const Settings& set, const Listeners& who)
+        : law(l), sample(s), settings(set), listeners(who), recorder(l, set, who) {}
 
     History run(const Program& program) {
         progress.steps = count_steps(program);
         progress.increments = count_increments(program);
-        if (settings.record_start) recorder.record(sample, place, 0.0);
+        if (settings.record_start) recorder.record(sample, place);
         run_steps(program);
         return recorder.take();
     }
@@ -46,18 +54,24 @@ class Runner {
   private:
     bool run_steps(const Program& program) {
         for (const Step& step : program) {
-            if (const auto* repetition = std::get_if<Repetition>(&step.kind)) {
-                for (int i = 0; i < repetition->times; ++i)
-                    if (!run_steps(repetition->steps)) return false;
-                continue;
-            }
-            ++place.step;
-            place.increment = 0;
-            const bool go_on =
-                std::holds_alternative<Perturbations>(step.kind) ? probe(step) : follow(step);
+            open.push_back(&step);
+            const bool go_on = run_step(step);
+            open.pop_back();
             if (!go_on) return false;
+            if (ended == &step) ended = nullptr;
+            if (ended) return true;
         }
         return true;
+    }
+
+    bool run_step(const Step& step) {
+        if (const auto* repetition = std::get_if<Repetition>(&step.kind)) {
+            for (int i = 0; i < repetition->times && !ended; ++i)
+                if (!run_steps(repetition->steps)) return false;
+            return true;
+        }
+        ++place.step;
+        return std::holds_alternative<Perturbations>(step.kind) ? probe(step) : follow(step);
     }
 
     bool follow(const Step& step) {
@@ -65,21 +79,27 @@ class Runner {
         const auto stage = begin_stage(step, sample, context);
         const std::vector<double> knots = knots_of(step);
         const int last = static_cast<int>(knots.size()) - 1;
+        const bool exactly = std::any_of(open.begin(), open.end(),
+                                         [](const Step* each) { return each->exit.exactly; });
         for (int i = 1; i <= last; ++i) {
             const double from = knots[static_cast<std::size_t>(i) - 1];
-            double to = knots[static_cast<std::size_t>(i)];
+            const double to = knots[static_cast<std::size_t>(i)];
             context.increment = place.increment = i;
-            const Sample before = step.exit.exactly ? sample : Sample{};
+            const Sample before = exactly ? sample : Sample{};
             Advance work = advance(*stage, sample, from, to, settings.smallest_part);
-            if (!work.done) return fail(step, work.message, last);
-            const Condition* exit = first_exit(step);
-            if (exit && step.exit.exactly) to = locate(*stage, *exit, before, from, to, work);
-            recorder.add(work);
-            if (exit || i % step.every == 0 || (i == last && step.record_end))
-                recorder.record(sample, place, stage->time(to));
-            if (exit) recorder.exit(place, *exit);
-            if (!report()) return fail(step, "stopped on request", last);
-            if (exit) return true;
+            if (!work.done) return fail(step, work, last);
+            const Ending ending = ending_now();
+            if (ending.step && ending.step->exit.exactly)
+                locate(*stage, *ending.condition, before, from, to, work);
+            accept(work);
+            const bool go_on = report();
+            const bool due = i % step.every == (step.record_first ? 1 % step.every : 0) ||
+                             (i == last && step.record_end);
+            if (due || ending.step || !go_on) record();
+            if (ending.step) recorder.exit(place, *ending.condition);
+            if (!go_on) return stop(step, last);
+            ended = ending.step;
+            if (ended) return true;
         }
         return true;
     }
@@ -93,10 +113,10 @@ class Runner {
             const StageContext context{law, settings, place.step, i};
             const auto stage = begin_stage(single, sample, context);
             const Advance work = advance(*stage, sample, 0.0, 1.0, settings.smallest_part);
-            if (!work.done) return fail(step, work.message, step.increments);
-            recorder.add(work);
-            recorder.record(sample, place, i * single.duration);
-            if (!report()) return fail(step, "stopped on request", step.increments);
+            if (!work.done) return fail(step, work, step.increments);
+            accept(work);
+            record();
+            if (!report()) return stop(step, step.increments);
             const double time = sample.time;
             sample = origin;
             sample.time = time;
@@ -104,20 +124,25 @@ class Runner {
         return true;
     }
 
-    bool holds_now(const Condition& condition) const {
-        return holds(condition, recorder.snapshot(sample, place), recorder.state_names());
+    // Of the steps that are open, the outermost that a condition ends.
+    Ending ending_now() const {
+        std::optional<Record> now;
+        for (const Step* step : open)
+            for (const Condition& condition : step->exit.any_of) {
+                if (!now) now = recorder.snapshot(sample, place);
+                if (holds(condition, *now)) return {step, &condition};
+            }
+        return {};
     }
 
-    const Condition* first_exit(const Step& step) const {
-        for (const Condition& condition : step.exit.any_of)
-            if (holds_now(condition)) return &condition;
-        return nullptr;
+    bool holds_now(const Condition& condition) const {
+        return holds(condition, recorder.snapshot(sample, place));
     }
 
     // The increment from `before` has been taken as a whole and the condition holds at its end. Leaves
-    // the sample where it begins to hold, and returns that share.
-    double locate(Stage& stage, const Condition& exit, const Sample& before, double from, double to,
-                  Advance& work) {
+    // the sample where it begins to hold.
+    void locate(Stage& stage, const Condition& exit, const Sample& before, double from, double to,
+                Advance& work) {
         Sample beyond = sample;
         sample = before;
         double low = from, high = holds_now(exit) ? from : to;  // held before: nothing to find
@@ -133,32 +158,53 @@ class Runner {
             if (reached) beyond = sample;
         }
         sample = beyond;
-        return high > from ? high : to;
+    }
+
+    void accept(const Advance& work) {
+        recorder.add(work);
+        accepted = place;
+        recorded = false;
+    }
+
+    void record() {
+        recorder.record(sample, accepted);
+        recorded = true;
     }
 
     bool report() {
         ++progress.increment;
         progress.step = place.step;
-        if (!observer) return true;
+        if (!listeners.increment) return true;
         const Record now = recorder.snapshot(sample, place);
         progress.record = &now;
-        const bool go_on = observer(progress);
+        const bool go_on = listeners.increment(progress);
         progress.record = nullptr;
         return go_on;
     }
 
-    bool fail(const Step& step, const std::string& why, int increments) {
-        recorder.fail(step, sample, place, increments, why);
+    // What has been reached is recorded, be it within an increment.
+    bool fail(const Step& step, const Advance& work, int increments) {
+        if (work.moved) accept(work);
+        if (!recorded) record();
+        recorder.fail(step, sample, place, increments, work.message);
+        return false;
+    }
+
+    bool stop(const Step& step, int increments) {
+        recorder.fail(step, sample, place, increments, "stopped on request");
         return false;
     }
 
     const Law& law;
     Sample& sample;
     const Settings& settings;
-    const RunObserver& observer;
+    const Listeners& listeners;
     Recorder recorder;
     Progress progress;
-    Place place;
+    Place place, accepted;          // accepted: of the state that the sample has now
+    bool recorded = true;           // that state
+    std::vector<const Step*> open;  // outermost first
+    const Step* ended = nullptr;    // by a condition: what is left of it is left out
 };
 
 }  // namespace
@@ -173,8 +219,8 @@ long count_increments(const Program& program) {
     return n;
 }
 
-int count_steps(const Program& program) {
-    int n = 0;
+long count_steps(const Program& program) {
+    long n = 0;
     for (const Step& step : program) {
         const auto* repetition = std::get_if<Repetition>(&step.kind);
         n += repetition ? repetition->times * count_steps(repetition->steps) : 1;
@@ -183,14 +229,14 @@ int count_steps(const Program& program) {
 }
 
 History simulate(const Law& law, Sample& sample, const Program& program, const Settings& settings,
-                 const RunObserver& observer) {
+                 const Listeners& listeners) {
     check_settings(settings);
-    check_program(program, law.state_names());
+    check_program(program);
     if (sample.point.state.size() != law.state_names().size())
         throw BadCase(text("the sample has %d state variables, the law has %d",
                            static_cast<int>(sample.point.state.size()),
                            static_cast<int>(law.state_names().size())));
-    return Runner(law, sample, settings, observer).run(program);
+    return Runner(law, sample, settings, listeners).run(program);
 }
 
 }  // namespace element

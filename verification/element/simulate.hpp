@@ -27,13 +27,15 @@ struct Settings {
     bool record_start = true;
 };
 
+inline constexpr long run_limit = 1000000000;  // increments of a run
+
 // Increments of a program, repetitions counted through.
 long count_increments(const Program& program);
-int count_steps(const Program& program);
+long count_steps(const Program& program);
 
 // Throws BadCase before anything is computed if the program makes no sense, naming the step. A
 // computation that cannot go on ends with history.failure; sample is then as far as it got.
 History simulate(const Law& law, Sample& sample, const Program& program,
-                 const Settings& settings = {}, const RunObserver& observer = {});
+                 const Settings& settings = {}, const Listeners& listeners = {});
 
 }  // namespace element

@@ -18,7 +18,7 @@ StrainIncrement increment_of(const Step& step, const Sample& now, const StageCon
     out.duration = time_to - time_from;
     out.temperature = now.temperature;
     out.temperature_change = (to - from) * step.temperature_change;
-    out.step = context.step;
+    out.step = static_cast<int>(context.step);
     out.number = context.increment;
     return out;
 }
@@ -38,14 +38,15 @@ class ControlledStage : public Stage {
     ControlledStage(const Step& s, const Sample& start, const StageContext& c)
         : step(s), context(c), path(path_of(s, start)),
           origin(path.rows.stress * (start.point.stress - start.pore_pressure * unit_tensor()) +
-                 path.rows.strain * start.strain) {}
+                 path.rows.strain * start.strain),
+          first_pore_pressure(start.pore_pressure) {}
 
     Attempt attempt(const Sample& now, double from, double to) override {
         Task task;
         task.point = now.point;
         task.strain = now.strain;
-        task.pore_pressure = now.pore_pressure;
-        task.increment = increment_of(step, now, context, from, to, time(from), time(to));
+        task.pore_pressure = step.drains ? (1.0 - to) * first_pore_pressure : now.pore_pressure;
+        task.increment = increment_of(step, now, context, from, to, path.time(from), path.time(to));
         task.rows = path.rows;
         task.goal = origin + path.change(to);
         task.undrained = step.undrained;
@@ -69,8 +70,6 @@ class ControlledStage : public Stage {
         tangent.reset();
     }
 
-    double time(double share) const override { return path.time(share); }
-
   private:
     // On a straight path the strain goes on as it went; otherwise the stress answers as it did.
     Vector6 guess(const Task& task, double share) const {
@@ -84,6 +83,7 @@ class ControlledStage : public Stage {
     const StageContext& context;
     Path path;
     Vector6 origin;  // of the rows, at the start of the step
+    double first_pore_pressure;
     std::optional<Vector6> slope;
     std::optional<Matrix6> tangent;
 };
@@ -95,7 +95,7 @@ class GradientStage : public Stage {
 
     Attempt attempt(const Sample& now, double from, double to) override {
         StrainIncrement increment =
-            increment_of(step, now, context, from, to, time(from), time(to));
+            increment_of(step, now, context, from, to, from * step.duration, to * step.duration);
         increment.gradient_before = gradient_at(gradient, from);
         increment.gradient_after = gradient_at(gradient, to);
         const Motion motion = motion_between(increment.gradient_before, increment.gradient_after,
@@ -119,7 +119,6 @@ class GradientStage : public Stage {
 
     void keep(const Attempt&, double, double) override {}
     void forget() override {}
-    double time(double share) const override { return share * step.duration; }
 
   private:
     const Step& step;
@@ -150,6 +149,7 @@ Advance advance(Stage& stage, Sample& sample, double from, double to, double sma
             stage.keep(attempt, from, next);
             out.residuals = solution.residuals;
             sample = std::move(attempt.end);
+            out.moved = true;
             from = next;
             part *= 2.0;
             continue;

@@ -27,15 +27,13 @@ class Stage {
     virtual void keep(const Attempt& attempt, double from, double to) = 0;
     // The last attempt failed: what guided it is not to be trusted.
     virtual void forget() = 0;
-    // Since the step began.
-    virtual double time(double share) const = 0;
 };
 
 // number: KSTEP; number of the increment: set_increment. The step outlives the stage.
 struct StageContext {
     const Law& law;
     const Settings& settings;
-    int step = 1;
+    long step = 1;
     int increment = 1;
 };
 
@@ -45,8 +43,9 @@ std::unique_ptr<Stage> begin_stage(const Step& step, const Sample& sample,
 // Attempts from `from` to `to`, halving what fails and doubling again what succeeds.
 struct Advance {
     bool done = true;
+    bool moved = false;   // some part was kept: the sample is not where it was
     std::string message;  // of the failure
-    int iterations = 0, evaluations = 0, cut_backs = 0;
+    long iterations = 0, evaluations = 0, cut_backs = 0;
     std::vector<double> residuals;  // of the last part
 };
 Advance advance(Stage& stage, Sample& sample, double from, double to, double smallest_part);

@@ -74,6 +74,8 @@ struct RandomWalk {
 
 struct Step;
 
+// Its steps one after another. Step::exit ends the repetition, whichever of its steps is going on;
+// nothing else of the step that a repetition is has a meaning.
 struct Repetition {
     std::vector<Step> steps;
     int times = 1;
@@ -91,20 +93,21 @@ struct Exit {
 
 struct Step {
     Kind kind;
-    std::string name;            // for messages and progress
-    int increments = 100;        // [1, 10 000 000]
-    double first_share = 0.0;    // of the path in the first increment, the others growing
-                                 // geometrically; 0: all even. Strain is straight within an
-                                 // increment: resolve R after a reversal.
-    std::vector<double> shares;  // (0, 1], rising, ending with 1: replaces the two above
-    double duration = 0.0;       // [time]
+    std::string name;          // for messages and progress
+    int increments = 100;      // [1, 10 000 000]
+    double first_share = 0.0;  // of the path in the first increment, the others growing
+                               // geometrically; 0: all even. Strain is straight within an
+                               // increment: resolve R after a reversal.
+    double duration = 0.0;     // [time]
     double temperature_change = 0.0;
-    int every = 1;            // record each every-th increment ...
-    bool record_end = true;   // ... and the last
-    int iteration_limit = 0;  // of Newton's method, 0: that of Settings
+    int every = 1;              // record each every-th increment ...
+    bool record_first = false;  // ... or increments 1, 1 + every, 1 + 2 every ...
+    bool record_end = true;     // ... and the last of the step
+    int iteration_limit = 0;    // of Newton's method, 0: that of Settings
     // Undrained: rows speak of total stress, volumetric strain is zero, and the pore pressure is the
     // seventh unknown. At least one row must feel the mean total stress.
     bool undrained = false;
+    bool drains = false;  // rows speak of total stress while the pore pressure goes to zero evenly
     Exit exit;
 };
 

@@ -2,8 +2,6 @@
 #include "incremental_driver/classic_law.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "element/errors.hpp"
 #include "element/text.hpp"
@@ -12,21 +10,6 @@ namespace incremental_driver {
 namespace {
 
 using element::unit_tensor;
-
-constexpr double degree = std::numbers::pi / 180.0;
-constexpr double no_void_ratio = 1e-3;  // STATEV(7) below it: not initialised
-
-// Places in STATEV, counted from 0; 0 ... 5 are h.
-enum : std::size_t {
-    void_ratio = 6,
-    pore_stress = 7,
-    effective_pressure = 8,
-    evaluation_count = 9,
-    mobilised_angle = 10,
-    rho = 11,
-    substep = 12,
-    separation = 13  // if there is room
-};
 
 }  // namespace
 
@@ -38,13 +21,14 @@ ClassicLaw::ClassicLaw(ClassicSand given, int nstatv) : sand(std::move(given)) {
 element::MaterialPoint ClassicLaw::effective(const element::MaterialPoint& classic) const {
     const std::vector<double>& statev = classic.state;
     element::MaterialPoint out;
-    out.stress = classic.stress - statev[pore_stress] * unit_tensor();
+    out.stress = classic.stress - statev[GRIT_CLASSIC_PORE_STRESS] * unit_tensor();
     out.state.assign(sand.law->state_names().size(), 0.0);
     std::copy_n(statev.begin(), 6, out.state.begin());
-    out.state[GRIT_SAND_VOID_RATIO] = statev[void_ratio];
-    if (statev.size() > separation) out.state[GRIT_SAND_SEPARATION] = statev[separation];
-    out.state[element::GritLaw::substep_index] = statev[substep];
-    if (statev[void_ratio] < no_void_ratio)
+    out.state[GRIT_SAND_VOID_RATIO] = statev[GRIT_CLASSIC_VOID_RATIO];
+    if (statev.size() > GRIT_CLASSIC_SEPARATION)
+        out.state[GRIT_SAND_SEPARATION] = statev[GRIT_CLASSIC_SEPARATION];
+    out.state[element::GritLaw::substep_index] = statev[GRIT_CLASSIC_SUBSTEP];
+    if (statev[GRIT_CLASSIC_VOID_RATIO] < GRIT_CLASSIC_NO_VOID_RATIO)
         out.state[GRIT_SAND_VOID_RATIO] = void_ratio_at(sand, -out.stress.head<3>().sum() / 3.0);
     return out;
 }
@@ -57,22 +41,23 @@ element::Response ClassicLaw::advance(const element::MaterialPoint& start,
     const grit_sand_invariants invariants = sand.law->invariants(end);
     std::vector<double> statev = start.state;
     std::copy_n(end.state.begin(), 6, statev.begin());
-    statev[void_ratio] = end.state[GRIT_SAND_VOID_RATIO];
-    statev[pore_stress] += sand.K_w * increment.strain.head<3>().sum();  // (W1)
-    statev[effective_pressure] = invariants.p;
-    statev[evaluation_count] = out.evaluations;
-    statev[mobilised_angle] = invariants.mobilised_friction_angle / degree;
-    statev[rho] = invariants.rho;
-    statev[substep] = end.state[element::GritLaw::substep_index];
-    if (statev.size() > separation) statev[separation] = end.state[GRIT_SAND_SEPARATION];
-    out.end.stress = end.stress + statev[pore_stress] * unit_tensor();
+    statev[GRIT_CLASSIC_VOID_RATIO] = end.state[GRIT_SAND_VOID_RATIO];
+    statev[GRIT_CLASSIC_PORE_STRESS] += sand.K_w * increment.strain.head<3>().sum();  // (W1)
+    statev[GRIT_CLASSIC_PRESSURE] = invariants.p;
+    statev[GRIT_CLASSIC_EVALUATIONS] = static_cast<double>(out.evaluations);
+    statev[GRIT_CLASSIC_MOBILISED_ANGLE] = invariants.mobilised_friction_angle / GRIT_DEGREE;
+    statev[GRIT_CLASSIC_RHO] = invariants.rho;
+    statev[GRIT_CLASSIC_SUBSTEP] = end.state[element::GritLaw::substep_index];
+    if (statev.size() > GRIT_CLASSIC_SEPARATION)
+        statev[GRIT_CLASSIC_SEPARATION] = end.state[GRIT_SAND_SEPARATION];
+    out.end.stress = end.stress + statev[GRIT_CLASSIC_PORE_STRESS] * unit_tensor();
     out.end.state = std::move(statev);
     out.tangent.topLeftCorner<3, 3>().array() += sand.K_w;
     return out;
 }
 
 element::Observation ClassicLaw::observe(const element::MaterialPoint& point) const {
-    return {point.state[void_ratio], -point.state[pore_stress]};
+    return {point.state[GRIT_CLASSIC_VOID_RATIO], -point.state[GRIT_CLASSIC_PORE_STRESS]};
 }
 
 void ClassicLaw::check(const element::MaterialPoint& start) const {

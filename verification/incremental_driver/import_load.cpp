@@ -52,8 +52,8 @@ void check_time(const Source& source, const element::Imported& load) {
 
 }  // namespace
 
-void read_import(Lines& lines, const Keyword& keyword, const std::filesystem::path& folder,
-                 element::Step& step) {
+std::filesystem::path read_import(Lines& lines, const Keyword& keyword,
+                                  const std::filesystem::path& folder, element::Step& step) {
     const Source source = read_source(lines, keyword, folder);
     const element::Variables variables = read_variables(lines);
     element::Imported load;
@@ -75,6 +75,7 @@ void read_import(Lines& lines, const Keyword& keyword, const std::filesystem::pa
     step.increments = static_cast<int>(load.table.size()) - 1;
     step.duration = timed_by_column ? 0.0 : step.duration * step.increments;
     step.kind = std::move(load);
+    return source.file;
 }
 
 }  // namespace incremental_driver

@@ -2,10 +2,10 @@
 #include "incremental_driver/lines.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 
+#include "element/number.hpp"
 #include "element/text.hpp"
 
 namespace incremental_driver {
@@ -17,17 +17,11 @@ constexpr const char* blanks = " \t\r";
 constexpr const char* separators = " \t\r,";
 constexpr std::size_t longest = 1000;  // characters of a line; a binary file has longer ones
 constexpr std::size_t columns = 40;
+constexpr const char* byte_order_mark = "\xEF\xBB\xBF";  // of editors on Windows
 
-std::optional<double> number_of(std::string word) {
-    word = word.substr(0, word.find('/'));  // Fortran's end of input
-    for (char& c : word)
-        if (c == 'd' || c == 'D') c = 'e';
-    const char* begin = word.data() + (word.starts_with('+') ? 1 : 0);
-    const char* end = word.data() + word.size();
-    double value = 0.0;
-    const auto [stopped, problem] = std::from_chars(begin, end, value);
-    if (problem != std::errc() || stopped != end || !std::isfinite(value)) return std::nullopt;
-    return value;
+// "12/" is a number that ends the input of Fortran.
+std::optional<double> value_of(const std::string& word) {
+    return element::number_of(word.substr(0, word.find('/')));
 }
 
 }  // namespace
@@ -43,7 +37,7 @@ Lines::Lines(const std::filesystem::path& path) : name(path) {
     if (!file || std::filesystem::is_directory(path))
         throw BadInput(text("%s: cannot be read", path.string().c_str()));
     for (std::string line; std::getline(file, line);) {
-        ++last;
+        if (++last == 1 && line.starts_with(byte_order_mark)) line.erase(0, 3);
         if (line.find('\0') != std::string::npos || line.size() > longest)
             fail(last, "this is not a line of text");
         if (!trimmed(line).empty()) lines.push_back({last, line});
@@ -69,7 +63,7 @@ std::optional<std::string> Fields::word() {
 double Fields::real(const std::string& what) {
     const std::optional<std::string> found = word();
     if (!found) lines.fail(number, "expected " + what + ", the line ends");
-    const std::optional<double> value = number_of(*found);
+    const std::optional<double> value = value_of(*found);
     if (!value) lines.fail(number, "expected " + what + ", a number, got \"" + *found + "\"");
     return *value;
 }

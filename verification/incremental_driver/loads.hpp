@@ -25,8 +25,8 @@ element::Kind read_random_walk(Lines& lines);
 
 // Variables, six lines "ifstress column [* factor]", and another "column [* factor]" for time if the
 // duration of step, which stands for that of one increment here, is not positive. Columns count from
-// 1, 0 leaves a component alone. Sets kind, increments and duration of step.
-void read_import(Lines& lines, const Keyword& keyword, const std::filesystem::path& folder,
-                 element::Step& step);
+// 1, 0 leaves a component alone. Sets kind, increments and duration of step; returns the file read.
+std::filesystem::path read_import(Lines& lines, const Keyword& keyword,
+                                  const std::filesystem::path& folder, element::Step& step);
 
 }  // namespace incremental_driver

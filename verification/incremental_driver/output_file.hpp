@@ -2,34 +2,27 @@
 // The table that incrementalDriver writes.
 #pragma once
 
-#include <cstdio>
 #include <filesystem>
 #include <string>
 
+#include "element/aside_file.hpp"
 #include "element/record.hpp"
 
 namespace incremental_driver {
 
-// Written beside its place and renamed when complete; removed if that never happens. Columns of equal
-// width: time(1) time(2) stran(1..6) stress(1..6) statev(1..nstatv), tension positive, 11 22 33 12 13 23,
-// engineering shear. Throws std::filesystem::filesystem_error.
+// Columns of equal width: time(1) time(2) stran(1..6) stress(1..6) statev(1..nstatv), tension positive,
+// 11 22 33 12 13 23, engineering shear. Throws element::CannotWrite.
 class OutputFile {
   public:
     OutputFile(const std::filesystem::path& path, const std::string& heading, int nstatv);
-    OutputFile(const OutputFile&) = delete;
-    OutputFile& operator=(const OutputFile&) = delete;
-    ~OutputFile();
 
     void row(const element::Record& record);
-    void complete();
-    int rows() const { return count; }
+    void complete() { file.complete(); }
+    long rows() const { return count; }
 
   private:
-    [[noreturn]] void fail() const;
-
-    std::filesystem::path place, aside;
-    std::FILE* file = nullptr;
-    int count = 0;
+    element::AsideFile file;
+    long count = 0;
 };
 
 }  // namespace incremental_driver

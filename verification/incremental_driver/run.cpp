@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "incremental_driver/run.hpp"
 
-#include <functional>
 #include <memory>
 #include <system_error>
 
@@ -32,9 +31,9 @@ std::shared_ptr<const element::Law> own_law(const Inputs& in, const element::Mat
         return BadInput(text("%s:%d: %s", in.initial_path.string().c_str(), in.initial.nstatv_line,
                              why.c_str()));
     };
-    if (nstatv < classic_nstatv)
+    if (nstatv < GRIT_CLASSIC_NSTATV)
         throw refuse(text("nstatv must be at least %d in the classic layout, better %d, got %d",
-                          classic_nstatv, classic_nstatv + 1, nstatv));
+                          GRIT_CLASSIC_NSTATV, GRIT_CLASSIC_NSTATV + 1, nstatv));
     auto law = std::make_shared<ClassicLaw>(std::move(sand), nstatv);
     try {
         law->check(start);
@@ -60,52 +59,46 @@ std::shared_ptr<const element::Law> foreign_law(const Inputs& in,
 
 void make_folder(const std::filesystem::path& folder) {
     std::error_code refused;
-    std::filesystem::create_directories(folder, refused);
+    if (!folder.empty()) std::filesystem::create_directories(folder, refused);
     if (refused)
         throw BadInput(text("%s: cannot make this folder: %s", folder.string().c_str(),
                             refused.message().c_str()));
 }
 
-// Rows 1, 1 + every, ... of each step go to the file while the run is going on.
-class Writer {
-  public:
-    Writer(OutputFile& f, const std::vector<StepNote>& n, const element::RunObserver& o)
-        : file(f), notes(n), observer(o) {}
-
-    bool operator()(const element::Progress& progress) {
-        const element::Record& record = *progress.record;
-        const StepNote& note = notes[static_cast<std::size_t>(record.step) - 1];
-        if ((record.increment - 1) % note.every == 0) file.row(record);
-        increments = progress.increment;
-        return !observer || observer(progress);
-    }
-
-    long increments = 0;
-
-  private:
-    OutputFile& file;
-    const std::vector<StepNote>& notes;
-    const element::RunObserver& observer;
-};
+// Refuse to overwrite what has been read, by whatever name it goes.
+void check_output(const std::filesystem::path& output, const Inputs& in, const Test& test) {
+    std::vector<std::filesystem::path> read = test.inputs;
+    read.insert(read.end(), {in.parameters_path, in.initial_path, in.test_path});
+    std::error_code unknown;
+    for (const std::filesystem::path& input : read)
+        if (std::filesystem::equivalent(output, input, unknown))
+            throw BadInput(text("%s:%d: the output would overwrite %s",
+                                in.test_path.string().c_str(), test.output_line,
+                                input.string().c_str()));
+    if (std::filesystem::is_directory(output))
+        throw BadInput(text("%s:%d: the output %s is a folder", in.test_path.string().c_str(),
+                            test.output_line, output.string().c_str()));
+}
 
 Report simulate(const Request& request, const Inputs& in, const element::Law& law, const Test& test,
-                element::Sample sample, const element::RunObserver& observer) {
+                element::Sample sample, const element::Listeners& listeners) {
     Report report;
     report.output = (request.out.empty() ? request.folder : request.out) / test.output;
     const int nstatv = static_cast<int>(in.initial.statev.size());
-    if (!request.out.empty()) make_folder(request.out);
+    check_output(report.output, in, test);
+    make_folder(report.output.parent_path());
     OutputFile file(report.output, test.heading, nstatv);
-    element::Record start;
-    start.stress = sample.point.stress;
-    start.state = sample.point.state;
-    file.row(start);
-    element::Settings settings;
-    settings.record_start = false;
-    Writer writer(file, test.notes, observer);
-    const element::History history =
-        element::simulate(law, sample, test.program, settings, std::ref(writer));
+    element::Listeners ours;
+    ours.record = [&](const element::Record& record) {
+        file.row(record);
+        if (listeners.record) listeners.record(record);
+    };
+    ours.increment = [&](const element::Progress& progress) {
+        report.increments = progress.increment;
+        return !listeners.increment || listeners.increment(progress);
+    };
+    const element::History history = element::simulate(law, sample, test.program, {}, ours);
     file.complete();
-    report.increments = writer.increments;
     report.rows = file.rows();
     report.exits = history.exits;
     if (history.failure) {
@@ -118,7 +111,7 @@ Report simulate(const Request& request, const Inputs& in, const element::Law& la
 
 }  // namespace
 
-Report run(const Request& request, const element::RunObserver& observer) {
+Report run(const Request& request, const element::Listeners& listeners) {
     Inputs in;
     in.parameters_path = request.folder / "parameters.inp";
     in.initial_path = request.folder / "initialconditions.inp";
@@ -131,7 +124,7 @@ Report run(const Request& request, const element::RunObserver& observer) {
     const auto law =
         request.umat.empty() ? own_law(in, sample.point) : foreign_law(in, request.umat);
     const Test test = read_test(in.test_path, law->state_names());
-    return simulate(request, in, *law, test, std::move(sample), observer);
+    return simulate(request, in, *law, test, std::move(sample), listeners);
 }
 
 }  // namespace incremental_driver

@@ -21,12 +21,13 @@ struct Request {
 struct Report {
     std::filesystem::path output;
     long increments = 0;
-    int rows = 0;
+    long rows = 0;
     std::vector<std::string> exits;  // conditions that ended a step
     std::string failure;             // the run stopped early; the rows before that are written
 };
 
-// Throws BadInput before anything is computed or written if one of the files is wrong.
-Report run(const Request& request, const element::RunObserver& observer = {});
+// Throws BadInput before anything is computed or written if one of the files is wrong, or if the
+// output would overwrite one of them. listeners.record sees what is written.
+Report run(const Request& request, const element::Listeners& listeners = {});
 
 }  // namespace incremental_driver

@@ -44,21 +44,17 @@ Keyword read_keyword(const Lines& lines, const Line& line) {
     }
     const std::size_t end = std::min(text.find_first_of(" \t,"), text.size());
     out.name = text.substr(0, end);
-    if (const std::string rest = trimmed(text.substr(end)); !rest.empty())
-        lines.fail(line.number, "unexpected \"" + rest + "\" behind " + out.name +
-                                    "; remarks start with # or stand beyond column 40");
+    // Words behind it are a remark, unless they look like a condition that lost its mark.
+    if (text.find_first_of("<>", end) != std::string::npos)
+        lines.fail(line.number, "a condition follows ?, got \"" + trimmed(text.substr(end)) +
+                                    "\" behind " + out.name);
     return out;
 }
 
 element::Condition read_condition(const Lines& lines, const Keyword& keyword,
-                                  const std::vector<std::string>& state_names) {
+                                  const element::Vocabulary& vocabulary) {
     try {
-        const element::Condition condition = element::parse_condition(keyword.condition);
-        element::Record point;
-        point.state.assign(state_names.size(), 0.0);
-        for (const element::Term& term : condition.sum)
-            element::quantity(term.quantity, point, state_names);
-        return condition;
+        return element::parse_condition(keyword.condition, vocabulary);
     } catch (const element::BadCase& error) {
         lines.fail(keyword.line, "exit condition \"" + keyword.condition + "\": " + error.what() +
                                      (keyword.cut ? " (the line is read up to column 40)" : ""));

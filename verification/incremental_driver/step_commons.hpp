@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The two lines that every step begins with: "*LinearLoad ? s1 < -400" and
+// The two lines that every step begins with: "*LinearLoad [a remark] ? s1 < -400" and
 // "ninc maxiter dtime [: every] [T temperature change]".
 #pragma once
 
@@ -21,10 +21,9 @@ struct Keyword {
 // Throws BadInput for text that is neither.
 Keyword read_keyword(const Lines& lines, const Line& line);
 
-// A sum over the names of exit_condition.hpp. Throws BadInput for names that a point with this state
-// does not have.
+// Throws BadInput.
 element::Condition read_condition(const Lines& lines, const Keyword& keyword,
-                                  const std::vector<std::string>& state_names);
+                                  const element::Vocabulary& vocabulary);
 
 struct Commons {
     int increments = 1;

@@ -75,21 +75,18 @@ element::Kind read_short_form(Lines& lines, const ShortForm& form) {
                "unknown step \"" + keyword.name + "\"" + element::suggestion(keyword.name, known));
 }
 
-// What the library would say of the whole program, said of this line.
-void check(const Lines& lines, const Keyword& keyword, const element::Step& step,
-           const std::vector<std::string>& state_names) {
+// What the library says of the step, said of this line.
+void check(const Lines& lines, const Keyword& keyword, const element::Step& step) {
     try {
-        element::check_program({step}, state_names);
+        element::check_step(step);
     } catch (const element::BadCase& error) {
-        const std::string why = error.what(), prefix = "step 1 (" + step.name + "): ";
-        lines.fail(keyword.line,
-                   step.name + ": " + (why.starts_with(prefix) ? why.substr(prefix.size()) : why));
+        lines.fail(keyword.line, step.name + ": " + error.what());
     }
 }
 
 }  // namespace
 
-ReadStep read_step(Lines& lines, const Keyword& keyword, const StepContext& context) {
+element::Step read_step(Lines& lines, const Keyword& keyword, StepContext& context) {
     const auto named = [&](const auto& form) { return form.name == keyword.name; };
     const auto* short_form = std::find_if(std::begin(short_forms), std::end(short_forms), named);
     const auto* long_form = std::find_if(std::begin(long_forms), std::end(long_forms), named);
@@ -97,24 +94,22 @@ ReadStep read_step(Lines& lines, const Keyword& keyword, const StepContext& cont
     const bool is_import = keyword.name == "*ImportFile";
     if (!is_short && !is_import && long_form == std::end(long_forms)) fail_unknown(lines, keyword);
     const Commons commons = read_commons(lines, keyword.name);
-    ReadStep out;
-    element::Step& step = out.step;
+    element::Step step;
     step.name = keyword.name;
     step.increments = commons.increments;
     step.duration = commons.duration;
     step.temperature_change = commons.temperature_change;
     // incrementalDriver always makes maxiter iterations; here they end where the rows are met.
     step.iteration_limit = std::max(commons.iterations, element::Settings{}.iteration_limit);
-    out.every = commons.every;
-    if (is_import) read_import(lines, keyword, context.folder, step);
+    step.every = commons.every;
+    step.record_first = true;
+    step.record_end = false;
+    if (is_import) context.inputs.push_back(read_import(lines, keyword, context.folder, step));
     else step.kind = is_short ? read_short_form(lines, *short_form) : long_form->read(lines);
     if (!keyword.condition.empty())
-        step.exit.any_of = {read_condition(lines, keyword, context.state_names)};
-    check(lines, keyword, step, context.state_names);
-    // Rows are written as they are computed: keep nothing else of them.
-    step.every = element::increment_limit;
-    step.record_end = false;
-    return out;
+        step.exit.any_of = {read_condition(lines, keyword, context.vocabulary)};
+    check(lines, keyword, step);
+    return step;
 }
 
 }  // namespace incremental_driver

@@ -12,17 +12,13 @@
 namespace incremental_driver {
 
 struct StepContext {
-    std::filesystem::path folder;          // where *ImportFile looks
-    std::vector<std::string> state_names;  // of the law, for exit conditions
-};
-
-struct ReadStep {
-    element::Step step;
-    int every = 1;  // increments 1, 1 + every, ... are written
+    std::filesystem::path folder;               // where *ImportFile looks
+    element::Vocabulary vocabulary;             // of exit conditions
+    std::vector<std::filesystem::path> inputs;  // that *ImportFile has read
 };
 
 // Reads on from the line behind the keyword. Throws BadInput; an unknown keyword is answered with the
 // nearest known one.
-ReadStep read_step(Lines& lines, const Keyword& keyword, const StepContext& context);
+element::Step read_step(Lines& lines, const Keyword& keyword, StepContext& context);
 
 }  // namespace incremental_driver

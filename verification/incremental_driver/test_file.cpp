@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "incremental_driver/test_file.hpp"
 
+#include <algorithm>
+
 #include "element/schedule.hpp"
 
 namespace incremental_driver {
@@ -12,7 +14,9 @@ constexpr std::size_t most_notes = 10000000;  // steps, repetitions counted thro
 class Reader {
   public:
     Reader(const std::filesystem::path& path, const std::vector<std::string>& state_names)
-        : lines(path), context{path.parent_path(), state_names} {}
+        : lines(path), context{path.parent_path(),
+                               element::incremental_driver_words(state_names),
+                               {}} {}
 
     Test read() {
         read_first_line();
@@ -23,31 +27,34 @@ class Reader {
             else if (keyword.name == "*Repetition") read_repetition(keyword);
             else test.program.push_back(read_one(keyword, test.notes));
         }
-        if (test.program.empty()) lines.fail(first_line, "there is no step behind this line");
+        test.inputs = context.inputs;
+        if (test.program.empty()) lines.fail(test.output_line, "there is no step behind this line");
         return test;
     }
 
   private:
     void read_first_line() {
         const Line& line = lines.next("the name of the output file");
-        first_line = line.number;
+        test.output_line = line.number;
         const std::size_t mark = line.text.find('#');
         test.output = trimmed(line.text.substr(0, mark));
         if (mark != std::string::npos) test.heading = trimmed(line.text.substr(mark + 1));
+        const std::string got = ", got \"" + trimmed(line.text) + "\"";
         if (test.output.empty() || test.output.starts_with('*') || test.output.ends_with('/'))
+            lines.fail(line.number, "expected the name of the output file" + got);
+        const std::filesystem::path output = test.output;
+        if (output.is_absolute() || std::find(output.begin(), output.end(), "..") != output.end())
             lines.fail(line.number,
-                       "expected the name of the output file, got \"" + trimmed(line.text) + "\"");
-        for (const char* input : {"parameters.inp", "initialconditions.inp", "test.inp"})
-            if (test.output == input)
-                lines.fail(line.number, "the output would overwrite " + test.output);
+                       "the output file lies in the folder of the output (--out), not elsewhere" +
+                           got);
     }
 
     element::Step read_one(const Keyword& keyword, std::vector<StepNote>& notes) {
-        ReadStep read = read_step(lines, keyword, context);
-        notes.push_back({keyword.line, keyword.name, read.every});
-        if (auto* walk = std::get_if<element::RandomWalk>(&read.step.kind))
+        element::Step step = read_step(lines, keyword, context);
+        notes.push_back({keyword.line, keyword.name});
+        if (auto* walk = std::get_if<element::RandomWalk>(&step.kind))
             walk->seed = static_cast<std::uint64_t>(keyword.line);  // another walk in each step
-        return std::move(read.step);
+        return step;
     }
 
     void read_repetition(const Keyword& keyword) {
@@ -78,7 +85,6 @@ class Reader {
     Lines lines;
     StepContext context;
     Test test;
-    int first_line = 0;
 };
 
 }  // namespace

@@ -11,14 +11,15 @@ namespace incremental_driver {
 struct StepNote {
     int line = 0;  // of its keyword
     std::string name;
-    int every = 1;  // increments 1, 1 + every, ... are written
 };
 
 struct Test {
-    std::string output;   // name of the file
+    std::string output;  // name of the file, within the folder of the output
+    int output_line = 0;
     std::string heading;  // behind # on the first line, empty: none
     element::Program program;
     std::vector<StepNote> notes;
+    std::vector<std::filesystem::path> inputs;  // tables of *ImportFile
 };
 
 // Throws BadInput. Files of *ImportFile are read too, from the folder of path.

@@ -2,6 +2,7 @@
 // A law whose answers are known by hand.
 #pragma once
 
+#include <element/exit_condition.hpp>
 #include <element/law.hpp>
 
 namespace tests {
@@ -48,6 +49,11 @@ class Elastic : public element::Law {
   private:
     std::vector<std::string> names{"increments"};
 };
+
+// A condition in the words of incrementalDriver.
+inline element::Condition when(const std::string& text) {
+    return element::parse_condition(text, element::incremental_driver_words({"increments"}));
+}
 
 inline element::MaterialPoint elastic_point() { return {element::Vector6::Zero(), {0.0}}; }
 

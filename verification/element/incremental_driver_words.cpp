@@ -54,24 +54,29 @@ std::size_t state_number(const std::string& name) {
 
 }  // namespace
 
-double quantity(const std::string& name, const Record& record,
-                const std::vector<std::string>& state_names) {
-    const auto found = std::find(std::begin(known), std::end(known), name);
-    if (found != std::end(known))
-        return known_quantity(static_cast<std::size_t>(found - std::begin(known)), record);
-    if (const std::size_t number = state_number(name)) {
-        if (number <= record.state.size()) return record.state[number - 1];
-        throw BadCase(text("there is no %s: the law has %d state variables", name.c_str(),
-                           static_cast<int>(record.state.size())));
-    }
-    const auto state = std::find(state_names.begin(), state_names.end(), name);
-    if (state != state_names.end())
-        return record.state[static_cast<std::size_t>(state - state_names.begin())];
-    std::string list;
-    for (const char* each : known) list += std::string(" ") + each;
-    throw BadCase(text("unknown quantity \"%s\"; known are%s, v1 v2 ... and the names of the "
-                       "state variables",
-                       name.c_str(), list.c_str()));
+Vocabulary incremental_driver_words(std::vector<std::string> state_names) {
+    return [names = std::move(state_names)](const std::string& name) -> Quantity {
+        const auto* const found = std::find(std::begin(known), std::end(known), name);
+        if (found != std::end(known)) {
+            const auto index = static_cast<std::size_t>(found - std::begin(known));
+            return [index](const Record& record) { return known_quantity(index, record); };
+        }
+        const auto of_state = [](std::size_t index) -> Quantity {
+            return [index](const Record& record) { return record.state[index]; };
+        };
+        if (const std::size_t number = state_number(name)) {
+            if (number <= names.size()) return of_state(number - 1);
+            throw BadCase(text("there is no %s: the law has %d state variables", name.c_str(),
+                               static_cast<int>(names.size())));
+        }
+        const auto state = std::find(names.begin(), names.end(), name);
+        if (state != names.end()) return of_state(static_cast<std::size_t>(state - names.begin()));
+        std::string list;
+        for (const char* each : known) list += std::string(" ") + each;
+        throw BadCase(text("unknown quantity \"%s\"; known are%s, v1 v2 ... and the names of the "
+                           "state variables",
+                           name.c_str(), list.c_str()));
+    };
 }
 
 }  // namespace element

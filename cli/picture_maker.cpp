@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/picture_maker.hpp"
+
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "element/aside_file.hpp"
+
+namespace cli {
+
+void PictureMaker::draw(const std::string& name, const Picture& picture) {
+    if (!problem.empty()) return;
+    try {
+        problem = cli::draw(folder / name, picture);
+    } catch (const element::CannotWrite& error) {
+        problem = error.what();
+    }
+    if (!problem.empty()) fmt::print(stderr, "grit: no picture: {}\n", problem);
+    else if (!quiet) fmt::print("picture: {} and .png\n", (folder / (name + ".svg")).string());
+}
+
+}  // namespace cli

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures, where gnuplot is there to draw them.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "support/workplace.hpp"
+
+namespace {
+
+using Names = std::set<std::string>;
+
+const std::string shearing = "[[stage]]\ntest = \"triaxial_drained\"\naxial_strain = -0.02\n";
+
+bool gnuplot() { return std::system("gnuplot --version > /dev/null 2>&1") == 0; }
+
+// Lines that were drawn.
+std::size_t lines(const std::string& svg) {
+    std::size_t count = 0;
+    for (std::size_t at = svg.find("<path stroke='rgb("); at != std::string::npos;
+         at = svg.find("<path stroke='rgb(", at + 1))
+        ++count;
+    return count;
+}
+
+TEST(Picture, IsDrawnOfEveryCaseAndOfAllThatAreAlike) {
+    if (!gnuplot()) return;
+    const Workplace here;
+    here.write_case("a", shearing);
+    here.write_case("b", shearing);
+    const Answer answer = here.grit("element --out out a.toml b.toml");
+    EXPECT_EQ(answer.status, 0) << answer.text;
+    EXPECT_EQ(here.files("out"), (Names{"a.csv", "a.png", "a.svg", "b.csv", "b.png", "b.svg",
+                                        "comparison.png", "comparison.svg"}));
+    EXPECT_GE(lines(here.text("out/a.svg")), 4u);
+    EXPECT_GT(lines(here.text("out/comparison.svg")), lines(here.text("out/a.svg")));
+}
+
+TEST(Picture, OfManyCyclesIsOfAFewThousandPoints) {
+    if (!gnuplot()) return;
+    const Workplace here;
+    here.write_case("x", "[[stage]]\ntest = \"triaxial_undrained\"\n"
+                         "axial_strain_amplitude = -1e-4\ncycles = 200\n");
+    EXPECT_EQ(here.grit("element --quiet --out out x.toml").status, 0);
+    EXPECT_LT(here.text("out/x.svg").size(), 1000000u);
+    EXPECT_GE(lines(here.text("out/x.svg")), 4u);
+}
+
+TEST(Picture, IsOfTheLastStageThatDoesAnything) {
+    if (!gnuplot()) return;
+    const Workplace here;
+    here.write_case("x", "[[stage]]\ntest = \"oedometer\"\naxial_strain = -0.02\n[[stage]]\n"
+                         "test = \"rest\"\n");
+    here.grit("element --out out x.toml");
+    EXPECT_NE(here.text("out/x.svg").find("axial stress"), std::string::npos);
+}
+
+TEST(Picture, OfDegradationNeedsCycles) {
+    const Workplace here;
+    here.write("x.toml", "picture = \"degradation\"\n[sand]\nname = \"lausitz\"\n[start]\n"
+                         "pressure_kPa = 100\nvoid_ratio = 0.6\n" +
+                             shearing);
+    EXPECT_TRUE(here.run("x").says("x.toml:1: picture: \"degradation\" shows cycles"));
+}
+
+class PictureOfFiles : public testing::Test {
+  protected:
+    PictureOfFiles() {
+        here.write("parameters.inp", "Lausitz\n16\n33\n0\n1.6e6\n0.19\n0.44\n0.85\n1.0\n0.25\n1.0\n"
+                                     "5.0\n2.0\n1e-4\n0.5\n6.0\n0\n10.7\n");
+        here.write("initialconditions.inp", "3\n-100\n-100\n-100\n14\n");
+        here.write("test.inp", "result.out # dense\n*TriaxialE1\n50 5 1\n-0.02\n");
+    }
+    Workplace here;
+};
+
+TEST_F(PictureOfFiles, OfIncrementalDriverIsDrawnBesideTheResult) {
+    if (!gnuplot()) return;
+    EXPECT_TRUE(here.grit("element --incremental-driver .").says("result.svg and .png"));
+    EXPECT_TRUE(here.files().contains("result.out") && here.files().contains("result.png"));
+    EXPECT_GE(lines(here.text("result.svg")), 4u);
+}
+
+TEST_F(PictureOfFiles, IsLeftOutAndNothingIsSaidWhenAskedFor) {
+    EXPECT_EQ(here.grit("element --incremental-driver . --no-plot --quiet").text, "");
+    EXPECT_EQ(here.files().size(), 4u);
+}
+
+TEST_F(PictureOfFiles, MayBePlottedFromTheResultOfIncrementalDriver) {
+    if (!gnuplot()) return;
+    here.write_case("a", shearing);
+    here.run("a");
+    here.grit("element --incremental-driver . --no-plot");
+    const Answer answer = here.grit("plot result.out out/a.csv --out both --title two");
+    EXPECT_EQ(answer.status, 0) << answer.text;
+    EXPECT_GE(lines(here.text("both.svg")), 6u);
+    EXPECT_EQ(here.grit("plot out/a.csv --out a/b/c").status, 0);
+    EXPECT_EQ(here.grit("plot result.out --kind degradation").status, 2);
+}
+
+}  // namespace

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "support/workplace.hpp"
+
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+
+namespace fs = std::filesystem;
+
+Workplace::Workplace() {
+    std::string pattern = (fs::temp_directory_path() / "grit_cli_XXXXXX").string();
+    if (!mkdtemp(pattern.data())) throw std::runtime_error("no temporary folder");
+    place = pattern;
+}
+
+Workplace::~Workplace() {
+    std::error_code ignored;
+    fs::remove_all(place, ignored);
+}
+
+void Workplace::write(const std::string& name, const std::string& text) const {
+    std::ofstream(place / name, std::ios::binary) << text;
+}
+
+void Workplace::write_case(const std::string& name, const std::string& stages) const {
+    write(name + ".toml",
+          "[sand]\nname = \"lausitz\"\n[start]\npressure_kPa = 100\nvoid_ratio = 0.6\n" + stages);
+}
+
+Answer Workplace::grit(const std::string& arguments) const {
+    const std::string command =
+        "cd " + place.string() + " && ( " GRIT_CLI " " + arguments + " ) 2>&1";
+    Answer out;
+    std::FILE* pipe = popen(command.c_str(), "r");
+    char buffer[4096];
+    while (std::fgets(buffer, sizeof buffer, pipe)) out.text += buffer;
+    const int status = pclose(pipe);
+    out.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    return out;
+}
+
+Answer Workplace::run(const std::string& name, const std::string& options) const {
+    return grit("element --no-plot --out out " + options + " " + name + ".toml");
+}
+
+std::map<std::string, Values> Workplace::result(const std::string& name) const {
+    std::ifstream file(place / "out" / (name + ".csv"));
+    std::map<std::string, Values> out;
+    std::vector<std::string> names;
+    for (std::string line; std::getline(file, line);) {
+        if (line.starts_with('#')) continue;
+        std::istringstream cells(line);
+        const bool header = names.empty();
+        std::size_t i = 0;
+        for (std::string cell; std::getline(cells, cell, ',');)
+            if (header) names.push_back(cell.substr(0, cell.find(" [")));
+            else out[names.at(i++)].push_back(std::strtod(cell.c_str(), nullptr));
+    }
+    return out;
+}
+
+std::string Workplace::text(const std::string& name) const {
+    std::ifstream file(place / name);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::set<std::string> Workplace::files(const std::string& below) const {
+    std::set<std::string> out;
+    if (!fs::exists(place / below)) return out;
+    for (const auto& entry : fs::directory_iterator(place / below))
+        out.insert(entry.path().filename().string());
+    return out;
+}
