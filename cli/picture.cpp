@@ -47,6 +47,7 @@ std::string data(const Picture& picture) {
             for (std::size_t i = 0; i < series.x.size(); ++i)
                 if (drawable(series, picture.panels[p], i))
                     fmt::format_to(to, "{:.8g} {:.8g}\n", series.x[i], series.y[i]);
+                else fmt::format_to(to, "\n");  // breaks the line
             fmt::format_to(to, "EOD\n");
         }
     return fmt::to_string(out);

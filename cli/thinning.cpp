@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "cli/turns.hpp"
 
@@ -22,14 +23,16 @@ double span(const std::vector<double>& values) {
     return high > low ? high - low : 1.0;
 }
 
+constexpr std::size_t gap = std::numeric_limits<std::size_t>::max();  // here the line is broken
+
 // The points of these rows.
 Series of_rows(const Series& all, const std::vector<std::size_t>& rows) {
     Series out = all;
     out.x.clear();
     out.y.clear();
     for (const std::size_t i : rows) {
-        out.x.push_back(all.x[i]);
-        out.y.push_back(all.y[i]);
+        out.x.push_back(i == gap ? NAN : all.x[i]);
+        out.y.push_back(i == gap ? NAN : all.y[i]);
     }
     return out;
 }
@@ -63,7 +66,7 @@ Series thinned(Series line) {
     const double noise = invisible * span(line.x);
     line = of_rows(line, far_rows(line, invisible, turning_rows(line.x, noise)));
     if (line.x.size() <= most) return line;
-    // A loop is two stretches between turns; the way over those left out is short, tip to tip.
+    // A loop is two stretches between turns.
     const std::vector<std::size_t> turns = turning_rows(line.x, noise);
     const std::size_t loops = (turns.size() + 1) / 2;
     const std::size_t step = (line.x.size() + most - 1) / most;
@@ -72,6 +75,7 @@ Series thinned(Series line) {
         if (loop % step != 0 && loop + 1 != loops) continue;
         const std::size_t begin = turns[2 * loop];
         const std::size_t end = 2 * loop + 2 < turns.size() ? turns[2 * loop + 2] : line.x.size();
+        if (!rows.empty() && rows.back() + 1 != begin) rows.push_back(gap);
         for (std::size_t i = begin; i < end; ++i) rows.push_back(i);
     }
     line = of_rows(line, rows);
