@@ -7,20 +7,21 @@
 #include "contact/call_checks.hpp"
 #include "contact/node_checks.hpp"
 #include "support/require.hpp"
+#include "support/views.hpp"
 
 namespace grit {
 namespace {
 
 using c_api::Vector;
 
-template <class View> double number(const View& view, std::ptrdiff_t at, int component = 0) {
-    return view.base[at * view.point_stride + component * view.component_stride];
+double number(const grit_view& view, std::ptrdiff_t at, int c = 0) {
+    return component(view, at, c);
 }
 
 // Vectors of two components have a third that is 0.
 template <class View> Vector<double, 3> vector(const View& view, std::ptrdiff_t at, int count) {
     Vector<double, 3> v{};
-    for (int c = 0; c < count; ++c) v[c] = number(view, at, c);
+    for (int c = 0; c < count; ++c) v[c] = component(view, at, c);
     return v;
 }
 
@@ -40,7 +41,7 @@ grit_status describe_node(const grit_contact_nodes& q, const grit_contact_option
                           std::ptrdiff_t i, grit_error* error) {
     const std::ptrdiff_t at = q.index ? q.index[i] : i;
     const auto say = [&](const char* format, auto... values) {
-        return failure(error, GRIT_BAD_STATE, i, format, i, values...);
+        return failure(error, GRIT_BAD_STATE, i, format, at, values...);
     };
     for (const auto& [name, view] : {std::pair("mass_a", q.mass_a), std::pair("mass_b", q.mass_b)})
         if (!c_api::good_mass(number(view, at)))
@@ -49,8 +50,10 @@ grit_status describe_node(const grit_contact_nodes& q, const grit_contact_option
     const auto check_vector = [&](const char* name, const auto& view, const char* unit) {
         const auto v = vector(view, at, o.components);
         if (c_api::good_vector(v)) return grit_status(GRIT_OK);
-        return say("node %td: %s component %d must be finite, at most 1e100 [%s], got %g", name,
-                   worst(v), unit, v[worst(v)]);
+        return say(
+            "node %td: %s must be finite, |components| at most 1e100 in sum [%s], component %d "
+            "is %g",
+            name, unit, worst(v), v[worst(v)]);
     };
     if (const auto s = check_vector("velocity_a", q.velocity_a, "velocity")) return s;
     if (const auto s = check_vector("velocity_b", q.velocity_b, "velocity")) return s;
@@ -89,7 +92,7 @@ grit_status describe_node(const grit_contact_nodes& q, const grit_contact_option
     if (const auto s = check_optional("previous_velocity_b", q.previous_velocity_b, velocity))
         return s;
     if (const auto s = check_optional("position", q.position, "length")) return s;
-    return failure(error, GRIT_INTERNAL, i, "node %td: unknown fault", i);
+    return failure(error, GRIT_INTERNAL, i, "node %td: unknown fault", at);
 }
 
 }  // namespace grit

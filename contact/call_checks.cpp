@@ -6,14 +6,9 @@
 #include "support/instruction_set.hpp"
 #include "support/require.hpp"
 #include "support/versioned.hpp"
+#include "support/views.hpp"
 
 namespace grit {
-namespace {
-
-bool is_switch(int x) { return x == 0 || x == 1; }
-
-}  // namespace
-
 grit_contact_options default_contact_options() {
     grit_contact_options options{};
     options.struct_size = sizeof options;
@@ -103,8 +98,10 @@ grit_status check_nodes(const grit_contact_nodes& q, const grit_contact_options&
         GRIT_REQUIRE(output.view.component_stride != 0,
                      "%s has %d components: component_stride must not be 0", output.name,
                      o.components);
-        GRIT_REQUIRE(!output.written || n <= 1 || output.view.point_stride != 0,
-                     "%s is written: point_stride must not be 0 for %td nodes", output.name, n);
+        GRIT_REQUIRE(!output.written || !overlaps_itself(output.view, o.components, n),
+                     "%s is written: strides of %td (nodes) and %td (components) put two of its "
+                     "numbers in one place",
+                     output.name, output.view.point_stride, output.view.component_stride);
     }
     return GRIT_OK;
 }

@@ -78,7 +78,8 @@ inline CloudFault gather(const RegressionRequest& q, std::ptrdiff_t first, std::
         if (body != GRIT_CONTACT_BODY_A && body != GRIT_CONTACT_BODY_B)
             return {RegressionFault::body_unknown, k};
         const double weight = in.weight.base ? in.weight.base[p * in.weight.point_stride] : 1.0;
-        if (!(weight >= 0.0 && weight <= largest_particle_weight))
+        if (!(weight == 0.0 ||
+              (weight >= smallest_particle_weight && weight <= largest_particle_weight)))
             return {RegressionFault::weight_out_of_range, k};
         const double* const position = in.position.base + p * in.position.point_stride;
         for (int c = 0; c < in.components; ++c)

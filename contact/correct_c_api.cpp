@@ -20,7 +20,7 @@ grit_status grit_contact_options_init(grit_contact_options* options, size_t stru
 }
 
 grit_status grit_contact_penalty_factor(double s, double d, double k, double* f_p) {
-    if (!f_p || !(s > -INFINITY) || !(d > 0.0) || !(d < INFINITY) || !(k > 0.0 && k <= 1e6))
+    if (!f_p || !(s > -INFINITY) || !(d >= 1e-100 && d <= 1e100) || !(k > 0.0 && k <= 1e6))
         return GRIT_BAD_CALL;
     *f_p = s < d ? c_api::penalty_factor<double>(s, {d, 1.0 / d}, k) : 0.0;
     return GRIT_OK;

@@ -1,20 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// More than two bodies at a node, (C7): Gauss-Seidel sweeps over the pairs, node after node.
+// More than two bodies at a node, (C7): node after node is read, settled and written.
 #pragma once
 
+#include "contact/crowd.hpp"
 #include "contact/nodal_correction.hpp"
 
 GRIT_KERNEL_BEGIN
-
-constexpr int most_bodies = GRIT_CONTACT_MOST_BODIES;
-constexpr int most_pairs = most_bodies * (most_bodies - 1) / 2;
 
 template <int C> class ManyCorrection {
   public:
     explicit ManyCorrection(const ManyRequest& request)
         : q(request), b(*request.bodies),
           tolerance(b.sweep_tolerance > 0.0 ? b.sweep_tolerance : 1e-3),
-          sweep_limit(b.sweep_limit > 0 ? b.sweep_limit : 20) {}
+          sweep_limit(b.sweep_limit > 0 ? b.sweep_limit : 50) {
+        crowd.bodies = b.count;
+        crowd.pair_count = q.pair_count;
+        for (int p = 0; p < q.pair_count; ++p) {
+            NodePair<C>& pair = crowd.pairs[p];
+            pair.a = q.pairs[p].a;
+            pair.b = q.pairs[p].b;
+            pair.law = Law(q.pair_options[p]);
+            crowd.rigid[pair.a] = pair.law.rigid_a;
+            crowd.rigid[pair.b] = pair.law.rigid_b;
+        }
+    }
 
     CorrectionOutcome run() {
         for (std::ptrdiff_t i = 0; i < q.n; ++i) take(i);
@@ -24,46 +33,38 @@ template <int C> class ManyCorrection {
   private:
     using Velocity = Vector<double, C>;
 
-    struct Pair {
-        Shares<double> shares;
-        Approach<double, C> x;
-        Response<double, C> r;
-        bool silent;  // an allowed zero normal
-    };
-
     void take(std::ptrdiff_t i) {
         const Places<1> here{{b.index ? b.index[i] : i}, 1, false};
         const int bad_pair = read(here);
-        if (bad_pair >= 0) {
-            if (outcome.node < 0) outcome = {i, bad_pair};
-            return report_failure(i);
-        }
-        if (active > 0) sweep();
+        if (bad_pair >= 0) return fail(i, bad_pair, GRIT_BAD_STATE);
+        if (!crowd.settle(tolerance, sweep_limit)) return fail(i, 0, GRIT_NOT_CONVERGED);
         if (!b.validate_only) write(here);
         if (q.reports || q.sums) report(i, here);
     }
 
     // -1, or the first pair that cannot be used.
     int read(const Places<1>& here) {
-        for (int body = 0; body < b.count; ++body) mass[body] = load<double>(b.mass[body], 0, here);
-        for (int body = 0; body < b.count; ++body)
-            velocity[body] = load_vector<C, double>(b.velocity[body], here);
-        active = 0;
+        for (int body = 0; body < b.count; ++body) {
+            crowd.mass[body] = load<double>(b.mass[body], 0, here);
+            crowd.velocity[body] = load_vector<C, double>(b.velocity[body], here);
+        }
+        crowd.active = 0;
         for (int p = 0; p < q.pair_count; ++p) {
-            const grit_contact_pair& pair = q.pairs[p];
-            if (!good_mass(mass[pair.a]) || !good_mass(mass[pair.b])) return p;
-            const Law law(q.pair_options[p]);
-            pairs[p] = {};
-            pairs[p].shares = shares_of(law, mass[pair.a], mass[pair.b]);
-            if (!pairs[p].shares.active) continue;
-            ++active;
-            if (!read_pair(pair, q.pair_options[p], pairs[p], here)) return p;
+            NodePair<C>& pair = crowd.pairs[p];
+            const double m_a = crowd.mass[pair.a], m_b = crowd.mass[pair.b];
+            if (!good_mass(m_a) || !good_mass(m_b)) return p;
+            pair.r = {};
+            pair.u_t = {};
+            pair.shares = shares_of(pair.law, m_a, m_b);
+            if (!pair.shares.active) continue;
+            ++crowd.active;
+            if (!read_pair(q.pairs[p], q.pair_options[p], pair, here)) return p;
         }
         return -1;
     }
 
-    bool read_pair(const grit_contact_pair& pair, const grit_contact_options& options, Pair& p,
-                   const Places<1>& here) const {
+    bool read_pair(const grit_contact_pair& pair, const grit_contact_options& options,
+                   NodePair<C>& p, const Places<1>& here) const {
         p.x.n = load_vector<C, double>(pair.normal, here);
         p.silent = options.allow_zero_normal && zero_normal(p.x.n);
         bool good = p.silent || good_normal(p.x.n);
@@ -73,7 +74,8 @@ template <int C> class ManyCorrection {
         if (options.law == GRIT_CONTACT_GEO) {
             p.x.s = load<double>(pair.distance, 0, here);
             bool good_d = true;
-            p.x.cell = cell_along(pair.cell_size, pair.spacing, p.x.n, here, good_d);
+            p.x.cell = cell_along(
+                pair.cell_size, pair.spacing, p.x.n, here, [](double d) { return d; }, good_d);
             good = good && good_signed_length(p.x.s) && (good_d || p.silent);
         }
         if (options.adhesion > 0.0) {
@@ -85,7 +87,7 @@ template <int C> class ManyCorrection {
     }
 
     bool good_body(int body, const Places<1>& here) const {
-        bool good = good_vector(velocity[body]);
+        bool good = good_vector(crowd.velocity[body]);
         if (b.acceleration && b.acceleration[body].base)
             good = good && good_vector(load_vector<C, double>(b.acceleration[body], here));
         if (dissipates())
@@ -93,55 +95,24 @@ template <int C> class ManyCorrection {
         return good;
     }
 
-    void sweep() {
-        double largest_approach = 0.0;
-        for (int s = 0; s < sweep_limit; ++s) {
-            double largest_change = 0.0;
-            for (int p = 0; p < q.pair_count; ++p) {
-                Pair& pair = pairs[p];
-                if (!pair.shares.active || pair.silent) continue;
-                Velocity& v_a = velocity[q.pairs[p].a];
-                Velocity& v_b = velocity[q.pairs[p].b];
-                const Velocity old = pair.r.u;
-                if (pair.r.touches)  // without what this pair did in the last sweep
-                    for (int c = 0; c < C; ++c) {
-                        v_a[c] += pair.shares.a * old[c];
-                        v_b[c] -= pair.shares.b * old[c];
-                    }
-                pair.x.w = difference(v_a, v_b);
-                pair.r = respond<double, C>(Law(q.pair_options[p]), pair.shares, pair.x);
-                largest_approach = max(largest_approach, pair.r.w_n);
-                if (!pair.r.touches) pair.r.u = {};
-                for (int c = 0; c < C; ++c) {
-                    if (pair.r.touches) {
-                        v_a[c] -= pair.shares.a * pair.r.u[c];
-                        v_b[c] += pair.shares.b * pair.r.u[c];
-                    }
-                    largest_change = max(largest_change, fabs(pair.r.u[c] - old[c]));
-                }
-            }
-            if (active == 1 || largest_change <= tolerance * largest_approach) return;
-        }
-    }
-
     void write(const Places<1>& here) const {
         bool touched[most_bodies] = {};
         Velocity gained[most_bodies] = {};
         for (int p = 0; p < q.pair_count; ++p) {
-            const Pair& pair = pairs[p];
+            const NodePair<C>& pair = crowd.pairs[p];
             if (!pair.shares.active || !pair.r.touches) continue;
-            const Law law(q.pair_options[p]);
-            touched[q.pairs[p].a] |= !law.rigid_a;
-            touched[q.pairs[p].b] |= !law.rigid_b;
+            const double per_dt = pair.law.inverse_dt;
+            touched[pair.a] |= !pair.law.rigid_a;
+            touched[pair.b] |= !pair.law.rigid_b;
             for (int c = 0; c < C; ++c) {
-                gained[q.pairs[p].a][c] += -(pair.shares.a * pair.r.u[c]) * law.inverse_dt;
-                gained[q.pairs[p].b][c] += pair.shares.b * pair.r.u[c] * law.inverse_dt;
+                gained[pair.a][c] += -pair.shares.a * pair.r.u[c] * per_dt;
+                gained[pair.b][c] += pair.shares.b * pair.r.u[c] * per_dt;
             }
         }
         for (int body = 0; body < b.count; ++body) {
             if (!touched[body]) continue;
             for (int c = 0; c < C; ++c) {
-                store(velocity[body][c], b.velocity[body], c, here);
+                store(crowd.velocity[body][c], b.velocity[body], c, here);
                 if (!b.acceleration || !b.acceleration[body].base) continue;
                 const double old = load<double>(b.acceleration[body], c, here);
                 store(old + gained[body][c], b.acceleration[body], c, here);
@@ -151,18 +122,18 @@ template <int C> class ManyCorrection {
 
     void report(std::ptrdiff_t i, const Places<1>& here) const {
         for (int p = 0; p < q.pair_count; ++p) {
-            const Pair& pair = pairs[p];
-            const grit_contact_pair& who = q.pairs[p];
+            const NodePair<C>& pair = crowd.pairs[p];
             Velocity mean{};
             if (dissipates() && pair.shares.active) {
-                const auto old_a = load_vector<C, double>(b.previous_velocity[who.a], here);
-                const auto old_b = load_vector<C, double>(b.previous_velocity[who.b], here);
-                for (int c = 0; c < C; ++c)
-                    mean[c] = 0.5 * (old_a[c] - old_b[c] + velocity[who.a][c] - velocity[who.b][c]);
+                const auto old_a = load_vector<C, double>(b.previous_velocity[pair.a], here);
+                const auto old_b = load_vector<C, double>(b.previous_velocity[pair.b], here);
+                for (int c = 0; c < C; ++c) {
+                    const double w_new = crowd.velocity[pair.a][c] - crowd.velocity[pair.b][c];
+                    mean[c] = 0.5 * (old_a[c] - old_b[c] + w_new);
+                }
             }
-            const grit_contact_report r =
-                report_of(Law(q.pair_options[p]), lane_of(pair.shares, pair.r, 0), pair.x.n,
-                          dissipates() ? &mean : nullptr);
+            const grit_contact_report r = report_of(pair.law, lane_of(pair.shares, pair.r, 0),
+                                                    pair.x.n, dissipates() ? &mean : nullptr);
             double moment[3] = {0.0, 0.0, 0.0};
             if (moves() && r.state >= GRIT_CONTACT_STICK)
                 moment_of(r, load_vector<C, double>(b.position, here), moment);
@@ -171,9 +142,10 @@ template <int C> class ManyCorrection {
         }
     }
 
-    void report_failure(std::ptrdiff_t i) const {
+    void fail(std::ptrdiff_t i, int pair, grit_status status) {
+        if (outcome.node < 0) outcome = {i, pair, status};
         grit_contact_report r{};
-        r.status = GRIT_BAD_STATE;
+        r.status = status;
         const double moment[3] = {0.0, 0.0, 0.0};
         for (int p = 0; p < q.pair_count; ++p) {
             if (q.reports) q.reports[i * q.pair_count + p] = r;
@@ -188,10 +160,7 @@ template <int C> class ManyCorrection {
     const grit_contact_bodies& b;
     const double tolerance;
     const int sweep_limit;
-    double mass[most_bodies];
-    Velocity velocity[most_bodies];
-    Pair pairs[most_pairs];
-    int active = 0;
+    Crowd<C> crowd;
     CorrectionOutcome outcome;
 };
 

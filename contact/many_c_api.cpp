@@ -69,10 +69,10 @@ grit_status check_bodies(const grit_contact_bodies& b, grit_error* error) {
     return check_instruction_set(b.instruction_set, error);
 }
 
-grit_status read_pair(const grit_contact_bodies& b, const grit_contact_pair& caller,
-                      grit_contact_pair& pair, grit_contact_options& o, std::ptrdiff_t n,
-                      grit_error* error) {
-    GRIT_REQUIRE(read_versioned(caller, pair),
+grit_status read_pair(const grit_contact_bodies& b, const grit_contact_pair& first,
+                      const grit_contact_pair& caller, grit_contact_pair& pair,
+                      grit_contact_options& o, std::ptrdiff_t n, grit_error* error) {
+    GRIT_REQUIRE(caller.struct_size == first.struct_size && read_versioned(caller, pair),
                  "grit_contact_pair.struct_size %zu is not understood: set it to sizeof",
                  caller.struct_size);
     GRIT_REQUIRE(pair.a >= 0 && pair.a < b.count && pair.b >= 0 && pair.b < b.count &&
@@ -139,15 +139,29 @@ extern "C" grit_status grit_contact_correct_many(const grit_contact_bodies* bodi
     GRIT_REQUIRE(pairs || pair_count == 0, "grit_contact_correct_many: pairs is null");
     grit_contact_pair ours[most_pairs] = {};
     grit_contact_options options[most_pairs];
-    for (int p = 0; p < pair_count; ++p)
-        if (const grit_status s = read_pair(b, pairs[p], ours[p], options[p], n, error))
+    GRIT_REQUIRE(pair_count == 0 || pairs->struct_size % alignof(grit_contact_pair) == 0,
+                 "grit_contact_pair.struct_size %zu is not understood: set it to sizeof",
+                 pairs->struct_size);
+    const auto* bytes = reinterpret_cast<const unsigned char*>(pairs);
+    for (int p = 0; p < pair_count;
+         ++p) {  // the caller's struct may be longer or shorter than ours
+        const auto& caller = *reinterpret_cast<const grit_contact_pair*>(
+            bytes + static_cast<std::size_t>(p) * pairs->struct_size);
+        if (const grit_status s = read_pair(b, *pairs, caller, ours[p], options[p], n, error))
             return of_pair(p, s, error);
+    }
     if (const grit_status s = check_agreement(pair_count, ours, options, error)) return s;
     if (n == 0 || pair_count == 0) return GRIT_OK;
 
     const ManyRequest request{&b, ours, options, pair_count, n, reports, sums};
     const CorrectionOutcome outcome = GRIT_DISPATCH(b.instruction_set, correct_many(request));
     if (outcome.node < 0) return GRIT_OK;
+    if (outcome.status == GRIT_NOT_CONVERGED)
+        return failure(
+            error, outcome.status, outcome.node,
+            "node %td: no impulses keep the bodies apart: one is squeezed between two that "
+            "are rigid",
+            b.index ? b.index[outcome.node] : outcome.node);
     const int p = outcome.pair;
     return of_pair(p, describe_node(nodes_of(b, ours[p]), options[p], outcome.node, error), error);
 }

@@ -13,29 +13,43 @@ GRIT_KERNEL_BEGIN
 // 1/x of a component of a view: divided once where all nodes share it.
 template <class Real>
 GRIT_INLINE Real inverse_of(const Real& x, const grit_view& view, int component) {
-    if (view.point_stride == 0) return Real(1.0 / view.base[component * view.component_stride]);
-    return Real(1.0) / x;
+    if (view.point_stride == 0) {
+        const double shared = view.base[component * view.component_stride];
+        return Real(1.0 / max(shared, 1.0 / largest_number));
+    }
+    return Real(1.0) / max(x, Real(1.0 / largest_number));
 }
 
 // The cell along n, from the view of cell sizes or the edges of the cell, (C4).
 template <class Real, int C>
 GRIT_INLINE Cell<Real> cell_along(const grit_view& cell_size, const grit_view& spacing,
                                   const Vector<Real, C>& n, const Places<lanes_of<Real>>& places,
-                                  MaskOf<Real>& good) {
+                                  const auto& only, MaskOf<Real>& good) {
     if (cell_size.base) {
-        const Real d = load<Real>(cell_size, 0, places);
+        const Real d = only(load<Real>(cell_size, 0, places));
         good = good & good_length(d);
         return {d, inverse_of(d, cell_size, 0)};
     }
     Vector<Real, C> cells;
     for (int i = 0; i < C; ++i) {
-        const Real edge = load<Real>(spacing, i, places);
+        const Real edge = only(load<Real>(spacing, i, places));
         good = good & good_length(edge);
         cells[i] = n[i] * inverse_of(edge, spacing, i);
     }
     const Real inverse = sqrt(dot(cells, cells));
-    return {Real(1.0) / inverse, inverse};
+    return {Real(1.0) / max(inverse, Real(1.0 / largest_number)), inverse};
 }
+
+// What inactive lanes hold is not looked at: a comparison with their NaN might trap. In most packs of a
+// contact surface all lanes are active.
+struct Partly {
+    template <class Mask, class X> GRIT_INLINE X only(const Mask& mask, const X& x) const {
+        return where(mask, x);
+    }
+};
+struct Fully {
+    template <class Mask, class X> GRIT_INLINE X only(const Mask&, const X& x) const { return x; }
+};
 
 template <int C, bool geo> class Correction {
   public:
@@ -69,34 +83,44 @@ template <int C, bool geo> class Correction {
                 finish<Real>(first, places, shares, bad_masses, {}, {}, {});
             return;
         }
+        if (any(!shares.active)) correct<Real>(first, places, shares, bad_masses, Partly{});
+        else correct<Real>(first, places, shares, bad_masses, Fully{});
+    }
 
-        Vector<Real, C> v_a = load_vector<C, Real>(q.velocity_a, places);
-        Vector<Real, C> v_b = load_vector<C, Real>(q.velocity_b, places);
+    template <class Real, class Lanes>
+    GRIT_INLINE void correct(std::ptrdiff_t first, const Places<lanes_of<Real>>& places,
+                             const Shares<Real>& shares, const MaskOf<Real>& bad_masses,
+                             Lanes lanes) {
+        using Mask = MaskOf<Real>;
+        const Mask& active = shares.active;
+        const auto only = [&](const auto& x) { return lanes.only(active, x); };
+        const auto v_a = load_vector<C, Real>(q.velocity_a, places);
+        const auto v_b = load_vector<C, Real>(q.velocity_b, places);
         Approach<Real, C> x;
-        x.n = load_vector<C, Real>(q.normal, places);
-        Mask good = good_vector(v_a) & good_vector(v_b);
+        x.n = only(load_vector<C, Real>(q.normal, places));
+        Mask good = good_vector(only(v_a)) & good_vector(only(v_b));
         const Mask no_normal = zero_normal(x.n) & Mask(allow_zero_normal);
         good = good & (good_normal(x.n) | no_normal);
         x.gap = Real(-std::numeric_limits<double>::infinity());
         if (q.gap.base) {
-            x.gap = load<Real>(q.gap, 0, places);
+            x.gap = only(load<Real>(q.gap, 0, places));
             good = good & good_signed_length(x.gap);
         }
         if (geo) {
-            x.s = load<Real>(q.distance, 0, places);
+            x.s = only(load<Real>(q.distance, 0, places));
             Mask good_d(true);
-            x.cell = cell_along(q.cell_size, q.spacing, x.n, places, good_d);
+            x.cell = cell_along(q.cell_size, q.spacing, x.n, places, only, good_d);
             good = good & good_signed_length(x.s) & (good_d | no_normal);
         }
         if (adheres) {
-            x.area = load<Real>(q.contact_area, 0, places);
+            x.area = only(load<Real>(q.contact_area, 0, places));
             good = good & good_area(x.area);
         }
-        good = good & good_companions<Real>(places);
-        x.w = difference(v_a, v_b);
+        good = good & good_companions<Real>(only, places);
+        x.w = only(difference(v_a, v_b));
 
         Response<Real, C> r = respond<Real, C>(law, shares, x);
-        const Mask bad = bad_masses | (shares.active & (!good));
+        const Mask bad = bad_masses | (active & (!good));
         r.touches = r.touches & (!bad) & (!no_normal);
         r.slips = r.slips & r.touches;
         if (writes && any(r.touches)) write(places, shares, r, v_a, v_b);
@@ -107,20 +131,16 @@ template <int C, bool geo> class Correction {
         Vector<Real, C> a, b;  // before the correction
     };
 
-    template <class Real, class View>
-    GRIT_INLINE MaskOf<Real> good_if(bool asked, const View& view,
-                                     const Places<lanes_of<Real>>& places) const {
-        if (!asked || !view.base) return MaskOf<Real>(true);
-        return good_vector(load_vector<C, Real>(view, places));
-    }
-
     template <class Real>
-    GRIT_INLINE MaskOf<Real> good_companions(const Places<lanes_of<Real>>& places) const {
-        return good_if<Real>(true, q.acceleration_a, places) &
-               good_if<Real>(true, q.acceleration_b, places) &
-               good_if<Real>(dissipates, q.previous_velocity_a, places) &
-               good_if<Real>(dissipates, q.previous_velocity_b, places) &
-               good_if<Real>(moves, q.position, places);
+    GRIT_INLINE MaskOf<Real> good_companions(const auto& only,
+                                             const Places<lanes_of<Real>>& places) const {
+        const auto good_if = [&](bool asked, const auto& view) {
+            if (!asked || !view.base) return MaskOf<Real>(true);
+            return MaskOf<Real>(good_vector(only(load_vector<C, Real>(view, places))));
+        };
+        return good_if(true, q.acceleration_a) & good_if(true, q.acceleration_b) &
+               good_if(dissipates, q.previous_velocity_a) &
+               good_if(dissipates, q.previous_velocity_b) & good_if(moves, q.position);
     }
 
     template <class Real>
@@ -185,7 +205,8 @@ template <int C, bool geo> class Correction {
             const auto old_a = load_vector<C, double>(q.previous_velocity_a, here);
             const auto old_b = load_vector<C, double>(q.previous_velocity_b, here);
             for (int i = 0; i < C; ++i) {
-                const double w_new = lane_of(v.a[i], lane) - lane_of(v.b[i], lane) - node.r.u[i];
+                const double w_new = (lane_of(v.a[i], lane) - node.a * node.r.u[i]) -
+                                     (lane_of(v.b[i], lane) + node.b * node.r.u[i]);
                 mean[i] = 0.5 * (old_a[i] - old_b[i] + w_new);
             }
         }

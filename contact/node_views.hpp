@@ -50,6 +50,29 @@ GRIT_INLINE Pack<W> gather(const double* p, std::ptrdiff_t stride, const Places<
     else return V{x(0), x(1)};
 }
 
+// x where the mask holds, 0 elsewhere. The compiler may not look behind it: it would compare what the
+// other lanes hold, before they are blanked, and a comparison with a NaN can trap.
+GRIT_INLINE double where(bool mask, double x) {
+    x = select(mask, x, 0.0);
+#if defined(__x86_64__)
+    __asm__("" : "+x"(x));
+#endif
+    return x;
+}
+template <int W> GRIT_INLINE Pack<W> where(const PackMask<W>& mask, Pack<W> x) {
+    x = select(mask, x, Pack<W>(0.0));
+#if defined(__x86_64__)
+    __asm__("" : "+x"(x.v));
+#endif
+    return x;
+}
+template <class Mask, class Real, int C>
+GRIT_INLINE Vector<Real, C> where(const Mask& mask, const Vector<Real, C>& v) {
+    Vector<Real, C> r;
+    for (int i = 0; i < C; ++i) r[i] = where(mask, v[i]);
+    return r;
+}
+
 template <class Real> inline constexpr bool is_pack = (lanes_of<Real>) != 1;
 
 template <class Real, class View>

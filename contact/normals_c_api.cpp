@@ -42,7 +42,8 @@ grit_status read_vector(const grit_view& view, int components, std::ptrdiff_t no
         v.c[c] = view.base[node * view.point_stride + c * view.component_stride];
         if (!is_finite_number(v.c[c]))
             return failure(error, GRIT_BAD_STATE, i,
-                           "node %td: %s component %d must be finite, got %g", i, name, c, v.c[c]);
+                           "node %td: %s component %d must be finite, got %g", node, name, c,
+                           v.c[c]);
     }
     return GRIT_OK;
 }
@@ -64,11 +65,11 @@ grit_status read_node(const grit_contact_gradients& q, std::ptrdiff_t i, Node& x
     if (q.scale.base) x.scale = q.scale.base[node * q.scale.point_stride];
     if (!(x.scale >= 0.0 && is_finite_number(x.scale)))
         return failure(error, GRIT_BAD_STATE, i, "node %td: scale must be finite and >= 0, got %g",
-                       i, x.scale);
+                       node, x.scale);
     x.fixed = fixed_of(q.fixed, q.fixed_stride, node);
     if (!(x.fixed >= 0 && x.fixed < 1 << q.components))
         return failure(error, GRIT_BAD_CALL, i,
-                       "node %td: fixed must be bits of %d components in [0, %d], got %d", i,
+                       "node %td: fixed must be bits of %d components in [0, %d], got %d", node,
                        q.components, (1 << q.components) - 1, x.fixed);
     return GRIT_OK;
 }

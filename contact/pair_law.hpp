@@ -50,10 +50,12 @@ struct Law {
     explicit Law(const grit_contact_options& o)
         : k(o.penalty_power), mu(o.friction_coefficient), c_a_dt(o.adhesion * o.time_step),
           gap_tolerance(o.gap_tolerance), mass_tolerance(o.mass_tolerance),
-          inverse_dt(o.time_step > 0.0 ? 1.0 / o.time_step : 0.0), geo(o.law == GRIT_CONTACT_GEO),
-          rigid_a(o.rigid == GRIT_CONTACT_A_RIGID), rigid_b(o.rigid == GRIT_CONTACT_B_RIGID) {}
+          inverse_dt(o.time_step > 0.0 ? 1.0 / o.time_step : 0.0),
+          frictionless(o.friction_coefficient == 0.0 && o.adhesion == 0.0),
+          geo(o.law == GRIT_CONTACT_GEO), rigid_a(o.rigid == GRIT_CONTACT_A_RIGID),
+          rigid_b(o.rigid == GRIT_CONTACT_B_RIGID) {}
     double k, mu, c_a_dt, gap_tolerance, mass_tolerance, inverse_dt;
-    bool geo, rigid_a, rigid_b;
+    bool frictionless, geo, rigid_a, rigid_b;
 };
 
 // x^k of x in [0, 1] with 0^k = 0: by multiplication where k is a small whole number, as it mostly is.
@@ -94,17 +96,20 @@ template <class Real> struct Shares {
     Real m_r;
 };
 
+constexpr double no_mass = 1e-200;  // [mass] shares of less would lose their meaning
+constexpr double no_slip = 1e-150;  // [velocity]: hosts may trap a division by zero
+
 template <class Real>
 GRIT_INLINE Shares<Real> shares_of(const Law& law, const Real& m_a, const Real& m_b) {
     const Real zero(0.0), one(1.0);
     if (law.rigid_a || law.rigid_b) {
-        const MaskOf<Real> active = (m_a > zero) & (m_b > zero);
+        const MaskOf<Real> active = (m_a > Real(no_mass)) & (m_b > Real(no_mass));
         if (law.rigid_a) return {active, zero, one, m_b};  // (C5)
         return {active, one, zero, m_a};
     }
     const Real sum = m_a + m_b;
-    const Real least = Real(law.mass_tolerance) * sum;
-    const Real inverse = one / sum;
+    const Real least = max(Real(law.mass_tolerance) * sum, Real(no_mass));
+    const Real inverse = one / max(sum, Real(no_mass));
     const Real a = m_b * inverse;
     const MaskOf<Real> active = (m_a > least) & (m_b > least);
     return {active, a, m_a * inverse, m_a * a};  // (C1)
@@ -125,6 +130,15 @@ template <class Real, int C> struct Response {
     Vector<Real, C> u;             // on B
 };
 
+// Of u_t, after the penalty, (C5).
+template <class Real, int C>
+GRIT_INLINE Real friction_limit(const Law& law, const Shares<Real>& shares,
+                                const Approach<Real, C>& x, const Response<Real, C>& r) {
+    const Real friction = Real(law.mu) * r.u_n;
+    if (law.c_a_dt == 0.0) return friction;
+    return friction + r.f_p * Real(law.c_a_dt) * x.area / max(shares.m_r, Real(no_mass));
+}
+
 template <class Real, int C>
 GRIT_INLINE Response<Real, C> respond(const Law& law, const Shares<Real>& shares,
                                       const Approach<Real, C>& x) {
@@ -140,10 +154,9 @@ GRIT_INLINE Response<Real, C> respond(const Law& law, const Shares<Real>& shares
     r.u_n = r.f_p * r.w_n;  // (C5)
     const Vector<Real, C> w_t = scaled_sum(-r.w_n, x.n, x.w);
     r.w_t = sqrt(dot(w_t, w_t));
-    Real limit = Real(law.mu) * r.u_n;
-    if (law.c_a_dt > 0.0) limit = limit + r.f_p * Real(law.c_a_dt) * x.area / shares.m_r;
+    const Real limit = friction_limit(law, shares, x, r);
     r.slips = r.touches & (limit < r.w_t);
-    const Real part = select(r.slips, limit / r.w_t, one);
+    const Real part = select(r.slips, limit / max(r.w_t, Real(no_slip)), one);
     r.u_t = min(r.w_t, limit);
     for (int i = 0; i < C; ++i) r.u[i] = fma(part, w_t[i], r.u_n * x.n[i]);  // (C6)
     return r;

@@ -7,8 +7,6 @@
 
 namespace grit::penalty {
 
-inline bool is_switch(int x) { return x == 0 || x == 1; }
-
 inline bool is_aligned(const void* memory) {
     return reinterpret_cast<std::size_t>(memory) % alignof(double) == 0;
 }

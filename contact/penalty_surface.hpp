@@ -9,6 +9,8 @@
 
 #include <grit/contact_penalty.h>
 
+#include "support/views.hpp"
+
 namespace grit::penalty {
 
 struct Vec {
@@ -74,12 +76,6 @@ std::size_t line_size(std::ptrdiff_t vertices);
 // Lay a line out in memory and advance the pointer.
 Line place_line(char*& memory, std::ptrdiff_t vertices, bool closed);
 
-inline double component(const grit_view& view, std::ptrdiff_t i, std::ptrdiff_t c) {
-    return view.base[i * view.point_stride + c * view.component_stride];
-}
-inline double& component(const grit_mutable_view& view, std::ptrdiff_t i, std::ptrdiff_t c) {
-    return view.base[i * view.point_stride + c * view.component_stride];
-}
 inline Vec vector_of(const grit_view& view, std::ptrdiff_t i) {
     return {component(view, i, 0), component(view, i, 1)};
 }

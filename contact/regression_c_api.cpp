@@ -76,7 +76,7 @@ grit_status describe(const RegressionRequest& request, const RegressionOutcome& 
     const std::ptrdiff_t i = found.place, node = q.index ? q.index[i] : i;
     const std::ptrdiff_t p = q.particle && found.entry >= 0 ? q.particle[found.entry] : found.entry;
     const auto say = [&](const char* format, auto... values) {
-        return failure(error, status_of_regression(found.fault), i, format, i, values...);
+        return failure(error, status_of_regression(found.fault), i, format, node, values...);
     };
     switch (found.fault) {
         case RegressionFault::list_decreasing:
@@ -88,8 +88,9 @@ grit_status describe(const RegressionRequest& request, const RegressionOutcome& 
             return say("node %td: body of particle %td must be 0 (A) or 1 (B), got %d", p,
                        q.body[p * (q.body_stride ? q.body_stride : 1)]);
         case RegressionFault::weight_out_of_range:
-            return say("node %td: weight of particle %td must be in [0, %g], got %g", p,
-                       largest_particle_weight, q.weight.base[p * q.weight.point_stride]);
+            return say("node %td: weight of particle %td must be 0 or in [%g, %g], got %g", p,
+                       smallest_particle_weight, largest_particle_weight,
+                       q.weight.base[p * q.weight.point_stride]);
         case RegressionFault::position_not_finite:
             for (int c = 0; c < q.components; ++c) {
                 const double x =

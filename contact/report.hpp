@@ -10,7 +10,7 @@ GRIT_KERNEL_BEGIN
 // One node as plain numbers.
 template <int C> struct NodeResponse {
     bool active, touches, slips;
-    double m_r;
+    double m_r, a, b;  // as Shares
     Response<double, C> r;
 };
 
@@ -22,6 +22,8 @@ GRIT_INLINE NodeResponse<C> lane_of(const Shares<Real>& shares, const Response<R
     x.touches = holds(r.touches, lane);
     x.slips = holds(r.slips, lane);
     x.m_r = lane_of(shares.m_r, lane);
+    x.a = lane_of(shares.a, lane);
+    x.b = lane_of(shares.b, lane);
     x.r.f_p = lane_of(r.f_p, lane);
     x.r.w_n = lane_of(r.w_n, lane);
     x.r.w_t = lane_of(r.w_t, lane);
@@ -36,10 +38,10 @@ template <int C>
 inline grit_contact_report report_of(const Law& law, const NodeResponse<C>& x,
                                      const Vector<double, C>& n, const Vector<double, C>* mean) {
     grit_contact_report report{};
-    report.state = !x.active    ? GRIT_CONTACT_INACTIVE
-                   : !x.touches ? GRIT_CONTACT_OPEN
-                   : x.slips    ? GRIT_CONTACT_SLIP
-                                : GRIT_CONTACT_STICK;
+    report.state = !x.active                     ? GRIT_CONTACT_INACTIVE
+                   : !x.touches                  ? GRIT_CONTACT_OPEN
+                   : x.slips || law.frictionless ? GRIT_CONTACT_SLIP
+                                                 : GRIT_CONTACT_STICK;
     if (!x.active || !x.touches) return report;
     const Response<double, C>& r = x.r;
     report.penalty_factor = r.f_p;

@@ -30,6 +30,7 @@ struct ManyRequest {
 struct CorrectionOutcome {
     std::ptrdiff_t node = -1;
     int pair = 0;
+    grit_status status = GRIT_BAD_STATE;
 };
 
 #define GRIT_DECLARE_CONTACT_KERNELS(isa)                                                          \

@@ -31,7 +31,7 @@ inline void add_to_sums(grit_contact_sums& sums, const grit_contact_report& r,
     ++sums.word[counts_at + r.state];
     if (r.state < GRIT_CONTACT_STICK) return;
     const auto add = [&](int quantity, double x) {
-        add_exactly(sums.word + quantity * exact_sum_words, x);
+        if (x != 0.0) add_exactly(sums.word + quantity * exact_sum_words, x);
     };
     for (int i = 0; i < 3; ++i) {
         add(sum_impulse + i, r.impulse[i]);

@@ -66,6 +66,10 @@ grit_status grit_contact_sums_add(grit_contact_sums* into, const grit_contact_su
 
 grit_status grit_contact_sums_read(const grit_contact_sums* sums, grit_contact_totals* totals) {
     if (!sums || !totals) return GRIT_BAD_CALL;
+    constexpr std::int64_t most_terms = std::int64_t{1} << 30;
+    if (sums->word[counts_at + GRIT_CONTACT_STICK] + sums->word[counts_at + GRIT_CONTACT_SLIP] >
+        most_terms)
+        return GRIT_BAD_STATE;
     const auto read = [&](int quantity) {
         return nearest_double(sums->word + quantity * exact_sum_words);
     };

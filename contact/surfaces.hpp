@@ -7,15 +7,9 @@
 
 #include "contact/geometry_call.hpp"
 #include "support/versioned.hpp"
+#include "support/views.hpp"
 
 namespace grit {
-
-inline double component(const grit_view& view, std::ptrdiff_t i, int c) {
-    return view.base[i * view.point_stride + c * view.component_stride];
-}
-inline double& component(const grit_mutable_view& view, std::ptrdiff_t i, int c) {
-    return view.base[i * view.point_stride + c * view.component_stride];
-}
 
 inline grit_status read_surfaces(const grit_contact_surfaces* caller, grit_contact_surfaces& ours,
                                  grit_error* error) {

@@ -13,8 +13,13 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int bodies = 2;
 
 void lower(const grit_mutable_view& into, const grit_mutable_view& from, std::ptrdiff_t i) {
-    for (int body = 0; body < bodies; ++body)
-        component(into, i, body) = std::min(component(into, i, body), component(from, i, body));
+    for (int body = 0; body < bodies; ++body) {
+        double& mine = component(into, i, body);
+        const double other = component(from, i, body);
+        mine = mine <= other   ? mine
+               : other <= mine ? other
+                               : mine + other;  // a NaN of either stays
+    }
 }
 
 // The minimum of one body at a node: what reset and add leave is above -infinity.
@@ -24,14 +29,14 @@ grit_status finish_node(const grit_contact_surfaces& s, const grit_contact_dista
                         std::ptrdiff_t i, grit_error* error) {
     const std::ptrdiff_t node = q.index ? q.index[i] : i;
     if (!(node >= 0 && node < s.nodes))
-        return failure(error, GRIT_BAD_CALL, i, "node %td: index must be in [0, %td), got %td", i,
-                       s.nodes, node);
+        return failure(error, GRIT_BAD_CALL, i, "entry %td of index must be in [0, %td), got %td",
+                       i, s.nodes, node);
     const double from_a = component(s.surface, node, GRIT_CONTACT_BODY_A);
     const double from_b = component(s.surface, node, GRIT_CONTACT_BODY_B);
     if (!(is_minimum(from_a) && is_minimum(from_b)))
         return failure(error, GRIT_BAD_STATE, i,
-                       "node %td: surface must be above -infinity, got %g and %g: never reset?", i,
-                       from_a, from_b);
+                       "node %td: surface must be above -infinity, got %g and %g: never reset?",
+                       node, from_a, from_b);
     if (q.distance.base) {
         double distance = q.stiffer == GRIT_CONTACT_BODY_A ? from_a : from_b;  // (C4)
         if (q.measure == GRIT_CONTACT_EDGE) distance = std::fabs(distance);
@@ -39,7 +44,8 @@ grit_status finish_node(const grit_contact_surfaces& s, const grit_contact_dista
             distance = component(s.centre, node, q.stiffer);
             if (!(distance >= 0.0))
                 return failure(error, GRIT_BAD_STATE, i,
-                               "node %td: centre must be >= 0, got %g: never reset?", i, distance);
+                               "node %td: centre must be >= 0, got %g: never reset?", node,
+                               distance);
         }
         component(q.distance, node, 0) = distance;
     }

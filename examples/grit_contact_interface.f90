@@ -64,11 +64,11 @@ module grit_contact_interface
       integer(c_int) :: status, state
       real(c_double) :: penalty_factor, impulse(3), force(3)
       real(c_double) :: trial_energy(2), dissipation(2)  ! normal, tangential
-      real(c_double) :: reserved(2)
+      real(c_double) :: reserved(4)
    end type
 
    type, bind(c) :: grit_contact_sums
-      integer(c_int64_t) :: word(880) = 0
+      integer(c_int64_t) :: word(1200) = 0
    end type
 
    type, bind(c) :: grit_contact_totals

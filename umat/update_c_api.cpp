@@ -6,6 +6,7 @@
 #include "support/instruction_set.hpp"
 #include "support/require.hpp"
 #include "support/versioned.hpp"
+#include "support/views.hpp"
 #include "umat/point.hpp"
 
 namespace grit {
@@ -18,8 +19,6 @@ grit_sand_options default_options() {
     options.evaluation_limit = 20000;
     return options;
 }
-
-bool is_switch(int x) { return x == 0 || x == 1; }
 
 grit_status check_options(const grit_sand_options& o, grit_error* error) {
     GRIT_REQUIRE(o.tolerance >= 1e-12 && o.tolerance <= 0.1,

@@ -50,9 +50,9 @@ GRIT_API grit_status grit_contact_options_init(grit_contact_options* options, si
 /* ---- a pair of bodies ------------------------------------------------------------------------ */
 
 /* n nodes as the host stores them, c = components. Zero-initialise, set struct_size, then what is
- * needed. Optional views are off with a null base. A node is inactive, and nothing but its masses is
- * read, unless both masses exceed mass_tolerance times their sum (a rigid body's: unless it has any).
- * Inputs may repeat (point_stride 0); what is written may not overlap anything. */
+ * needed. Optional views are off with a null base. A node is inactive unless both masses exceed
+ * 1e-200 and mass_tolerance times their sum (with a rigid body: 1e-200 only): its other numbers may be
+ * anything, NaN too, but their memory must exist, and velocities may be rewritten with the same bits. Inputs may repeat (point_stride 0); what is written may not overlap. */
 typedef struct grit_contact_nodes {
     size_t struct_size;
     const ptrdiff_t* index; /* [n] nodes to be taken, all distinct; null: 0 ... n-1 */
@@ -78,7 +78,7 @@ enum {
     GRIT_CONTACT_INACTIVE = 0, /* one body only, or none */
     GRIT_CONTACT_OPEN = 1,     /* two bodies that part, are apart, or s >= d: bitwise untouched */
     GRIT_CONTACT_STICK = 2,
-    GRIT_CONTACT_SLIP = 3
+    GRIT_CONTACT_SLIP = 3 /* always without friction and adhesion */
 };
 
 typedef struct grit_contact_report {
@@ -95,7 +95,7 @@ typedef struct grit_contact_report {
      * previous_velocity views, 0 without. */
     double dissipation_normal;
     double dissipation_tangential;
-    double reserved[2];
+    double reserved[4];
 } grit_contact_report;
 
 /* ---- sums over nodes --------------------------------------------------------------------------- */
@@ -103,25 +103,29 @@ typedef struct grit_contact_report {
 /* Exact sums over nodes: whatever the order of the nodes and however they are cut into calls, threads
  * or processes, the totals are the correctly rounded sums. Caller's memory; all zero is empty. Sums of
  * several threads are added by grit_contact_sums_add, of processes by adding words as integers
- * (MPI_SUM of MPI_INT64_T). Holds 2^30 nodes. */
-enum { GRIT_CONTACT_SUMS_WORDS = 880 };
+ * (MPI_SUM of MPI_INT64_T); where processes share nodes, each node may be in the sums of one only: make
+ * a call of its own, without sums, for the nodes that another process owns. Holds 2^30 nodes in contact;
+ * for the impulse of a long run read the sums of a step and add the totals. */
+enum { GRIT_CONTACT_SUMS_WORDS = 1200 };
 
 typedef struct grit_contact_sums {
     int64_t word[GRIT_CONTACT_SUMS_WORDS];
 } grit_contact_sums;
 
 typedef struct grit_contact_totals {
-    size_t struct_size; /* set by the caller */
-    double impulse_on_a[3], impulse_on_b[3];
-    double force_on_a[3], force_on_b[3];   /* [force], 0 without time_step */
+    size_t struct_size;                      /* set by the caller */
+    double impulse_on_a[3], impulse_on_b[3]; /* in axisymmetry [0] is radial: a sum, no resultant */
+    double force_on_a[3], force_on_b[3];     /* [force], 0 without time_step */
     double moment_on_a[3], moment_on_b[3]; /* of the forces about the origin; in the plane [2] only,
-                                              x f_y - y f_x; 0 without position */
+                                                x f_y - y f_x (no moment in axisymmetry); 0 without
+                                                position */
     double trial_energy_normal, trial_energy_tangential;
     double dissipation_normal, dissipation_tangential;
     ptrdiff_t inactive, open, stick, slip, failed; /* nodes */
 } grit_contact_totals;
 
 GRIT_API grit_status grit_contact_sums_add(grit_contact_sums* into, const grit_contact_sums* from);
+/* GRIT_BAD_STATE: more than 2^30 nodes in contact were added. */
 GRIT_API grit_status grit_contact_sums_read(const grit_contact_sums* sums,
                                             grit_contact_totals* totals);
 
@@ -172,16 +176,23 @@ typedef struct grit_contact_bodies {
     grit_view position;                    /* [c] optional */
     double sweep_tolerance; /* largest velocity change / largest approach that ends the sweeps [-]
                                in (0, 1]; 0 means 1e-3 */
-    int sweep_limit;        /* >= 0; 0 means 20 */
+    int sweep_limit;        /* >= 0; 0 means 50 */
     int instruction_set;    /* GRIT_ISA_... */
     int validate_only;      /* 0 or 1 */
     int reserved;           /* 0 */
 } grit_contact_bodies;
 
-/* Correct the velocities of m bodies at n nodes, pair after pair in the given order, in Gauss-Seidel
- * sweeps: a pair's impulse is that of (C5) for the velocities which the other pairs leave, and replaces
- * the one it had. Momentum is kept by every sweep; one active pair gives grit_contact_correct.
- *   pairs [pair_count]; at most one pair for two bodies. Any bad pair at a node: the node is untouched.
+/* Correct the velocities of m bodies at n nodes. Nodes where one pair is active get what
+ * grit_contact_correct gives. Where several are, sweeps alternate between all normal impulses, solved
+ * together, and friction pair after pair in the given order: at the end each pair's impulse is that of
+ * (C5) for the velocities which the others leave. Momentum is kept by every sweep.
+ *   pairs [pair_count], all of the same struct_size; at most one pair for two bodies, none for two
+ *   rigid ones. Any bad pair at a node: the node is untouched.
+ *   The sweeps end when no velocity changes by more than sweep_tolerance times the largest approach, or
+ *   after sweep_limit. Where friction then gains energy (Coulomb's law at several normals may), or has
+ *   not settled and more than a tenth of the approach is left, the node gets normal impulses only.
+ *   GRIT_NOT_CONVERGED: no normal impulses keep the bodies apart (one is squeezed between two rigid
+ *   ones); that node is untouched.
  *   reports [n][pair_count] and sums [pair_count] as above, per pair; may be null. */
 GRIT_API grit_status grit_contact_correct_many(const grit_contact_bodies* bodies, int pair_count,
                                                const grit_contact_pair* pairs, ptrdiff_t n,

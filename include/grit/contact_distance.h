@@ -85,7 +85,8 @@ GRIT_API grit_status grit_contact_surfaces_add(const grit_contact_surfaces* surf
                                                const grit_contact_domains* domains,
                                                grit_error* error);
 
-/* into becomes the smaller of into and from, for every node. Both have centre, or neither. */
+/* into becomes the smaller of into and from, for every node; NaN if either is. Both have centre, or
+ * neither. */
 GRIT_API grit_status grit_contact_surfaces_merge(const grit_contact_surfaces* into,
                                                  const grit_contact_surfaces* from,
                                                  grit_error* error);

@@ -11,7 +11,7 @@ VALUE(GRIT_CONTACT_NONE_RIGID, 0);
 VALUE(GRIT_CONTACT_OPEN, 1);
 VALUE(GRIT_CONTACT_SLIP, 3);
 VALUE(GRIT_CONTACT_STICK, 2);
-VALUE(GRIT_CONTACT_SUMS_WORDS, 880);
+VALUE(GRIT_CONTACT_SUMS_WORDS, 1200);
 
 #if defined(__LP64__)
 
@@ -49,7 +49,7 @@ PLACE(grit_contact_nodes, previous_velocity_a, 304);
 PLACE(grit_contact_nodes, previous_velocity_b, 328);
 PLACE(grit_contact_nodes, position, 352);
 
-SIZE(grit_contact_report, 112);
+SIZE(grit_contact_report, 128);
 PLACE(grit_contact_report, status, 0);
 PLACE(grit_contact_report, state, 4);
 PLACE(grit_contact_report, penalty_factor, 8);
@@ -61,7 +61,7 @@ PLACE(grit_contact_report, dissipation_normal, 80);
 PLACE(grit_contact_report, dissipation_tangential, 88);
 PLACE(grit_contact_report, reserved, 96);
 
-SIZE(grit_contact_sums, 7040);
+SIZE(grit_contact_sums, 9600);
 PLACE(grit_contact_sums, word, 0);
 
 SIZE(grit_contact_totals, 224);
@@ -109,5 +109,5 @@ PLACE(grit_contact_bodies, sweep_limit, 88);
 PLACE(grit_contact_bodies, instruction_set, 92);
 PLACE(grit_contact_bodies, validate_only, 96);
 PLACE(grit_contact_bodies, reserved, 100);
-#endif
 
+#endif

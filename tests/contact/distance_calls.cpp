@@ -198,7 +198,7 @@ TEST(DistanceCall, FinishesTheNodesOfAListAndRefusesMinimaThatWereNeverReset) {
     EXPECT_EQ(finish_with(4), GRIT_BAD_STATE);
     EXPECT_EQ(error.point, 1);
     EXPECT_STREQ(error.message,
-                 (std::string("node 1: surface must be above -infinity, got nan and ") +
+                 (std::string("node 3: surface must be above -infinity, got nan and ") +
                   [&] {
                       char number[32];
                       std::snprintf(number, sizeof number, "%g", s.surface[7]);
@@ -215,12 +215,12 @@ TEST(DistanceCall, FinishesTheNodesOfAListAndRefusesMinimaThatWereNeverReset) {
     EXPECT_EQ(finish_with(4), GRIT_BAD_STATE);
     s.surface[2 * 3] = infinity;
     EXPECT_EQ(finish_with(4), GRIT_BAD_STATE);
-    EXPECT_STREQ(error.message, "node 2: centre must be >= 0, got -1: never reset?");
+    EXPECT_STREQ(error.message, "node 5: centre must be >= 0, got -1: never reset?");
     EXPECT_EQ(gap[5], 9.0);
     const std::ptrdiff_t beyond = 6;
     q.index = &beyond;
     EXPECT_EQ(finish_with(1), GRIT_BAD_CALL);
-    EXPECT_STREQ(error.message, "node 0: index must be in [0, 6), got 6");
+    EXPECT_STREQ(error.message, "entry 0 of index must be in [0, 6), got 6");
 }
 
 TEST(DistanceCall, FinishesNothingIfItIsWrongAsAWhole) {

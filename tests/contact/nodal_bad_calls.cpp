@@ -72,7 +72,13 @@ TEST(BadContactCall, ViewsThatCannotBeUsedAreRefused) {
     expect_bad_call([](Options&, Views& q) { q.velocity_b.component_stride = 0; },
                     "velocity_b has 3 components: component_stride must not be 0");
     expect_bad_call([](Options&, Views& q) { q.velocity_a.point_stride = 0; },
-                    "velocity_a is written: point_stride must not be 0 for 3 nodes");
+                    "velocity_a is written: strides of 0 (nodes) and 1 (components) put two of its "
+                    "numbers in one place");
+    expect_bad_call([](Options&, Views& q) { q.velocity_a.point_stride = 1; },
+                    "velocity_a is written: strides of 1 (nodes) and 1 (components)");
+    expect_bad_call(
+        [](Options&, Views& q) { q.velocity_b.component_stride = -q.velocity_b.point_stride; },
+        "velocity_b is written: strides of");
     expect_bad_call([](Options&, Views& q) { q.acceleration_a = q.velocity_a; },
                     "acceleration_a is to be corrected: needs time_step > 0");
     expect_bad_call([](Options&, Views& q) { q.acceleration_b = q.velocity_b; },

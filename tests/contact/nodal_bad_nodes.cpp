@@ -98,23 +98,23 @@ TEST(BadNode, OfANegativeAreaIsNamed) {
 }
 
 TEST(BadNode, OfAVectorThatIsNotFiniteIsNamed) {
-    const std::string limit = " must be finite, at most 1e100 ";
+    const std::string limit = " must be finite, |components| at most 1e100 in sum ";
     expect_bad_node([](Node& x) { x.v_a[2] = nan; },
-                    "velocity_a component 2" + limit + "[velocity], got nan");
+                    "velocity_a" + limit + "[velocity], component 2 is nan");
     expect_bad_node([](Node& x) { x.v_b[0] = infinity; },
-                    "velocity_b component 0" + limit + "[velocity], got inf");
+                    "velocity_b" + limit + "[velocity], component 0 is inf");
     expect_bad_node([](Node& x) { x.v_b[1] = -1e101; },
-                    "velocity_b component 1" + limit + "[velocity], got -1e+101");
+                    "velocity_b" + limit + "[velocity], component 1 is -1e+101");
     expect_bad_node([](Node& x) { x.a_a[1] = nan; },
-                    "acceleration_a component 1" + limit + "[acceleration], got nan");
+                    "acceleration_a" + limit + "[acceleration], component 1 is nan");
     expect_bad_node([](Node& x) { x.a_b[1] = nan; },
-                    "acceleration_b component 1" + limit + "[acceleration], got nan");
+                    "acceleration_b" + limit + "[acceleration], component 1 is nan");
     expect_bad_node([](Node& x) { x.old_a[0] = nan; },
-                    "previous_velocity_a component 0" + limit + "[velocity], got nan");
+                    "previous_velocity_a" + limit + "[velocity], component 0 is nan");
     expect_bad_node([](Node& x) { x.old_b[0] = nan; },
-                    "previous_velocity_b component 0" + limit + "[velocity], got nan");
+                    "previous_velocity_b" + limit + "[velocity], component 0 is nan");
     expect_bad_node([](Node& x) { x.x[1] = nan; },
-                    "position component 1" + limit + "[length], got nan");
+                    "position" + limit + "[length], component 1 is nan");
 }
 
 TEST(BadNode, IsTheFirstOfSeveral) {

@@ -30,8 +30,8 @@ int state_of(Node& x, const grit_contact_options& options = options_with(), bool
 
 TEST(NodalContact, StopsABodyThatApproaches) {
     Node x = meeting(1.0, -1.0);
-    EXPECT_EQ(state_of(x), GRIT_CONTACT_STICK);
-    EXPECT_NEAR(x.v_a[0], -0.2, 1e-15);  // (2 - 3) / 5
+    EXPECT_EQ(state_of(x), GRIT_CONTACT_SLIP);  // no friction
+    EXPECT_NEAR(x.v_a[0], -0.2, 1e-15);         // (2 - 3) / 5
     EXPECT_NEAR(x.v_b[0], -0.2, 1e-15);
 }
 
@@ -71,18 +71,30 @@ TEST(NodalContact, LeavesANodeOfOneBodyAlone) {
 TEST(NodalContact, IgnoresATraceOfMass) {
     Node x = meeting(1.0, -1.0);
     x.m_a = 1e-11 * x.m_b;
-    grit_contact_options options = options_with();
-    options.mass_tolerance = 1e-10;
-    Node trace = x;
-    EXPECT_EQ(state_of(trace, options), GRIT_CONTACT_INACTIVE);
-    options.mass_tolerance = 1e-12;
-    EXPECT_EQ(state_of(x, options), GRIT_CONTACT_STICK);
+    for (const bool swapped : {false, true}) {
+        if (swapped) std::swap(x.m_a, x.m_b);
+        grit_contact_options options = options_with();
+        options.mass_tolerance = 1e-10;
+        Node trace = x;
+        EXPECT_EQ(state_of(trace, options), GRIT_CONTACT_INACTIVE);
+        options.mass_tolerance = 1e-12;
+        trace = x;
+        EXPECT_EQ(state_of(trace, options), GRIT_CONTACT_SLIP);
+    }
+}
+
+TEST(NodalContact, TakesMassesThatAreNoneForNone) {
+    Node x = meeting(1.0, -1.0);
+    x.m_a = x.m_b = 1e-309;
+    const Node before = x;
+    EXPECT_EQ(state_of(x), GRIT_CONTACT_INACTIVE);
+    EXPECT_TRUE(same_bits({x}, {before}));
 }
 
 TEST(GapGate, WaitsUntilTheSurfacesMeet) {
     for (const auto& [gap, state] :
-         {std::pair(1e-9, GRIT_CONTACT_OPEN), std::pair(0.0, GRIT_CONTACT_STICK),
-          std::pair(-0.1, GRIT_CONTACT_STICK), std::pair(infinity, GRIT_CONTACT_OPEN)}) {
+         {std::pair(1e-9, GRIT_CONTACT_OPEN), std::pair(0.0, GRIT_CONTACT_SLIP),
+          std::pair(-0.1, GRIT_CONTACT_SLIP), std::pair(infinity, GRIT_CONTACT_OPEN)}) {
         Node x = meeting(1.0, -1.0);
         x.gap = gap;
         EXPECT_EQ(state_of(x, options_with(), true), state) << gap;
@@ -94,7 +106,7 @@ TEST(GapGate, KnowsATolerance) {
     options.gap_tolerance = 0.01;
     Node x = meeting(1.0, -1.0);
     x.gap = 0.01;
-    EXPECT_EQ(state_of(x, options, true), GRIT_CONTACT_STICK);
+    EXPECT_EQ(state_of(x, options, true), GRIT_CONTACT_SLIP);
     x = meeting(1.0, -1.0);
     x.gap = 0.0101;
     EXPECT_EQ(state_of(x, options, true), GRIT_CONTACT_OPEN);
@@ -136,7 +148,7 @@ TEST(GeoContact, DoesNotReadDistancesWhenFrictional) {
     x.d = 0.0;
     grit_contact_options options = options_with();
     options.law = GRIT_CONTACT_FRICTIONAL;
-    EXPECT_EQ(state_of(x, options), GRIT_CONTACT_STICK);
+    EXPECT_EQ(state_of(x, options), GRIT_CONTACT_SLIP);
 }
 
 TEST(GeoContact, MeasuresTheCellAlongTheNormal) {
@@ -175,7 +187,8 @@ TEST(GeoContact, ScalesByThePenaltyFactorOfTheDistance) {
     for (const auto& [s, d, k] :
          {std::tuple(std::nan(""), 1.0, 2.0), std::tuple(0.5, 0.0, 2.0), std::tuple(0.5, -1.0, 2.0),
           std::tuple(0.5, 1.0, 0.0), std::tuple(0.5, 1.0, -2.0), std::tuple(0.5, 1.0, 2e6),
-          std::tuple(0.5, infinity, 2.0), std::tuple(0.5, 1.0, std::nan(""))})
+          std::tuple(0.5, infinity, 2.0), std::tuple(0.5, 1e-310, 2.0),
+          std::tuple(0.5, 1.0, std::nan(""))})
         EXPECT_EQ(grit_contact_penalty_factor(s, d, k, &f), GRIT_BAD_CALL);
     EXPECT_EQ(f, 7.0);
 }

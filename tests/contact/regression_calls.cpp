@@ -157,9 +157,9 @@ TEST(RegressionCall, LeavesABadNodeAloneAndDoesTheOthers) {
     expect_failure([=](Clouds& x) { x.position[2 * 25] = inf; }, GRIT_BAD_STATE,
                    "node 3: position component 0 of particle 25 must be finite, got inf");
     expect_failure([](Clouds& x) { x.weight[16] = -2.0; }, GRIT_BAD_STATE,
-                   "node 3: weight of particle 16 must be in [0, 1e+100], got -2");
+                   "node 3: weight of particle 16 must be 0 or in [1e-100, 1e+100], got -2");
     expect_failure([](Clouds& x) { x.weight[16] = std::nan(""); }, GRIT_BAD_STATE,
-                   "node 3: weight of particle 16 must be in [0, 1e+100], got nan");
+                   "node 3: weight of particle 16 must be 0 or in [1e-100, 1e+100], got nan");
     expect_failure([](Clouds& x) { x.position[2 * 18] += 103.0; }, GRIT_BAD_STATE,
                    "node 3: particle 18 is more than 100 lengths of 1 from the first: units?");
     expect_failure([](Clouds& x) { x.position[2 * 18] = 1e308; }, GRIT_BAD_STATE,

@@ -63,6 +63,21 @@ TEST(ContactSums, AgreeWithHigherPrecision) {
     }
 }
 
+TEST(ContactSums, SayWhenTheyAreFull) {
+    Nodes nodes({giving(1.0)});
+    ASSERT_EQ(nodes.correct(options_with()), GRIT_OK);
+    grit_contact_totals totals{};
+    totals.struct_size = sizeof totals;
+    for (int doubling = 0; doubling < 30; ++doubling) {
+        const grit_contact_sums same = nodes.sums;
+        grit_contact_sums_add(&nodes.sums, &same);
+    }
+    EXPECT_EQ(grit_contact_sums_read(&nodes.sums, &totals), GRIT_OK);
+    EXPECT_EQ(totals.impulse_on_b[0], 0.5 * 0x1p30);
+    grit_contact_sums_add(&nodes.sums, &nodes.sums);
+    EXPECT_EQ(grit_contact_sums_read(&nodes.sums, &totals), GRIT_BAD_STATE);
+}
+
 TEST(ContactSums, DoNotDependOnTheOrder) {
     Random random(52);
     std::vector<double> terms;

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Views as the C entry points read and judge them.
+#pragma once
+
+#include <cstddef>
+
+#include <grit/view.h>
+
+namespace grit {
+
+inline bool is_switch(int x) { return x == 0 || x == 1; }
+
+inline double component(const grit_view& view, std::ptrdiff_t i, std::ptrdiff_t c) {
+    return view.base[i * view.point_stride + c * view.component_stride];
+}
+inline double& component(const grit_mutable_view& view, std::ptrdiff_t i, std::ptrdiff_t c) {
+    return view.base[i * view.point_stride + c * view.component_stride];
+}
+
+// Do two of the numbers of n points, each of so many components, lie at the same place?
+inline bool overlaps_itself(const grit_mutable_view& view, std::ptrdiff_t components,
+                            std::ptrdiff_t n) {
+    const std::ptrdiff_t point = view.point_stride, step = view.component_stride;
+    if (components > 1 && step == 0) return true;
+    if (n > 1 && point == 0) return true;
+    for (std::ptrdiff_t c = 1; c < components && n > 1; ++c) {
+        const std::ptrdiff_t apart = step * c / point;
+        if (step * c % point == 0 && apart < n && apart > -n) return true;
+    }
+    return false;
+}
+
+}  // namespace grit
