@@ -80,21 +80,24 @@ int labels_of(const Panel& panel) {
         }));
 }
 
-// Tics of a logarithmic axis.
-std::string log_tics(const Panel& panel) {
-    double low = INFINITY, high = 0.0;
+// Tics of the x axis: gnuplot's own, or ours where it would write too few or too many.
+std::string x_tics(const Panel& panel, bool narrow) {
+    const std::string linear = "unset logscale x\nset autoscale x\nset format x\n";
+    if (!panel.log_x && !narrow) return linear + "set xtics autofreq\n";
+    double low = INFINITY, high = -INFINITY;
     for (const Series& series : panel.series)
         for (std::size_t i = 0; i < series.x.size(); ++i)
             if (drawable(series, panel, i)) {
                 low = std::min(low, series.x[i]);
                 high = std::max(high, series.x[i]);
             }
-    if (high == 0.0) return "";
+    if (!(high > low)) return linear + "set xtics autofreq\n";
     std::string out;
-    for (const double tic : logarithmic_tics(low, high))
+    for (const double tic : panel.log_x ? logarithmic_tics(low, high) : even_tics(low, high))
         out += fmt::format("{}{:g}", out.empty() ? "" : ", ", tic);
-    return fmt::format("set logscale x\nset autoscale xfix\nset format x '%g'\nset xtics ({})\n",
-                       out);
+    return fmt::format(
+        "{}set xtics ({})\n",
+        panel.log_x ? "set logscale x\nset autoscale xfix\nset format x '%g'\n" : linear, out);
 }
 
 // Panels in rows and columns, and what surrounds them [px].
@@ -124,8 +127,7 @@ std::string panel_script(const Picture& picture, const Layout& layout, std::size
     out += panel.title.empty() ? "unset title\n"
                                : fmt::format("set title {} noenhanced font ',11' offset 0,-0.8\n",
                                              gnuplot_quoted(panel.title));
-    out += panel.log_x ? log_tics(panel)
-                       : "unset logscale x\nset autoscale x\nset xtics autofreq\nset format x\n";
+    out += x_tics(panel, picture.labels_above);
     out += panel.y_from_zero ? "set yrange [0:*]\n" : "set yrange [*:*]\n";
     out += number == 0 ? fmt::format("set key at screen 0.5,{:.4f} center top Left reverse samplen "
                                      "1.6 noenhanced\n",

@@ -18,8 +18,9 @@ std::vector<double> of_digits(double low, double high, const std::vector<int>& d
     return out;
 }
 
-// Multiples of 1, 2 or 5 times a power of ten.
-std::vector<double> even(double low, double high) {
+}  // namespace
+
+std::vector<double> even_tics(double low, double high) {
     const double unit = std::pow(10.0, std::floor(std::log10(high - low)) - 1.0);
     std::vector<double> out;
     for (const double step :
@@ -32,15 +33,13 @@ std::vector<double> even(double low, double high) {
     return out;
 }
 
-}  // namespace
-
 std::vector<double> logarithmic_tics(double low, double high) {
     if (!(high > low * (1.0 + 1e-9))) return {low};
     for (const std::vector<int>& digits : {std::vector<int>{1}, {1, 2, 5}, {1, 2, 3, 5, 7}}) {
         const std::vector<double> out = of_digits(low, high, digits);
         if (out.size() >= few) return out;
     }
-    return even(low, high);
+    return even_tics(low, high);
 }
 
 }  // namespace cli

@@ -9,4 +9,7 @@ namespace cli {
 // decade, or even steps where the axis is short; three at least.
 std::vector<double> logarithmic_tics(double low, double high);
 
+// Multiples of 1, 2 or 5 times a power of ten between low and high > low: four or a few more.
+std::vector<double> even_tics(double low, double high);
+
 }  // namespace cli
