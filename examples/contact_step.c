@@ -61,8 +61,9 @@ int main(void) {
     grit_error error = {0};
 
     for (int i = 0; i < NODES; ++i) {
-        position[i][0] = i % COLUMNS;
-        position[i][1] = i / COLUMNS;
+        const int row = i / COLUMNS;
+        position[i][0] = i - row * COLUMNS;
+        position[i][1] = row;
         fixed[i] =
             GRIT_CONTACT_FIXED_1; /* the plate goes on to both sides, no normal has an x component */
     }
