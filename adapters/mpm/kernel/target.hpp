@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One source, one kernel per instruction set: a translation unit defines MPM_TARGET and what it includes
+// lives in a namespace of its own, so that no template of one set is merged with that of another.
+#pragma once
+
+#ifndef MPM_TARGET
+#define MPM_TARGET baseline
+#endif
+
+#define MPM_KERNEL_BEGIN                                                                           \
+    namespace grit::mpm::MPM_TARGET {                                                              \
+    namespace {
+#define MPM_KERNEL_END                                                                             \
+    }                                                                                              \
+    }
+
+#define MPM_INLINE __attribute__((always_inline, unused)) inline
