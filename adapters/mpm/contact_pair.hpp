@@ -24,8 +24,8 @@ struct ContactLaw {
 ContactLaw contact_law(int law, double friction_coefficient, double penalty_power = 6.0);
 
 struct ContactBody {
-    const Vec8* records;
-    Vec4* motions;
+    const NodeRecord* records;
+    NodeMotion* motions;
     ParticleView particles;
     std::ptrdiff_t count;
     bool rigid;

@@ -39,8 +39,8 @@ class Simulation {
     long steps() const { return step_count; }
 
     Body& body(std::size_t i) { return parts[i].body; }
-    const std::vector<Vec8>& records(std::size_t body) const { return parts[body].records; }
-    const std::vector<Vec4>& motions(std::size_t body) const { return parts[body].motions; }
+    const std::vector<NodeRecord>& records(std::size_t body) const { return parts[body].records; }
+    const std::vector<NodeMotion>& motions(std::size_t body) const { return parts[body].motions; }
     const ContactPair& contact(std::size_t i) const { return contacts[i]; }
     // Particle with this id.
     std::ptrdiff_t find(std::size_t body, int id) const {
@@ -53,8 +53,8 @@ class Simulation {
     struct Part {
         Body body;
         Strips strips;
-        std::vector<Vec8> records = {};
-        std::vector<Vec4> motions = {};
+        std::vector<NodeRecord> records = {};
+        std::vector<NodeMotion> motions = {};
         std::vector<std::ptrdiff_t> slot = {};  // of an id
         double least_mass = 0.0;
         std::vector<GatherSums> gather_sums = {};  // of each strip

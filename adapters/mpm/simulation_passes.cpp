@@ -55,7 +55,7 @@ void for_strips(ThreadPool& pool, Parts& parts, const Work& work) {
 void Simulation::clear() {
     for_strips(pool, parts, [this](Part& part, int strip) {
         const Rows rows = nodes_of(strip);
-        std::fill(part.records.begin() + rows.begin, part.records.begin() + rows.end, Vec8{});
+        std::fill(part.records.begin() + rows.begin, part.records.begin() + rows.end, NodeRecord{});
     });
 }
 
@@ -94,9 +94,9 @@ void Simulation::advance() {
         node_sums = {};
         const NodeCall call = node_call(part, strip);
         if (!part.body.rigid()) return advance_nodes(call, node_sums);
-        const Vec2 v = part.body.prescribed_velocity(t + dt);
+        const Vector v = part.body.prescribed_velocity(t + dt);
         for (std::ptrdiff_t i = call.begin; i < call.end; ++i)
-            part.motions[static_cast<std::size_t>(i)] = Vec4{v[0], v[1], v[0], v[1]};
+            part.motions[static_cast<std::size_t>(i)] = NodeMotion{v.r, v.z, v.r, v.z};
     });
 }
 
@@ -115,8 +115,8 @@ void Simulation::correct_contacts() {
             if (!parts[i].body.rigid()) continue;
             // What moves a rigid body works against the force that the body feels.
             const double* J = i == law.a ? totals.impulse_on_a : totals.impulse_on_b;
-            const Vec2 v = parts[i].body.prescribed_velocity(t + dt);
-            sums.rigid_work -= J[0] * v[0] + J[1] * v[1];
+            const Vector v = parts[i].body.prescribed_velocity(t + dt);
+            sums.rigid_work -= J[0] * v.r + J[1] * v.z;
         }
     }
 }
@@ -135,7 +135,7 @@ void Simulation::remap() {
     for_strips(pool, parts, [this](Part& part, int strip) {
         const Rows rows = nodes_of(strip);
         for (std::ptrdiff_t i = rows.begin; i < rows.end; ++i) {
-            Vec8& n = part.records[static_cast<std::size_t>(i)];
+            NodeRecord& n = part.records[static_cast<std::size_t>(i)];
             n[record::p_r] = n[record::p_z] = 0.0;
         }
     });

@@ -22,7 +22,7 @@ Corner corner_at(const GridView& grid, double r, double z) {
 
 }  // namespace
 
-EdgeForces edge_forces(const ParticleView& q, std::ptrdiff_t p, Edge edge, Vec2 stress,
+EdgeForces edge_forces(const ParticleView& q, std::ptrdiff_t p, Edge edge, Vector stress,
                        bool axisymmetric) {
     namespace c = column;
     constexpr double xi[4][2] = {{-1, 1}, {1, 1}, {1, -1}, {-1, -1}};
@@ -38,13 +38,13 @@ EdgeForces edge_forces(const ParticleView& q, std::ptrdiff_t p, Edge edge, Vec2 
     const double middle = 0.5 * (out.r[0] + out.r[1]), sixth = (out.r[1] - out.r[0]) / 6.0;
     for (int k = 0; k < 2; ++k) {
         const double width = axisymmetric ? middle + (k == 0 ? -sixth : sixth) : 1.0;
-        out.f_r[k] = 0.5 * l * width * stress[0];
-        out.f_z[k] = 0.5 * l * width * stress[1];
+        out.f_r[k] = 0.5 * l * width * stress.r;
+        out.f_z[k] = 0.5 * l * width * stress.z;
     }
     return out;
 }
 
-void add_edge_forces(const GridView& grid, const EdgeForces& forces, Vec8* nodes) {
+void add_edge_forces(const GridView& grid, const EdgeForces& forces, NodeRecord* nodes) {
     for (int k = 0; k < 2; ++k) {
         const Corner corner = corner_at(grid, forces.r[k], forces.z[k]);
         for (int i = 0; i < 4; ++i) {
@@ -54,12 +54,13 @@ void add_edge_forces(const GridView& grid, const EdgeForces& forces, Vec8* nodes
     }
 }
 
-double edge_work(const GridView& grid, const EdgeForces& forces, const Vec4* motions, double dt) {
+double edge_work(const GridView& grid, const EdgeForces& forces, const NodeMotion* motions,
+                 double dt) {
     double work = 0.0;
     for (int k = 0; k < 2; ++k) {
         const Corner corner = corner_at(grid, forces.r[k], forces.z[k]);
         for (int i = 0; i < 4; ++i) {
-            const Vec4& v = motions[corner.node[i]];
+            const NodeMotion& v = motions[corner.node[i]];
             work += 0.5 * dt * corner.N[i] *
                     (forces.f_r[k] * (v[motion::v_r] + v[motion::other_r]) +
                      forces.f_z[k] * (v[motion::v_z] + v[motion::other_z]));

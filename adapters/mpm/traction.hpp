@@ -17,7 +17,7 @@ struct Traction {
     std::size_t body;
     int particle;  // id
     Edge edge;
-    std::function<Vec2(double)> stress;  // force per deformed area [Pa] over time [s]
+    std::function<Vector(double)> stress;  // force per deformed area [Pa] over time [s]
 };
 
 // The forces of a traction at the two ends of its edge, and where they act.
@@ -27,11 +27,12 @@ struct EdgeForces {
 };
 
 // A linear edge, weighted with r in axisymmetry: each end has l/2 (r_mid -+ (r_d - r_c)/6) of it.
-EdgeForces edge_forces(const ParticleView& particles, std::ptrdiff_t p, Edge edge, Vec2 stress,
+EdgeForces edge_forces(const ParticleView& particles, std::ptrdiff_t p, Edge edge, Vector stress,
                        bool axisymmetric);
 
-void add_edge_forces(const GridView& grid, const EdgeForces& forces, Vec8* nodes);
+void add_edge_forces(const GridView& grid, const EdgeForces& forces, NodeRecord* nodes);
 // Work of a step [J]: forces on the mean of v and other.
-double edge_work(const GridView& grid, const EdgeForces& forces, const Vec4* motions, double dt);
+double edge_work(const GridView& grid, const EdgeForces& forces, const NodeMotion* motions,
+                 double dt);
 
 }  // namespace grit::mpm

@@ -16,19 +16,31 @@ enum class Shape {
     point            // linear shape functions at the particle: the original method
 };
 
-typedef double Vec2 __attribute__((vector_size(16)));
-typedef double Vec4 __attribute__((vector_size(32)));
-typedef double Vec8 __attribute__((vector_size(64)));
+struct Vector {
+    double r, z;
+};
 
-// What a body leaves at a node; one cache line.
 namespace record {
 enum : int { m, p_r, p_z, f_r, f_z, g_r, g_z, g_scale, size };
 }  // namespace record
 
-// What a node gives back; one half of a cache line.
+// What a body leaves at a node: mass, momentum, force, gradient for normals and its size; a cache line.
+struct alignas(64) NodeRecord {
+    double value[record::size];
+    __attribute__((always_inline)) double& operator[](int i) { return value[i]; }
+    __attribute__((always_inline)) double operator[](int i) const { return value[i]; }
+};
+
 namespace motion {
 enum : int { v_r, v_z, other_r, other_z, size };
 }  // namespace motion
+
+// What a node gives back: its velocity, and another one; half a cache line.
+struct alignas(32) NodeMotion {
+    double value[motion::size];
+    __attribute__((always_inline)) double& operator[](int i) { return value[i]; }
+    __attribute__((always_inline)) double operator[](int i) const { return value[i]; }
+};
 
 struct GridView {
     AxisView r, z;
@@ -44,7 +56,7 @@ struct ScatterCall {
     GridView grid;
     ParticleView particles;
     std::ptrdiff_t begin, end;
-    Vec8* nodes;  // added to
+    NodeRecord* nodes;  // added to
     unsigned parts;
 };
 
@@ -71,7 +83,7 @@ struct GatherCall {
     GridView grid;
     ParticleView particles;
     std::ptrdiff_t begin, end;  // no more than Increments::capacity
-    const Vec4* nodes;          // v and other: the velocity before the step's forces
+    const NodeMotion* nodes;    // v and other: the velocity before the step's forces
     double dt;                  // [s]
     double pic;                 // PIC share of this step [-]
     unsigned tasks;

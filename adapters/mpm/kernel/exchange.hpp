@@ -16,7 +16,7 @@ namespace grit::mpm {
 class Exchange {
   public:
     virtual ~Exchange() = default;
-    virtual void sum_nodes(Vec8* /*records*/, std::ptrdiff_t /*nodes*/) {}
+    virtual void sum_nodes(NodeRecord* /*records*/, std::ptrdiff_t /*nodes*/) {}
     virtual void min_nodes(double* /*values*/, std::ptrdiff_t /*nodes*/, int /*per_node*/) {}
     virtual void max(double* /*values*/, int /*count*/) {}
     virtual void sum(double* /*values*/, int /*count*/) {}

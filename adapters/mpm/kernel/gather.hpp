@@ -14,7 +14,7 @@ struct Gathered {
 };
 
 template <class Stencil, bool axisymmetric>
-MPM_INLINE Gathered gather_point_values(const Stencil& w, const Vec4* nodes) {
+MPM_INLINE Gathered gather_point_values(const Stencil& w, const NodeMotion* nodes) {
     Gathered sum;
     for (int k = 0; k < Stencil::points; ++k) {
         const Vec4 v = w.value(k, nodes);

@@ -65,8 +65,12 @@ template <bool axisymmetric, bool domain> struct NodeStencil {
             }
     }
     MPM_INLINE double hoop(int k) const { return per_r * S[k]; }
-    MPM_INLINE void add(int k, const Vec8& P, Vec8* nodes) const { nodes[at[k]] += P; }
-    MPM_INLINE Vec4 value(int k, const Vec4* nodes) const { return nodes[at[k]]; }
+    MPM_INLINE void add(int k, const Vec8& P, NodeRecord* nodes) const {
+        *reinterpret_cast<Vec8*>(nodes + at[k]) += P;
+    }
+    MPM_INLINE Vec4 value(int k, const NodeMotion* nodes) const {
+        return *reinterpret_cast<const Vec4*>(nodes + at[k]);
+    }
 };
 
 template <Shape shape, bool axisymmetric> struct StencilOf;

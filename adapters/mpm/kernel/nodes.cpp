@@ -15,11 +15,11 @@ double damped(double f, double v, double damping) {
 
 void advance_nodes(const NodeCall& call, NodeSums& sums) {
     for (std::ptrdiff_t i = call.begin; i < call.end; ++i) {
-        const Vec8& n = call.records[i];
-        Vec4& v = call.motions[i];
+        const NodeRecord& n = call.records[i];
+        NodeMotion& v = call.motions[i];
         const double m = n[record::m];
         if (!(m > call.least_mass)) {
-            v = Vec4{};
+            v = NodeMotion{};
             continue;
         }
         const double free_r = call.fixed[i] & fixed::r ? 0.0 : 1.0;
@@ -38,7 +38,7 @@ void advance_nodes(const NodeCall& call, NodeSums& sums) {
             sums.damping_work +=
                 0.5 * call.dt *
                 ((n[record::f_r] - f_r) * (old_r + v_r) + (n[record::f_z] - f_z) * (old_z + v_z));
-        v = Vec4{v_r, v_z, old_r, old_z};
+        v = NodeMotion{v_r, v_z, old_r, old_z};
     }
 }
 
@@ -46,7 +46,7 @@ void close_nodes(const NodeCall& call, NodeSums& sums) {
     for (std::ptrdiff_t i = call.begin; i < call.end; ++i) {
         const double m = call.records[i][record::m];
         if (!(m > call.least_mass)) continue;
-        Vec4& v = call.motions[i];
+        NodeMotion& v = call.motions[i];
         if (call.fixed[i] & fixed::r) v[motion::v_r] = 0.0;
         if (call.fixed[i] & fixed::z) v[motion::v_z] = 0.0;
         const double dv_r = v[motion::v_r] - v[motion::other_r];
@@ -57,8 +57,8 @@ void close_nodes(const NodeCall& call, NodeSums& sums) {
 
 void remap_nodes(const NodeCall& call) {
     for (std::ptrdiff_t i = call.begin; i < call.end; ++i) {
-        const Vec8& n = call.records[i];
-        Vec4& v = call.motions[i];
+        const NodeRecord& n = call.records[i];
+        NodeMotion& v = call.motions[i];
         const double m = n[record::m];
         if (!(m > call.least_mass)) continue;
         v[motion::other_r] = call.fixed[i] & fixed::r ? 0.0 : n[record::p_r] / m;

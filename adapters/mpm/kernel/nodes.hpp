@@ -20,8 +20,8 @@ struct NodeSums {
 };
 
 struct NodeCall {
-    const Vec8* records;
-    Vec4* motions;
+    const NodeRecord* records;
+    NodeMotion* motions;
     const std::uint8_t* fixed;
     std::ptrdiff_t begin, end;
     double least_mass;  // nodes with less are at rest [kg]

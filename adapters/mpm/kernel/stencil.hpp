@@ -71,16 +71,16 @@ template <bool axisymmetric, bool weighted> struct CornerStencil {
         cell -= (x < axis.node[cell] && cell > 0) ? 1 : 0;
         return cell;
     }
-    MPM_INLINE void add(int c, const Vec8& P, Vec8* nodes) const {
-        Vec8* n = nodes + corner_node[c];
+    MPM_INLINE void add(int c, const Vec8& P, NodeRecord* nodes) const {
+        Vec8* n = reinterpret_cast<Vec8*>(nodes + corner_node[c]);
         const double x = xi_r[c], y = xi_z[c], xy = x * y;
         n[0] += (1.0 - x - y + xy) * P;
         n[1] += (x - xy) * P;
         n[n_r] += (y - xy) * P;
         n[n_r + 1] += xy * P;
     }
-    MPM_INLINE Vec4 value(int c, const Vec4* nodes) const {
-        const Vec4* n = nodes + corner_node[c];
+    MPM_INLINE Vec4 value(int c, const NodeMotion* nodes) const {
+        const Vec4* n = reinterpret_cast<const Vec4*>(nodes + corner_node[c]);
         const double x = xi_r[c], y = xi_z[c], xy = x * y;
         return (1.0 - x - y + xy) * n[0] + (x - xy) * n[1] + (y - xy) * n[n_r] + xy * n[n_r + 1];
     }

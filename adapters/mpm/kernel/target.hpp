@@ -7,6 +7,11 @@
 #define MPM_TARGET baseline
 #endif
 
+namespace grit::mpm {
+typedef double Vec4 __attribute__((vector_size(32), may_alias));
+typedef double Vec8 __attribute__((vector_size(64), may_alias));
+}  // namespace grit::mpm
+
 #define MPM_KERNEL_BEGIN                                                                           \
     namespace grit::mpm::MPM_TARGET {                                                              \
     namespace {

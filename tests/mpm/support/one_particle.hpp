@@ -17,7 +17,7 @@ struct OneParticle {
     Axis r{{0.0, 0.1, 0.22, 0.3, 0.41, 0.5, 0.6, 0.72, 0.8}};
     Axis z{{-0.4, -0.3, -0.18, -0.1, 0.0, 0.11, 0.2, 0.3, 0.4}};
     Particles particles;
-    std::vector<Vec8> nodes;
+    std::vector<NodeRecord> nodes;
 
     GridView grid() const { return {r.view(), z.view()}; }
     double& operator[](int c) { return particles.view()[c][0]; }
@@ -41,7 +41,7 @@ struct OneParticle {
     }
 
     void scatter(Shape shape, bool axisymmetric) {
-        nodes.assign(static_cast<std::size_t>(r.nodes() * z.nodes()), Vec8{});
+        nodes.assign(static_cast<std::size_t>(r.nodes() * z.nodes()), NodeRecord{});
         kernels().scatter(shape, axisymmetric,
                           {grid(), particles.view(), 0, 1, nodes.data(), part::all});
     }
@@ -51,7 +51,7 @@ struct OneParticle {
         scatter(shape, axisymmetric);
         const double V = (*this)[column::V0] * particles.view().J(0);
         std::vector<double> out;
-        for (const Vec8& n : nodes) out.push_back(-n[force] / V);
+        for (const NodeRecord& n : nodes) out.push_back(-n[force] / V);
         return out;
     }
     // Linear shape function of node (i, j), the outermost cells going on beyond the grid.
