@@ -55,8 +55,6 @@ std::size_t Simulation::add_body(Body body) {
     double lightest = part.body.particles.size() > 0 ? q[column::mass][0] : 0.0;
     for (std::ptrdiff_t p = 0; p < part.body.particles.size(); ++p) {
         lightest = std::min(lightest, q[column::mass][p]);
-        q[column::b_r][p] = settings.gravity_r;
-        q[column::b_z][p] = settings.gravity_z;
     }
     part.least_mass = 1e-12 * lightest;
     parts.push_back(std::move(part));

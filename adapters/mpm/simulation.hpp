@@ -27,7 +27,7 @@ class Simulation {
     // No velocity across nodes at r or z = at, and beyond.
     void fix_below(int direction, double at);
     void fix_above(int direction, double at);
-    // Fills the columns b_r, b_z in place of gravity, for time t.
+    // Fills the columns b_r, b_z, an acceleration besides gravity, for time t.
     using BodyForce =
         std::function<void(ParticleView, std::ptrdiff_t begin, std::ptrdiff_t end, double t)>;
     void set_body_force(BodyForce force) { body_force = std::move(force); }
@@ -96,7 +96,7 @@ class Simulation {
     Exchange alone;
     ThreadPool pool;
     Energy sums;
-    double t = 0.0, dt = 0.0, drift = 0.0;
+    double t = 0.0, dt = 0.0, dt_before = 0.0, drift = 0.0;
     long step_count = 0;
     bool started = false;
 };

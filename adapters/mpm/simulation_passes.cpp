@@ -26,6 +26,9 @@ NodeCall Simulation::node_call(Part& part, int strip) const {
             rows.end,
             part.least_mass,
             dt,
+            dt_before,
+            {settings.gravity_r, settings.gravity_z},
+            settings.scheme == Scheme::musl,
             settings.local_damping};
 }
 
@@ -141,7 +144,8 @@ void Simulation::remap() {
     });
     scatter(part::momentum);
     for_strips(pool, parts, [this](Part& part, int strip) {
-        if (!part.body.rigid()) remap_nodes(node_call(part, strip));
+        if (!part.body.rigid())
+            remap_nodes(node_call(part, strip), part.node_sums[static_cast<std::size_t>(strip)]);
     });
 }
 
@@ -218,10 +222,10 @@ void Simulation::account() {
             largest[0] = std::max(largest[0], part.speed[s] + std::sqrt(g.most_v2));
             largest[1] = std::max(largest[1], g.most_dz);
             lost += g.outside;
-            sums.external_work += g.body_work;
+            sums.external_work += g.body_work + n.gravity_work;
             sums.damping += n.damping_work;
             sums.pic += g.pic_loss;
-            sums.transfer += n.change - g.kept + g.pic_loss;
+            sums.transfer += n.change - g.kept + g.pic_loss + n.mapped_away;
         }
     alone.max(largest, 2);
     alone.sum(&lost, 1);
@@ -229,6 +233,7 @@ void Simulation::account() {
         throw std::runtime_error(std::to_string(static_cast<long>(lost)) +
                                  " particles left the grid at t = " + std::to_string(t) + " s");
     drift += largest[1];
+    dt_before = dt;
     const double shortest = std::min(r_axis.shortest(), z_axis.shortest());
     dt = std::min(settings.cfl * shortest / largest[0], settings.largest_step);
     if (!(dt > 0.0)) throw std::runtime_error("no positive time step: is anything able to move?");

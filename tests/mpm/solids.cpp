@@ -36,50 +36,57 @@ TEST(ThickCylinder, UnderInnerPressureIsThatOfLame) {
         const std::ptrdiff_t p = simulation.find(0, i);
         EXPECT_NEAR(q(column::S_tt, p), hoop(q(column::r, p)), 0.02 * hoop(a));
     }
-    std::printf("%g %g %g\n", u_a, q(column::S_tt, inner), hoop(q(column::r, inner)));
 }
 
-TEST(TwoDisks, ReboundWithTheEnergyThatTheyDoNotKeepAsVibration) {
+// Two disks that meet in one velocity field: what they are after 3 s.
+struct Rebound {
+    double momentum, restitution;     // of the first speed [-]
+    double kinetic, total, residual;  // of the energy at the start [-]
+};
+
+Rebound collide(int cells, Scheme scheme) {
     constexpr double R = 0.2, v = 0.1;
-    for (int cells : {20, 40})
-        for (Scheme sch : {Scheme::usl, Scheme::musl}) {
-            const double h = 1.0 / cells;
-            Settings settings{.axisymmetric = false, .scheme = sch, .cfl = 0.2};
-            Simulation simulation(Axis::uniform(-0.5, 1.5, 2 * cells), Axis::uniform(0.0, 1.0, cells),
-                                  settings);
-            Body body;
-            for (int j = 0; j < 2 * cells; ++j)
-                for (int i = 0; i < 2 * cells; ++i) {
-                    const double r = (i + 0.5) * h / 2, z = (j + 0.5) * h / 2;
-                    const bool left = std::hypot(r - 0.25, z - 0.5) < R;
-                    const bool right = std::hypot(r - 0.75, z - 0.5) < R;
-                    if (left || right)
-                        body.particles.add({r, z, h / 4, h / 4, 1000.0, left ? v : -v, 0.0}, false);
-                }
-            body.material = std::make_unique<LinearElastic>(1000.0, 0.3);
-            simulation.add_body(std::move(body));
-            const Particles& q = simulation.body(0).particles;
-            double lowest = 1.0;
-            Energy energy{};
-            for (; simulation.time() < 3.0;) {
-                simulation.step();
-                energy = simulation.energy();
-                lowest = std::min(lowest, (energy.kinetic + energy.stored) / energy.kinetic_0);
-            }
-            double momentum = 0.0, left_momentum = 0.0, left_mass = 0.0, mass = 0;
-            for (std::ptrdiff_t p = 0; p < q.size(); ++p) {
-                momentum += q(column::mass, p) * q(column::v_r, p);
-                mass += q(column::mass, p);
-                if (q(column::r, p) > 0.5) continue;
-                left_momentum += q(column::mass, p) * q(column::v_r, p);
-                left_mass += q(column::mass, p);
-            }
-            std::printf("momentum %g restitution %g kinetic %g total %g lowest %g residual %g "
-                        "transfer %g\n",
-                        momentum / mass / v, -left_momentum / left_mass / v,
-                        energy.kinetic / energy.kinetic_0,
-                        (energy.kinetic + energy.stored) / energy.kinetic_0, lowest,
-                        energy.residual() / energy.kinetic_0, energy.transfer / energy.kinetic_0);
+    const double h = 1.0 / cells;
+    Settings settings{.axisymmetric = false, .scheme = scheme, .cfl = 0.2};
+    Simulation simulation(Axis::uniform(-0.5, 1.5, 2 * cells), Axis::uniform(0.0, 1.0, cells),
+                          settings);
+    Body body;
+    for (int j = 0; j < 2 * cells; ++j)
+        for (int i = 0; i < 2 * cells; ++i) {
+            const double r = 0.5 * (i + 0.5) * h, z = 0.5 * (j + 0.5) * h;
+            const bool left = std::hypot(r - 0.25, z - 0.5) < R;
+            const bool right = std::hypot(r - 0.75, z - 0.5) < R;
+            if (left || right)
+                body.particles.add({r, z, h / 4, h / 4, 1000.0, left ? v : -v, 0.0}, false);
+        }
+    body.material = std::make_unique<LinearElastic>(1000.0, 0.3);
+    simulation.add_body(std::move(body));
+    while (simulation.time() < 3.0) simulation.step();
+    const Particles& q = simulation.body(0).particles;
+    double momentum = 0.0, left_momentum = 0.0, mass = 0.0;
+    for (std::ptrdiff_t p = 0; p < q.size(); ++p) {
+        const double m_v = q(column::mass, p) * q(column::v_r, p);
+        momentum += m_v;
+        mass += q(column::mass, p);
+        if (q(column::r, p) < 0.5) left_momentum += m_v;
+    }
+    const Energy energy = simulation.energy();
+    return {momentum / (mass * v), -left_momentum / (0.5 * mass * v),
+            energy.kinetic / energy.kinetic_0, (energy.kinetic + energy.stored) / energy.kinetic_0,
+            energy.residual() / energy.kinetic_0};
+}
+
+TEST(TwoDisks, ReboundWithAllEnergyAccountedFor) {
+    for (const Scheme scheme : {Scheme::usl, Scheme::musl})
+        for (const int cells : {20, 40}) {
+            const Rebound after = collide(cells, scheme);
+            EXPECT_NEAR(after.momentum, 0.0, 1e-14);
+            EXPECT_NEAR(after.restitution, 0.942, 0.02);
+            EXPECT_GT(after.kinetic, 0.90);
+            EXPECT_LT(after.kinetic, 0.99);
+            EXPECT_NEAR(after.residual, 0.0, 0.008);
+            // What the mapping loses with the stress last is part of the account above.
+            EXPECT_NEAR(after.total, 1.0, scheme == Scheme::musl ? 0.02 : 0.08);
         }
 }
 

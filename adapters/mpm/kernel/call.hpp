@@ -106,7 +106,8 @@ struct Kernels {
     void (*gather)(Shape, bool axisymmetric, const GatherCall&, Increments&, GatherSums&);
 };
 
-// The best that this processor has.
+// The best that this processor has, and those of any.
 const Kernels& kernels();
+extern const Kernels baseline_kernels;
 
 }  // namespace grit::mpm

@@ -3,8 +3,6 @@
 
 namespace grit::mpm {
 
-extern const Kernels baseline_kernels;
-
 #ifdef GRIT_MPM_HAS_X86_KERNELS
 extern const Kernels avx2_kernels, avx512_kernels;
 

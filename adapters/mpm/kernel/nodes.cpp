@@ -27,7 +27,14 @@ void advance_nodes(const NodeCall& call, NodeSums& sums) {
         const double per_m = 1.0 / m;
         const double old_r = free_r * n[record::p_r] * per_m;
         const double old_z = free_z * n[record::p_z] * per_m;
-        double f_r = n[record::f_r], f_z = n[record::f_z];
+        const int lane = call.by_other ? motion::other_r : motion::v_r;
+        if (v[lane] != 0.0 || v[lane + 1] != 0.0)  // not reached for the first time
+            sums.mapped_away +=
+                0.5 * (n[record::f_r] * (call.dt_before * v[lane] - call.dt * old_r) +
+                       n[record::f_z] * (call.dt_before * v[lane + 1] - call.dt * old_z));
+        const double all_r = n[record::f_r] + m * call.gravity.r;
+        const double all_z = n[record::f_z] + m * call.gravity.z;
+        double f_r = all_r, f_z = all_z;
         if (call.damping > 0.0) {
             f_r = damped(f_r, old_r, call.damping);
             f_z = damped(f_z, old_z, call.damping);
@@ -36,8 +43,7 @@ void advance_nodes(const NodeCall& call, NodeSums& sums) {
         const double v_z = old_z + free_z * call.dt * f_z * per_m;
         if (call.damping > 0.0)
             sums.damping_work +=
-                0.5 * call.dt *
-                ((n[record::f_r] - f_r) * (old_r + v_r) + (n[record::f_z] - f_z) * (old_z + v_z));
+                0.5 * call.dt * ((all_r - f_r) * (old_r + v_r) + (all_z - f_z) * (old_z + v_z));
         v = NodeMotion{v_r, v_z, old_r, old_z};
     }
 }
@@ -52,10 +58,13 @@ void close_nodes(const NodeCall& call, NodeSums& sums) {
         const double dv_r = v[motion::v_r] - v[motion::other_r];
         const double dv_z = v[motion::v_z] - v[motion::other_z];
         sums.change += 0.5 * m * (dv_r * dv_r + dv_z * dv_z);
+        sums.gravity_work += 0.5 * call.dt * m *
+                             (call.gravity.r * (v[motion::v_r] + v[motion::other_r]) +
+                              call.gravity.z * (v[motion::v_z] + v[motion::other_z]));
     }
 }
 
-void remap_nodes(const NodeCall& call) {
+void remap_nodes(const NodeCall& call, NodeSums& sums) {
     for (std::ptrdiff_t i = call.begin; i < call.end; ++i) {
         const NodeRecord& n = call.records[i];
         NodeMotion& v = call.motions[i];
@@ -63,6 +72,9 @@ void remap_nodes(const NodeCall& call) {
         if (!(m > call.least_mass)) continue;
         v[motion::other_r] = call.fixed[i] & fixed::r ? 0.0 : n[record::p_r] / m;
         v[motion::other_z] = call.fixed[i] & fixed::z ? 0.0 : n[record::p_z] / m;
+        sums.mapped_away += 0.5 * call.dt *
+                            (n[record::f_r] * (v[motion::other_r] - v[motion::v_r]) +
+                             n[record::f_z] * (v[motion::other_z] - v[motion::v_z]));
     }
 }
 

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What must not change a bit: threads and instruction sets.
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "support/box.hpp"
+#include "support/one_particle.hpp"
+
+namespace {
+
+using namespace mpm_test;
+
+// A ball of particles thrown on a floor, two bodies, over many sorts; all columns by id.
+std::vector<double> thrown(int threads) {
+    Settings settings{.pic_rate = 50.0, .gravity_z = -100.0, .threads = threads};
+    Simulation simulation(Axis::uniform(0.0, 1.0, 20), Axis::uniform(0.0, 4.0, 80), settings);
+    simulation.add_body(make_box({0.0, 1.0, 0.2, 1.03, 31, 40, 2000.0}, true,
+                                 std::make_unique<NeoHooke>(1e6, 0.3)));
+    Body falling = make_box({0.0, 0.4, 1.2, 2.6, 17, 61, 3000.0}, true,
+                            std::make_unique<LinearElastic>(1e6, 0.2));
+    for (std::ptrdiff_t p = 0; p < falling.particles.size(); ++p)
+        falling.particles.view()[column::v_z][p] = -5.0;
+    simulation.add_body(std::move(falling));
+    simulation.add_contact(contact_law(GRIT_CONTACT_GEO, 0.3));
+    simulation.fix_below(1, 0.2);
+    simulation.fix_above(0, 1.0);
+    for (int i = 0; i < 200; ++i) simulation.step();
+    std::vector<double> out{simulation.time(), simulation.energy().residual(),
+                            simulation.energy().contact};
+    for (std::size_t b : {0u, 1u}) {
+        const Particles& q = simulation.body(b).particles;
+        for (int id = 0; id < q.size(); ++id)
+            for (int c = 0; c < column::own; ++c) out.push_back(q(c, simulation.find(b, id)));
+    }
+    return out;
+}
+
+TEST(Threads, ChangeNoBitOfTheResult) {
+    const std::vector<double> alone = thrown(1);
+    EXPECT_GT(alone[2], 0.0);  // they have met
+    for (const int threads : {2, 3}) {
+        const std::vector<double> together = thrown(threads);
+        ASSERT_EQ(alone.size(), together.size());
+        EXPECT_EQ(std::memcmp(alone.data(), together.data(), alone.size() * sizeof(double)), 0);
+    }
+}
+
+TEST(InstructionSets, ChangeNoBitOfTheKernels) {
+    std::mt19937 generator(3);
+    for (int sample = 0; sample < 100; ++sample)
+        for (const bool axisymmetric : {true, false})
+            for (const Shape shape :
+                 {Shape::cpdi, Shape::cpdi_published, Shape::ugimp, Shape::point}) {
+                OneParticle q = OneParticle::random(generator, axisymmetric);
+                for (int c = column::S_rr; c < column::own; ++c)
+                    q[c] = std::uniform_real_distribution<double>(-1.0, 1.0)(generator);
+                const auto n = static_cast<std::size_t>(q.r.nodes() * q.z.nodes());
+                std::vector<NodeMotion> motions(n);
+                for (NodeMotion& m : motions)
+                    for (double& x : m.value)
+                        x = std::uniform_real_distribution<double>(-1.0, 1.0)(generator);
+                std::vector<NodeRecord> records[2];
+                Particles moved[2] = {q.particles, q.particles};
+                const Kernels* sets[2] = {&kernels(), &baseline_kernels};
+                for (const std::size_t k : {0u, 1u}) {
+                    records[k].assign(n, NodeRecord{});
+                    sets[k]->scatter(
+                        shape, axisymmetric,
+                        {q.grid(), q.particles.view(), 0, 1, records[k].data(), part::all});
+                    Increments increments{};
+                    GatherSums sums;
+                    sets[k]->gather(
+                        shape, axisymmetric,
+                        {q.grid(), moved[k].view(), 0, 1, motions.data(), 1e-3, 0.1, task::all},
+                        increments, sums);
+                }
+                EXPECT_EQ(std::memcmp(records[0].data(), records[1].data(), n * sizeof(NodeRecord)),
+                          0);
+                for (int c = 0; c < column::own; ++c) EXPECT_EQ(moved[0](c, 0), moved[1](c, 0));
+            }
+}
+
+}  // namespace
