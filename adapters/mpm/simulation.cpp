@@ -42,6 +42,11 @@ std::size_t Simulation::add_body(Body body) {
     const auto strips = static_cast<std::size_t>(part.strips.count());
     part.records.resize(fixed_nodes.size());
     part.motions.resize(fixed_nodes.size());
+    if (settings.fixed_point) {
+        part.integers.resize(fixed_nodes.size());
+        part.fixed_points.resize(strips);
+        part.scale.fill(1.0);
+    }
     part.slot.resize(static_cast<std::size_t>(part.body.particles.size()));
     part.gather_sums.resize(strips);
     part.speed.resize(strips);

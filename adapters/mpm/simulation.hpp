@@ -2,6 +2,7 @@
 // Bodies of material points on one grid, step after step.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -55,6 +56,9 @@ class Simulation {
         Strips strips;
         std::vector<NodeRecord> records = {};
         std::vector<NodeMotion> motions = {};
+        std::vector<NodeIntegers> integers = {};
+        std::vector<FixedPoint> fixed_points = {};  // of each strip
+        std::array<double, record::size> scale = {};
         std::vector<std::ptrdiff_t> slot = {};  // of an id
         double least_mass = 0.0;
         std::vector<GatherSums> gather_sums = {};  // of each strip
@@ -72,6 +76,9 @@ class Simulation {
     void start();
     void sort();
     void scatter(unsigned parts_wanted);
+    void scatter_strips(unsigned parts_wanted);
+    void scatter_fixed(unsigned parts_wanted);
+    bool rescale();
     void clear();
     void load();
     void advance();

@@ -62,8 +62,8 @@ void Simulation::clear() {
     });
 }
 
-void Simulation::scatter(unsigned parts_wanted) {
-    for (const int colour : {0, 1}) {
+void Simulation::scatter_strips(unsigned parts_wanted) {
+    for (const int colour : {0, 1})
         for_strips(pool, parts, [&, this](Part& part, int strip) {
             if (strip % 2 != colour) return;
             const ScatterCall call{grid(),
@@ -71,12 +71,19 @@ void Simulation::scatter(unsigned parts_wanted) {
                                    part.strips.begin(strip),
                                    part.strips.begin(strip + 1),
                                    part.records.data(),
-                                   parts_wanted};
+                                   parts_wanted,
+                                   settings.fixed_point
+                                       ? &part.fixed_points[static_cast<std::size_t>(strip)]
+                                       : nullptr};
             if (body_force && (parts_wanted & part::force))
                 body_force(call.particles, call.begin, call.end, t);
             kernels().scatter(settings.shape, settings.axisymmetric, call);
         });
-    }
+}
+
+void Simulation::scatter(unsigned parts_wanted) {
+    if (settings.fixed_point) return scatter_fixed(parts_wanted);
+    scatter_strips(parts_wanted);
     for (Part& part : parts)
         alone.sum_nodes(part.records.data(), static_cast<std::ptrdiff_t>(part.records.size()));
 }

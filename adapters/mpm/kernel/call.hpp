@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "adapters/mpm/kernel/axis.hpp"
 #include "adapters/mpm/kernel/particles.hpp"
@@ -52,12 +53,26 @@ namespace part {
 enum : unsigned { mass = 1, momentum = 2, force = 4, gradient = 8, all = 15 };
 }  // namespace part
 
+// A record in fixed point: value times scale, a power of two, rounded.
+struct alignas(64) NodeIntegers {
+    std::int64_t value[record::size];
+};
+
+struct FixedPoint {
+    // Contributions from this size on are lost. A node has room for 2^12 of the largest.
+    static constexpr double limit = 0x1p51;
+    NodeIntegers* nodes;  // added to
+    double scale[record::size];
+    double largest[record::size];  // out: |contribution| times scale
+};
+
 struct ScatterCall {
     GridView grid;
     ParticleView particles;
     std::ptrdiff_t begin, end;
     NodeRecord* nodes;  // added to
     unsigned parts;
+    FixedPoint* fixed_point = nullptr;  // in place of nodes
 };
 
 // What a gather does. In its default it does all, with the velocity v.

@@ -65,8 +65,8 @@ template <bool axisymmetric, bool domain> struct NodeStencil {
             }
     }
     MPM_INLINE double hoop(int k) const { return per_r * S[k]; }
-    MPM_INLINE void add(int k, const Vec8& P, NodeRecord* nodes) const {
-        *reinterpret_cast<Vec8*>(nodes + at[k]) += P;
+    template <class Sums> MPM_INLINE void add(int k, const Vec8& P, Sums& sums) const {
+        sums.add(at[k], P);
     }
     MPM_INLINE Vec4 value(int k, const NodeMotion* nodes) const {
         return *reinterpret_cast<const Vec4*>(nodes + at[k]);

@@ -3,10 +3,12 @@
 #pragma once
 
 #include "adapters/mpm/kernel/node_stencil.hpp"
+#include "adapters/mpm/kernel/sums.hpp"
 
 MPM_KERNEL_BEGIN
 
-template <Shape shape, bool axisymmetric, bool all> void scatter_by(const ScatterCall& call) {
+template <Shape shape, bool axisymmetric, bool all, class Sums>
+MPM_INLINE void scatter_by(const ScatterCall& call, Sums& sums) {
     using Stencil = typename StencilOf<shape, axisymmetric>::type;
     namespace c = column;
     const ParticleView q = call.particles;
@@ -39,14 +41,22 @@ template <Shape shape, bool axisymmetric, bool all> void scatter_by(const Scatte
             const double g_r = area * w.A_r[k], g_z = area * w.A_z[k];
             const Vec8 P = {S * mass, S * m_v_r, S * m_v_z, f_r,
                             f_z,      g_r,       g_z,       std::fabs(g_r) + std::fabs(g_z)};
-            w.add(k, P, call.nodes);
+            w.add(k, P, sums);
         }
     }
 }
 
 template <Shape shape, bool axisymmetric> void scatter_parts(const ScatterCall& call) {
-    if (call.parts == part::all) scatter_by<shape, axisymmetric, true>(call);
-    else scatter_by<shape, axisymmetric, false>(call);
+    if (call.fixed_point) {
+        FixedSums sums{call.fixed_point->nodes, {}, {}};
+        for (int c = 0; c < record::size; ++c) sums.scale[c] = call.fixed_point->scale[c];
+        scatter_by<shape, axisymmetric, false>(call, sums);
+        for (int c = 0; c < record::size; ++c) call.fixed_point->largest[c] = sums.largest[c];
+        return;
+    }
+    DoubleSums sums{call.nodes};
+    if (call.parts == part::all) scatter_by<shape, axisymmetric, true>(call, sums);
+    else scatter_by<shape, axisymmetric, false>(call, sums);
 }
 
 template <bool axisymmetric> void scatter_in(Shape shape, const ScatterCall& call) {

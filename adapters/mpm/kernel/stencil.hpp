@@ -71,13 +71,13 @@ template <bool axisymmetric, bool weighted> struct CornerStencil {
         cell -= (x < axis.node[cell] && cell > 0) ? 1 : 0;
         return cell;
     }
-    MPM_INLINE void add(int c, const Vec8& P, NodeRecord* nodes) const {
-        Vec8* n = reinterpret_cast<Vec8*>(nodes + corner_node[c]);
+    template <class Sums> MPM_INLINE void add(int c, const Vec8& P, Sums& sums) const {
+        const std::ptrdiff_t n = corner_node[c];
         const double x = xi_r[c], y = xi_z[c], xy = x * y;
-        n[0] += (1.0 - x - y + xy) * P;
-        n[1] += (x - xy) * P;
-        n[n_r] += (y - xy) * P;
-        n[n_r + 1] += xy * P;
+        sums.add(n, (1.0 - x - y + xy) * P);
+        sums.add(n + 1, (x - xy) * P);
+        sums.add(n + n_r, (y - xy) * P);
+        sums.add(n + n_r + 1, xy * P);
     }
     MPM_INLINE Vec4 value(int c, const NodeMotion* nodes) const {
         const Vec4* n = reinterpret_cast<const Vec4*>(nodes + corner_node[c]);
