@@ -130,7 +130,7 @@ void ContactPair::measure(const GridView& grid, const ContactBody& body, int whi
 }
 
 void ContactPair::correct(const GridView& grid, const ContactBody& a, const ContactBody& b,
-                          double dt) {
+                          double dt, Exchange& exchange) {
     step_totals = {};
     step_totals.struct_size = sizeof step_totals;
     if (!find_active(a, b)) return;
@@ -145,6 +145,8 @@ void ContactPair::correct(const GridView& grid, const ContactBody& a, const Cont
         require(grit_contact_surfaces_reset(&s, &error), error);
         measure(grid, a, 0);
         measure(grid, b, 1);
+        exchange.min_nodes(surface.data(), s.nodes, 2);
+        exchange.min_nodes(centre.data(), s.nodes, 2);
         grit_contact_distances wanted{};
         wanted.struct_size = sizeof wanted;
         wanted.measure = pair_law.measure;

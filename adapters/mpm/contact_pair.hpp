@@ -8,6 +8,7 @@
 #include <grit/contact_distance.h>
 #include <grit/contact_normals.h>
 
+#include "adapters/mpm/kernel/exchange.hpp"
 #include "adapters/mpm/kernel/nodes.hpp"
 
 namespace grit::mpm {
@@ -36,7 +37,8 @@ class ContactPair {
     ContactPair(const ContactLaw& law, const GridView& grid,
                 const std::vector<std::uint8_t>& fixed);
     // Velocities after the momentum update become those after contact.
-    void correct(const GridView& grid, const ContactBody& a, const ContactBody& b, double dt);
+    void correct(const GridView& grid, const ContactBody& a, const ContactBody& b, double dt,
+                 Exchange& exchange);
     const ContactLaw& law() const { return pair_law; }
     // Of the last step.
     const grit_contact_totals& totals() const { return step_totals; }

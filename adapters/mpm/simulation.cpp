@@ -7,11 +7,11 @@
 
 namespace grit::mpm {
 
-Simulation::Simulation(Axis r, Axis z, const Settings& given)
+Simulation::Simulation(Axis r, Axis z, const Settings& given, Exchange* others)
     : settings(given), r_axis(std::move(r)), z_axis(std::move(z)),
       fixed_nodes(static_cast<std::size_t>(r_axis.nodes()) *
                   static_cast<std::size_t>(z_axis.nodes())),
-      pool(given.threads) {
+      exchange(others ? *others : alone), pool(given.threads) {
     if (settings.axisymmetric && r_axis[0] < 0.0)
         throw std::invalid_argument("the grid must not reach across the axis");
     if (settings.axisymmetric && r_axis[0] == 0.0) fix_below(0, 0.0);

@@ -19,7 +19,8 @@ namespace grit::mpm {
 
 class Simulation {
   public:
-    Simulation(Axis r, Axis z, const Settings& settings);
+    // exchange: of processes that share the grid, outlives this; null: there is one process.
+    Simulation(Axis r, Axis z, const Settings& settings, Exchange* exchange = nullptr);
 
     // Before the first step.
     std::size_t add_body(Body body);
@@ -101,6 +102,7 @@ class Simulation {
     std::vector<ContactPair> contacts;
     BodyForce body_force;
     Exchange alone;
+    Exchange& exchange;
     ThreadPool pool;
     Energy sums;
     double t = 0.0, dt = 0.0, dt_before = 0.0, drift = 0.0;

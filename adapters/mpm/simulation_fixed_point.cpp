@@ -22,7 +22,7 @@ bool Simulation::rescale() {
         for (const FixedPoint& strip : part.fixed_points)
             for (std::size_t c = 0; c < largest.size(); ++c)
                 largest[c] = std::max(largest[c], strip.largest[c]);
-        alone.max(largest.data(), record::size);
+        exchange.max(largest.data(), record::size);
         for (std::size_t c = 0; c < largest.size(); ++c) {
             const bool fits =
                 largest[c] == 0.0 || (largest[c] >= least_size && largest[c] < FixedPoint::limit);
@@ -47,7 +47,7 @@ void Simulation::scatter_fixed(unsigned parts_wanted) {
         scatter_strips(parts_wanted);
     } while (rescale());
     for (Part& part : parts) {
-        alone.sum_nodes(part.integers.data(), static_cast<std::ptrdiff_t>(part.integers.size()));
+        exchange.sum_nodes(part.integers.data(), static_cast<std::ptrdiff_t>(part.integers.size()));
         for (std::size_t i = 0; i < part.integers.size(); ++i)
             for (int c = 0; c < record::size; ++c)
                 part.records[i][c] += static_cast<double>(part.integers[i].value[c]) /

@@ -85,7 +85,7 @@ void Simulation::scatter(unsigned parts_wanted) {
     if (settings.fixed_point) return scatter_fixed(parts_wanted);
     scatter_strips(parts_wanted);
     for (Part& part : parts)
-        alone.sum_nodes(part.records.data(), static_cast<std::ptrdiff_t>(part.records.size()));
+        exchange.sum_nodes(part.records.data(), static_cast<std::ptrdiff_t>(part.records.size()));
 }
 
 void Simulation::load() {
@@ -118,7 +118,7 @@ void Simulation::correct_contacts() {
     };
     for (ContactPair& pair : contacts) {
         const ContactLaw& law = pair.law();
-        pair.correct(grid(), side(law.a), side(law.b), dt);
+        pair.correct(grid(), side(law.a), side(law.b), dt, exchange);
         const grit_contact_totals& totals = pair.totals();
         sums.contact += totals.dissipation_normal + totals.dissipation_tangential;
         for (const std::size_t i : {law.a, law.b}) {
@@ -221,23 +221,29 @@ void Simulation::measure_speed() {
 
 // Sums of all strips in their order, and the next step.
 void Simulation::account() {
-    double largest[2] = {0.0, 0.0}, lost = 0.0;  // v + c, way along z; particles
+    double largest[2] = {0.0, 0.0};  // v + c, way along z
+    enum { lost, external_work, damping, pic, transfer, count };
+    double step[count] = {};
     for (Part& part : parts)
         for (std::size_t s = 0; s < part.speed.size(); ++s) {
             const GatherSums& g = part.gather_sums[s];
             const NodeSums& n = part.node_sums[s];
             largest[0] = std::max(largest[0], part.speed[s] + std::sqrt(g.most_v2));
             largest[1] = std::max(largest[1], g.most_dz);
-            lost += g.outside;
-            sums.external_work += g.body_work + n.gravity_work;
-            sums.damping += n.damping_work;
-            sums.pic += g.pic_loss;
-            sums.transfer += n.change - g.kept + g.pic_loss + n.mapped_away;
+            step[lost] += g.outside;
+            step[external_work] += g.body_work + n.gravity_work;
+            step[damping] += n.damping_work;
+            step[pic] += g.pic_loss;
+            step[transfer] += n.change - g.kept + g.pic_loss + n.mapped_away;
         }
-    alone.max(largest, 2);
-    alone.sum(&lost, 1);
-    if (lost > 0.0)
-        throw std::runtime_error(std::to_string(static_cast<long>(lost)) +
+    exchange.max(largest, 2);
+    exchange.sum(step, count);
+    sums.external_work += step[external_work];
+    sums.damping += step[damping];
+    sums.pic += step[pic];
+    sums.transfer += step[transfer];
+    if (step[lost] > 0.0)
+        throw std::runtime_error(std::to_string(static_cast<long>(step[lost])) +
                                  " particles left the grid at t = " + std::to_string(t) + " s");
     drift += largest[1];
     dt_before = dt;

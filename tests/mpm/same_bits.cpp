@@ -96,6 +96,28 @@ TEST(FixedPointSums, GiveTheSameBitsForAnyOrderOfTheParticles) {
     }
 }
 
+// Counts what a step hands to other processes.
+class CountingExchange : public Exchange {
+  public:
+    void sum_nodes(NodeRecord*, std::ptrdiff_t) override { ++sums; }
+    void min_nodes(double*, std::ptrdiff_t, int) override { ++minima; }
+    void max(double*, int) override { ++maxima; }
+    int sums = 0, minima = 0, maxima = 0;
+};
+
+TEST(Exchange, SeesEverySumOfAStep) {
+    CountingExchange exchange;
+    Simulation simulation(Axis::uniform(0.0, 1.0, 10), Axis::uniform(0.0, 1.0, 10), {}, &exchange);
+    for (const double z : {0.2, 0.5})
+        simulation.add_body(make_box({0.0, 0.5, z, z + 0.3, 10, 6, 1000.0}, true,
+                                     std::make_unique<LinearElastic>(1e6, 0.3)));
+    simulation.add_contact(contact_law(GRIT_CONTACT_GEO, 0.3));
+    simulation.step();
+    EXPECT_EQ(exchange.sums, 2);    // of each body
+    EXPECT_EQ(exchange.minima, 2);  // surfaces and centres
+    EXPECT_EQ(exchange.maxima, 2);  // at the start and at the end
+}
+
 TEST(InstructionSets, ChangeNoBitOfTheKernels) {
     std::mt19937 generator(3);
     for (int sample = 0; sample < 100; ++sample)
