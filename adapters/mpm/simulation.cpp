@@ -17,24 +17,20 @@ Simulation::Simulation(Axis r, Axis z, const Settings& given, Exchange* others)
     if (settings.axisymmetric && r_axis[0] == 0.0) fix_below(0, 0.0);
 }
 
-namespace {
-
-constexpr std::uint8_t bit_of(int direction) { return direction == 0 ? fixed::r : fixed::z; }
-
-}  // namespace
+void Simulation::fix(int direction, const std::function<bool(double)>& where) {
+    std::size_t node = 0;
+    for (int j = 0; j < z_axis.nodes(); ++j)
+        for (int i = 0; i < r_axis.nodes(); ++i, ++node)
+            if (where(direction == 0 ? r_axis[i] : z_axis[j]))
+                fixed_nodes[node] |= direction == 0 ? fixed::r : fixed::z;
+}
 
 void Simulation::fix_below(int direction, double at) {
-    for (int j = 0; j < z_axis.nodes(); ++j)
-        for (int i = 0; i < r_axis.nodes(); ++i)
-            if ((direction == 0 ? r_axis[i] : z_axis[j]) <= at)
-                fixed_nodes[static_cast<std::size_t>(j * r_axis.nodes() + i)] |= bit_of(direction);
+    fix(direction, [at](double x) { return x <= at; });
 }
 
 void Simulation::fix_above(int direction, double at) {
-    for (int j = 0; j < z_axis.nodes(); ++j)
-        for (int i = 0; i < r_axis.nodes(); ++i)
-            if ((direction == 0 ? r_axis[i] : z_axis[j]) >= at)
-                fixed_nodes[static_cast<std::size_t>(j * r_axis.nodes() + i)] |= bit_of(direction);
+    fix(direction, [at](double x) { return x >= at; });
 }
 
 std::size_t Simulation::add_body(Body body) {

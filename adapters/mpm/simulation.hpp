@@ -74,6 +74,7 @@ class Simulation {
     GridView grid() const { return {r_axis.view(), z_axis.view()}; }
     Rows nodes_of(int strip) const;
     NodeCall node_call(Part& part, int strip) const;
+    void fix(int direction, const std::function<bool(double)>& where);
     void start();
     void sort();
     void scatter(unsigned parts_wanted);

@@ -72,7 +72,7 @@ std::vector<double> shuffled(bool fixed_point, Scheme scheme, unsigned seed) {
     std::vector<double> out(order.size() * column::own);
     for (std::size_t id = 0; id < order.size(); ++id)
         for (int c = 0; c < column::own; ++c)
-            out[static_cast<std::size_t>(order[id] * column::own + c)] =
+            out[static_cast<std::size_t>(order[id]) * column::own + static_cast<std::size_t>(c)] =
                 simulation.body(0).particles(c, simulation.find(0, static_cast<int>(id)));
     return out;
 }
@@ -127,7 +127,7 @@ TEST(InstructionSets, ChangeNoBitOfTheKernels) {
                 OneParticle q = OneParticle::random(generator, axisymmetric);
                 for (int c = column::S_rr; c < column::own; ++c)
                     q[c] = std::uniform_real_distribution<double>(-1.0, 1.0)(generator);
-                const auto n = static_cast<std::size_t>(q.r.nodes() * q.z.nodes());
+                const std::size_t n = q.node_count();
                 std::vector<NodeMotion> motions(n);
                 for (NodeMotion& m : motions)
                     for (double& x : m.value)

@@ -19,6 +19,9 @@ struct OneParticle {
     Particles particles;
     std::vector<NodeRecord> nodes;
 
+    std::size_t node_count() const {
+        return static_cast<std::size_t>(r.nodes()) * static_cast<std::size_t>(z.nodes());
+    }
     GridView grid() const { return {r.view(), z.view()}; }
     double& operator[](int c) { return particles.view()[c][0]; }
 
@@ -41,7 +44,7 @@ struct OneParticle {
     }
 
     void scatter(Shape shape, bool axisymmetric) {
-        nodes.assign(static_cast<std::size_t>(r.nodes() * z.nodes()), NodeRecord{});
+        nodes.assign(node_count(), NodeRecord{});
         kernels().scatter(shape, axisymmetric,
                           {grid(), particles.view(), 0, 1, nodes.data(), part::all});
     }
