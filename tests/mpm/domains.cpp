@@ -94,6 +94,28 @@ TEST(Particle, CarriesItsStressAlongWhenItTurns) {
     EXPECT_NEAR(q[column::F_rz], -std::sin(angle), 1e-3);
 }
 
+TEST(Particle, IsNotStrainedByARigidTurnHoweverLarge) {
+    std::mt19937 generator(9);
+    OneParticle q = OneParticle::random(generator, false);
+    const double r = q[column::r], z = q[column::z], turn = 0.5;
+    std::vector<NodeMotion> field;
+    for (int j = 0; j < q.z.nodes(); ++j)
+        for (int i = 0; i < q.r.nodes(); ++i) {
+            const double x = q.r[i] - r, y = q.z[j] - z;
+            const double u = (std::cos(turn) - 1.0) * x - std::sin(turn) * y;
+            const double w = std::sin(turn) * x + (std::cos(turn) - 1.0) * y;
+            field.push_back({{u, w, u, w}});
+        }
+    Increments increments{};
+    GatherSums sums;
+    kernels().gather(Shape::cpdi, false,
+                     {q.grid(), q.particles.view(), 0, 1, field.data(), 1.0, 0.0, task::all},
+                     increments, sums);
+    for (const auto& strain : increments.strain) EXPECT_NEAR(strain[0], 0.0, 1e-13);
+    EXPECT_NEAR(increments.rotation[0][0], std::cos(turn), 1e-13);
+    EXPECT_NEAR(increments.rotation[3][0], std::sin(turn), 1e-13);
+}
+
 TEST(Particle, ThatCrossesTheAxisComesBackAsItsMirrorImage) {
     OneParticle q;
     q.particles.add({0.02, 0.05, 0.01, 0.01, 1000.0}, true);
