@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/mpm/contact_pair.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace grit::mpm {
+namespace {
+
+void require(grit_status status, const grit_error& error) {
+    if (status != GRIT_OK) throw std::runtime_error(std::string("contact: ") + error.message);
+}
+
+}  // namespace
+
+ContactLaw contact_law(int law, double friction_coefficient, double penalty_power) {
+    ContactLaw out;
+    grit_contact_options_init(&out.options, sizeof out.options);
+    out.options.components = 2;
+    out.options.law = law;
+    out.options.friction_coefficient = friction_coefficient;
+    out.options.penalty_power = penalty_power;
+    out.options.allow_zero_normal = 1;
+    return out;
+}
+
+ContactPair::ContactPair(const ContactLaw& law, const GridView& grid,
+                         const std::vector<std::uint8_t>& fixed)
+    : pair_law(law), sums{}, step_totals{} {
+    const std::size_t n = fixed.size();
+    for (const std::uint8_t bits : fixed)
+        fixed_bits.push_back((bits & fixed::r ? GRIT_CONTACT_FIXED_1 : 0) |
+                             (bits & fixed::z ? GRIT_CONTACT_FIXED_2 : 0));
+    for (int j = 0; j <= grid.z.cells; ++j)
+        for (int i = 0; i <= grid.r.cells; ++i) {
+            position.insert(position.end(), {grid.r.node[i], grid.z.node[j]});
+            const auto cell = [](const AxisView& axis, int k) {
+                return axis.limit[std::min(k, axis.cells - 1)];
+            };
+            spacing.insert(spacing.end(), {cell(grid.r, i), cell(grid.z, j)});
+        }
+    normal.resize(2 * n);
+    surface.resize(2 * n);
+    centre.resize(2 * n);
+    distance.resize(n);
+    gap.resize(n);
+    is_active.resize(n);
+    active.reserve(n);
+    step_totals.struct_size = sizeof step_totals;
+}
+
+bool ContactPair::find_active(const ContactBody& a, const ContactBody& b) {
+    active.clear();
+    for (std::size_t i = 0; i < is_active.size(); ++i) {
+        const double m_a = a.records[i][record::m], m_b = b.records[i][record::m];
+        is_active[i] = m_a > 0.0 && m_b > 0.0;
+        if (is_active[i]) active.push_back(static_cast<std::ptrdiff_t>(i));
+    }
+    return !active.empty();
+}
+
+void ContactPair::find_normals(const ContactBody& a, const ContactBody& b) {
+    grit_contact_gradients q{};
+    q.struct_size = sizeof q;
+    q.components = 2;
+    q.source = pair_law.normal;
+    q.index = active.data();
+    q.gradient_a = grit_view_of(&reinterpret_cast<const double*>(a.records)[record::g_r], 8, 1);
+    q.gradient_b = grit_view_of(&reinterpret_cast<const double*>(b.records)[record::g_r], 8, 1);
+    q.fixed = fixed_bits.data();
+    q.normal = grit_mutable_view_of(normal.data(), 2, 1);
+    grit_error error;
+    require(grit_contact_normals_from_gradients(static_cast<std::ptrdiff_t>(active.size()), &q,
+                                                nullptr, &error),
+            error);
+}
+
+grit_contact_surfaces ContactPair::surfaces() {
+    grit_contact_surfaces s{};
+    s.struct_size = sizeof s;
+    s.components = 2;
+    s.nodes = static_cast<std::ptrdiff_t>(is_active.size());
+    s.position = grit_view_of(position.data(), 2, 1);
+    s.normal = grit_view_of(normal.data(), 2, 1);
+    s.surface = grit_mutable_view_of(surface.data(), 2, 1);
+    s.centre = grit_mutable_view_of(centre.data(), 2, 1);
+    return s;
+}
+
+// Adds the particles that have weight at an active node.
+void ContactPair::measure(const GridView& grid, const ContactBody& body, int which) {
+    namespace c = column;
+    const ParticleView& q = body.particles;
+    const grit_contact_surfaces s = surfaces();
+    const std::ptrdiff_t n_r = grid.nodes_r();
+    for (std::ptrdiff_t p = 0; p < body.count; ++p) {
+        const double l_r = q[c::l_r][p], l_z = q[c::l_z][p];
+        const double side[4] = {q[c::F_rr][p] * l_r, q[c::F_zr][p] * l_r, q[c::F_rz][p] * l_z,
+                                q[c::F_zz][p] * l_z};
+        const double x[2] = {q[c::r][p], q[c::z][p]};
+        std::ptrdiff_t nodes[16];
+        int count = 0;
+        for (int k = 0; k < 4; ++k) {
+            const double e1 = k == 1 || k == 2 ? 1.0 : -1.0, e2 = k < 2 ? -1.0 : 1.0;
+            const double r = x[0] + e1 * side[0] + e2 * side[2];
+            const double z = x[1] + e1 * side[1] + e2 * side[3];
+            const int i = grid.r.cell_of(r), j = grid.z.cell_of(z);
+            // A corner on a grid line has no weight beyond it.
+            const int last_i = r == grid.r.node[i] ? i : i + 1;
+            const int last_j = z == grid.z.node[j] ? j : j + 1;
+            for (int n_z = j; n_z <= last_j; ++n_z)
+                for (int n = i; n <= last_i; ++n) {
+                    const std::ptrdiff_t node = n_z * n_r + n;
+                    if (is_active[static_cast<std::size_t>(node)]) nodes[count++] = node;
+                }
+        }
+        if (count == 0) continue;
+        grit_contact_domains d{};
+        d.struct_size = sizeof d;
+        d.body = which;
+        d.sides = 2;
+        d.nodes_each = count;
+        d.node = nodes;
+        d.position = grit_view_of(x, 2, 1);
+        d.side = grit_matrix_view_of(side, 4, 2, 1);
+        grit_error error;
+        require(grit_contact_surfaces_add(&s, 1, &d, &error), error);
+    }
+}
+
+void ContactPair::correct(const GridView& grid, const ContactBody& a, const ContactBody& b,
+                          double dt, Exchange& exchange) {
+    step_totals = {};
+    step_totals.struct_size = sizeof step_totals;
+    if (!find_active(a, b)) return;
+    const auto n = static_cast<std::ptrdiff_t>(active.size());
+    std::fill(normal.begin(), normal.end(), 0.0);
+    find_normals(a, b);
+
+    grit_error error;
+    const bool geo = pair_law.options.law == GRIT_CONTACT_GEO;
+    if (geo || pair_law.gated) {
+        const grit_contact_surfaces s = surfaces();
+        require(grit_contact_surfaces_reset(&s, &error), error);
+        measure(grid, a, 0);
+        measure(grid, b, 1);
+        exchange.min_nodes(surface.data(), s.nodes, 2);
+        exchange.min_nodes(centre.data(), s.nodes, 2);
+        grit_contact_distances wanted{};
+        wanted.struct_size = sizeof wanted;
+        wanted.measure = pair_law.measure;
+        wanted.index = active.data();
+        wanted.distance = grit_mutable_view_of(distance.data(), 1, 1);
+        wanted.gap = grit_mutable_view_of(gap.data(), 1, 1);
+        require(grit_contact_surfaces_finish(&s, n, &wanted, &error), error);
+    }
+
+    grit_contact_options options = pair_law.options;
+    options.time_step = dt;
+    options.rigid = a.rigid   ? GRIT_CONTACT_A_RIGID
+                    : b.rigid ? GRIT_CONTACT_B_RIGID
+                              : GRIT_CONTACT_NONE_RIGID;
+    auto* motions_a = reinterpret_cast<double*>(a.motions);
+    auto* motions_b = reinterpret_cast<double*>(b.motions);
+    grit_contact_nodes q{};
+    q.struct_size = sizeof q;
+    q.index = active.data();
+    q.mass_a = grit_view_of(reinterpret_cast<const double*>(a.records), 8, 1);
+    q.mass_b = grit_view_of(reinterpret_cast<const double*>(b.records), 8, 1);
+    q.normal = grit_view_of(normal.data(), 2, 1);
+    if (geo) {
+        q.distance = grit_view_of(distance.data(), 1, 1);
+        q.spacing = grit_view_of(spacing.data(), 2, 1);
+    }
+    if (pair_law.gated) q.gap = grit_view_of(gap.data(), 1, 1);
+    q.velocity_a = grit_mutable_view_of(motions_a + motion::v_r, motion::size, 1);
+    q.velocity_b = grit_mutable_view_of(motions_b + motion::v_r, motion::size, 1);
+    q.previous_velocity_a = grit_view_of(motions_a + motion::other_r, motion::size, 1);
+    q.previous_velocity_b = grit_view_of(motions_b + motion::other_r, motion::size, 1);
+    q.position = grit_view_of(position.data(), 2, 1);
+    sums = {};
+    require(grit_contact_correct(&options, n, &q, nullptr, &sums, &error), error);
+    require(grit_contact_sums_read(&sums, &step_totals), error);
+}
+
+}  // namespace grit::mpm

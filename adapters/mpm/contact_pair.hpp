@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Contact of two bodies at the nodes, through the library.
+#pragma once
+
+#include <vector>
+
+#include <grit/contact.h>
+#include <grit/contact_distance.h>
+#include <grit/contact_normals.h>
+
+#include "adapters/mpm/kernel/exchange.hpp"
+#include "adapters/mpm/kernel/nodes.hpp"
+
+namespace grit::mpm {
+
+struct ContactLaw {
+    std::size_t a = 0, b = 1;  // bodies; a is the stiffer one
+    grit_contact_options options{};
+    int normal = GRIT_CONTACT_NORMAL_OF_A;
+    int measure = GRIT_CONTACT_SUPPORT;
+    bool gated = true;  // by the gap
+};
+
+// GRIT_CONTACT_GEO or _FRICTIONAL.
+ContactLaw contact_law(int law, double friction_coefficient, double penalty_power = 6.0);
+
+struct ContactBody {
+    const NodeRecord* records;
+    NodeMotion* motions;
+    ParticleView particles;
+    std::ptrdiff_t count;
+    bool rigid;
+};
+
+class ContactPair {
+  public:
+    ContactPair(const ContactLaw& law, const GridView& grid,
+                const std::vector<std::uint8_t>& fixed);
+    // Velocities after the momentum update become those after contact.
+    void correct(const GridView& grid, const ContactBody& a, const ContactBody& b, double dt,
+                 Exchange& exchange);
+    const ContactLaw& law() const { return pair_law; }
+    // Of the last step.
+    const grit_contact_totals& totals() const { return step_totals; }
+
+  private:
+    bool find_active(const ContactBody& a, const ContactBody& b);
+    void find_normals(const ContactBody& a, const ContactBody& b);
+    void measure(const GridView& grid, const ContactBody& body, int which);
+    grit_contact_surfaces surfaces();
+
+    ContactLaw pair_law;
+    std::vector<int> fixed_bits;
+    std::vector<double> position, spacing, normal, surface, centre, distance, gap;
+    std::vector<char> is_active;
+    std::vector<std::ptrdiff_t> active;
+    grit_contact_sums sums;
+    grit_contact_totals step_totals;
+};
+
+}  // namespace grit::mpm

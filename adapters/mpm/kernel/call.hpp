@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the kernels take and give: plain data, the same for every instruction set.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "adapters/mpm/kernel/axis.hpp"
+#include "adapters/mpm/kernel/particles.hpp"
+
+namespace grit::mpm {
+
+enum class Shape {
+    cpdi,            // (A1)-(A3)
+    cpdi_published,  // unweighted corners, T = S / r_p: the published axisymmetric CPDI
+    ugimp,           // the undeformed, upright domain
+    point            // linear shape functions at the particle: the original method
+};
+
+struct Vector {
+    double r, z;
+};
+
+namespace record {
+enum : int { m, p_r, p_z, f_r, f_z, g_r, g_z, g_scale, size };
+}  // namespace record
+
+// What a body leaves at a node: mass, momentum, force, gradient for normals and its size; a cache line.
+struct alignas(64) NodeRecord {
+    double value[record::size];
+    __attribute__((always_inline)) double& operator[](int i) { return value[i]; }
+    __attribute__((always_inline)) double operator[](int i) const { return value[i]; }
+};
+
+namespace motion {
+enum : int { v_r, v_z, other_r, other_z, size };
+}  // namespace motion
+
+// What a node gives back: its velocity, and another one; half a cache line.
+struct alignas(32) NodeMotion {
+    double value[motion::size];
+    __attribute__((always_inline)) double& operator[](int i) { return value[i]; }
+    __attribute__((always_inline)) double operator[](int i) const { return value[i]; }
+};
+
+struct GridView {
+    AxisView r, z;
+    __attribute__((always_inline)) std::ptrdiff_t nodes_r() const { return r.cells + 1; }
+};
+
+// Which sums a scatter adds to.
+namespace part {
+enum : unsigned { mass = 1, momentum = 2, force = 4, gradient = 8, all = 15 };
+}  // namespace part
+
+// A record in fixed point: value times scale, a power of two, rounded.
+struct alignas(64) NodeIntegers {
+    std::int64_t value[record::size];
+};
+
+struct FixedPoint {
+    // Contributions from this size on are lost. A node has room for 2^12 of the largest.
+    static constexpr double limit = 0x1p51;
+    NodeIntegers* nodes;  // added to
+    double scale[record::size];
+    double largest[record::size];  // out: |contribution| times scale
+};
+
+struct ScatterCall {
+    GridView grid;
+    ParticleView particles;
+    std::ptrdiff_t begin, end;
+    NodeRecord* nodes;  // added to
+    unsigned parts;
+    FixedPoint* fixed_point = nullptr;  // in place of nodes
+};
+
+// What a gather does. In its default it does all, with the velocity v.
+namespace task {
+enum : unsigned {
+    velocity = 1,         // v_p += S (v - other), then the PIC share
+    position = 2,         // x_p += dt U v
+    deformation = 4,      // F and the increments, by v ...
+    deform_by_other = 8,  // ... or by other
+    all = 7
+};
+}  // namespace task
+
+// Increments of at most so many particles: midpoint strain, engineering shear, 11 = rr, 22 = zz, 33 = tt,
+// 12 = rz, and the rotation Q, row-major, before it.
+struct alignas(64) Increments {
+    static constexpr int capacity = 64;
+    double strain[4][capacity];
+    double rotation[9][capacity];
+};
+
+struct GatherCall {
+    GridView grid;
+    ParticleView particles;
+    std::ptrdiff_t begin, end;  // no more than Increments::capacity
+    const NodeMotion* nodes;    // v and other: the velocity before the step's forces
+    double dt;                  // [s]
+    double pic;                 // PIC share of this step [-]
+    unsigned tasks;
+};
+
+struct GatherSums {
+    double kept = 0.0;       // 1/2 m (S dv)^2: what FLIP keeps of the nodes' 1/2 m dv^2 [J]
+    double pic_loss = 0.0;   // kinetic energy that the PIC share takes [J]
+    double body_work = 0.0;  // of the body acceleration [J]
+    double kinetic = 0.0;    // of the particles, afterwards [J]
+    double most_v2 = 0.0;    // largest v^2 [m2/s2]
+    double most_dz = 0.0;    // longest way along z [m]
+    int reflected = 0;       // particles that are now at r < 0 ...
+    int outside = 0;         // ... or outside of the grid
+};
+
+// The kernels of one instruction set: bitwise the same results, for nothing is contracted.
+struct Kernels {
+    void (*scatter)(Shape, bool axisymmetric, const ScatterCall&);
+    void (*gather)(Shape, bool axisymmetric, const GatherCall&, Increments&, GatherSums&);
+};
+
+// The best that this processor has, and those of any.
+const Kernels& kernels();
+extern const Kernels baseline_kernels;
+
+}  // namespace grit::mpm

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The domain of a CPDI particle and the weights of its corners, (A1)-(A3). Convected particle domains:
+// Sadeghirad, Brannon & Burghardt (2011), doi 10.1002/nme.3110; weighted with r, the integrals over
+// the true ring.
+#pragma once
+
+#include <cmath>
+
+#include "adapters/mpm/kernel/call.hpp"
+#include "adapters/mpm/kernel/target.hpp"
+
+MPM_KERNEL_BEGIN
+
+// Half-side vectors r1, r2 [m]. Corners in the order (--), (+-), (++), (-+).
+struct Domain {
+    double r1r, r1z, r2r, r2z;
+    MPM_INLINE double area() const { return 4.0 * (r1r * r2z - r1z * r2r); }
+};
+
+MPM_INLINE Vec4 xi() { return Vec4{-1.0, 1.0, 1.0, -1.0}; }
+MPM_INLINE Vec4 eta() { return Vec4{-1.0, -1.0, 1.0, 1.0}; }
+
+// Shrunk as a whole until no half extent exceeds its limit: for weights only, mass and volume stay.
+MPM_INLINE Domain limited(Domain d, double limit_r, double limit_z) {
+    const double extent_r = std::fabs(d.r1r) + std::fabs(d.r2r);
+    const double extent_z = std::fabs(d.r1z) + std::fabs(d.r2z);
+    if (extent_r <= limit_r && extent_z <= limit_z) return d;
+    const double by_r = limit_r / extent_r, by_z = limit_z / extent_z;
+    const double s = by_r < by_z ? by_r : by_z;
+    return {s * d.r1r, s * d.r1z, s * d.r2r, s * d.r2z};
+}
+
+struct CornerWeights {
+    Vec4 S, G_r, G_z;  // [-], [1/m]
+};
+
+// k = 1/(3 r_p) in axisymmetry, 0 in plane strain.
+MPM_INLINE CornerWeights corner_weights(const Domain& d, double k) {
+    const double per_area = 1.0 / d.area();
+    const Vec4 e1 = xi(), e2 = eta(), e12 = e1 * e2;
+    CornerWeights w;
+    w.S = 0.25 + (0.25 * k) * (e1 * d.r1r + e2 * d.r2r);  // (A1)
+    w.G_r =
+        per_area * (e1 * d.r2z - e2 * d.r1z + e12 * (k * (d.r2r * d.r2z - d.r1r * d.r1z)));  // (A2)
+    w.G_z = per_area * (e2 * d.r1r - e1 * d.r2r + e12 * (k * (d.r1r * d.r1r - d.r2r * d.r2r)));
+    return w;
+}
+
+MPM_KERNEL_END

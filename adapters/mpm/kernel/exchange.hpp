@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What processes that share a grid must tell each other. The reference driver is alone: nothing to do.
+//
+//   when                        what                                            bytes
+//   after a scatter, per body   sum of node records, or of integers             64 a halo node
+//   after MUSL's second one     sum of node records                             64 a halo node
+//   contact with distances      minima of surfaces and centres, two each        32 a halo node
+//   fixed point, per scatter    maxima of contributions, eight a body           8 each
+//   each step                   maxima: v + c, way along z; counts of lost      8 each
+//   each step                   sums of the energy balance                      8 each
+#pragma once
+
+#include "adapters/mpm/kernel/call.hpp"
+
+namespace grit::mpm {
+
+class Exchange {
+  public:
+    virtual ~Exchange() = default;
+    virtual void sum_nodes(NodeRecord* /*records*/, std::ptrdiff_t /*nodes*/) {}
+    virtual void sum_nodes(NodeIntegers* /*records*/, std::ptrdiff_t /*nodes*/) {}
+    virtual void min_nodes(double* /*values*/, std::ptrdiff_t /*nodes*/, int /*per_node*/) {}
+    virtual void max(double* /*values*/, int /*count*/) {}
+    virtual void sum(double* /*values*/, int /*count*/) {}
+};
+
+}  // namespace grit::mpm

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From nodes to particles: velocity (FLIP with a PIC share), position, deformation (A5), and the
+// increments that a material wants, all in one pass.
+#pragma once
+
+#include "adapters/mpm/kernel/increment.hpp"
+#include "adapters/mpm/kernel/node_stencil.hpp"
+
+MPM_KERNEL_BEGIN
+
+// Sums of v_r, v_z, other_r, other_z over the points of a particle.
+struct Gathered {
+    Vec4 S{}, U{}, G_r{}, G_z{}, T{};
+};
+
+template <class Stencil, bool axisymmetric>
+MPM_INLINE Gathered gather_point_values(const Stencil& w, const NodeMotion* nodes) {
+    Gathered sum;
+    for (int k = 0; k < Stencil::points; ++k) {
+        const Vec4 v = w.value(k, nodes);
+        sum.S += w.S[k] * v;
+        sum.G_r += w.G_r[k] * v;
+        sum.G_z += w.G_z[k] * v;
+        if constexpr (Stencil::is_corner) sum.U += v;
+    }
+    // All corners have the same T and U; T of a node is S / r_p.
+    if constexpr (Stencil::is_corner) {
+        if constexpr (axisymmetric) sum.T = w.T * sum.U;
+        sum.U *= 0.25;
+    } else {
+        if constexpr (axisymmetric) sum.T = w.per_r * sum.S;
+        sum.U = sum.S;
+    }
+    return sum;
+}
+
+MPM_INLINE void move_velocity(const GatherCall& call, const Gathered& g, std::ptrdiff_t p,
+                              GatherSums& sums) {
+    namespace c = column;
+    const ParticleView q = call.particles;
+    const double m = q[c::mass][p];
+    const double dv_r = g.S[0] - g.S[2], dv_z = g.S[1] - g.S[3];
+    const double flip_r = q[c::v_r][p] + dv_r, flip_z = q[c::v_z][p] + dv_z;
+    const double v_r = flip_r + call.pic * (g.S[0] - flip_r);
+    const double v_z = flip_z + call.pic * (g.S[1] - flip_z);
+    const double v2 = v_r * v_r + v_z * v_z;
+    q[c::v_r][p] = v_r;
+    q[c::v_z][p] = v_z;
+    sums.kept += 0.5 * m * (dv_r * dv_r + dv_z * dv_z);
+    sums.pic_loss += 0.5 * m * (flip_r * flip_r + flip_z * flip_z - v2);
+    sums.body_work +=
+        0.5 * call.dt * m * (q[c::b_r][p] * (g.S[0] + g.S[2]) + q[c::b_z][p] * (g.S[1] + g.S[3]));
+    sums.kinetic += 0.5 * m * v2;
+    sums.most_v2 = v2 > sums.most_v2 ? v2 : sums.most_v2;
+}
+
+MPM_INLINE void move_position(const GatherCall& call, const Gathered& g, std::ptrdiff_t p,
+                              bool axisymmetric, GatherSums& sums) {
+    namespace c = column;
+    const ParticleView q = call.particles;
+    const AxisView &a_r = call.grid.r, &a_z = call.grid.z;
+    const double dz = call.dt * g.U[1];
+    const double r = q[c::r][p] + call.dt * g.U[0], z = q[c::z][p] + dz;
+    q[c::r][p] = r;
+    q[c::z][p] = z;
+    const double way = std::fabs(dz);
+    sums.most_dz = way > sums.most_dz ? way : sums.most_dz;
+    const bool reflected = axisymmetric && r < 0.0;
+    const double beyond = reflected ? -r : r;
+    sums.reflected += reflected;
+    // Positive conditions, so that NaN fails them.
+    sums.outside += !(beyond >= a_r.node[0] && beyond <= a_r.node[a_r.cells] && z >= a_z.node[0] &&
+                      z <= a_z.node[a_z.cells]);
+}
+
+template <Shape shape, bool axisymmetric, bool all>
+void gather_by(const GatherCall& call, Increments& increments, GatherSums& sums) {
+    using Stencil = typename StencilOf<shape, axisymmetric>::type;
+    const unsigned tasks = all ? static_cast<unsigned>(task::all) : call.tasks;
+    const std::ptrdiff_t lane = tasks & task::deform_by_other ? 2 : 0;
+    for (std::ptrdiff_t p = call.begin; p < call.end; ++p) {
+        const Place place = place_of<axisymmetric>(call.grid, call.particles, p);
+        const Stencil w(call.grid, place);
+        const Gathered g = gather_point_values<Stencil, axisymmetric>(w, call.nodes);
+        if (tasks & task::velocity) move_velocity(call, g, p, sums);
+        if (tasks & task::position) move_position(call, g, p, axisymmetric, sums);
+        if (tasks & (task::deformation | task::deform_by_other)) {
+            const Gradient L = {call.dt * g.G_r[lane], call.dt * g.G_z[lane],
+                                call.dt * g.G_r[lane + 1], call.dt * g.G_z[lane + 1],
+                                axisymmetric ? call.dt * g.T[lane] : 0.0};
+            deform(call.particles, p, L, increments, p - call.begin);
+        }
+    }
+}
+
+template <Shape shape, bool axisymmetric>
+void gather_tasks(const GatherCall& call, Increments& increments, GatherSums& sums) {
+    if (call.tasks == task::all) gather_by<shape, axisymmetric, true>(call, increments, sums);
+    else gather_by<shape, axisymmetric, false>(call, increments, sums);
+}
+
+template <bool axisymmetric>
+void gather_in(Shape shape, const GatherCall& call, Increments& increments, GatherSums& sums) {
+    switch (shape) {
+        case Shape::cpdi: return gather_tasks<Shape::cpdi, axisymmetric>(call, increments, sums);
+        case Shape::cpdi_published:
+            return gather_tasks<Shape::cpdi_published, axisymmetric>(call, increments, sums);
+        case Shape::ugimp: return gather_tasks<Shape::ugimp, axisymmetric>(call, increments, sums);
+        case Shape::point: return gather_tasks<Shape::point, axisymmetric>(call, increments, sums);
+    }
+}
+
+void gather(Shape shape, bool axisymmetric, const GatherCall& call, Increments& increments,
+            GatherSums& sums) {
+    axisymmetric ? gather_in<true>(shape, call, increments, sums)
+                 : gather_in<false>(shape, call, increments, sums);
+}
+
+MPM_KERNEL_END

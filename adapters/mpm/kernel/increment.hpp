@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The deformation of a particle in a step: F, and strain and rotation increments by the midpoint rule of
+// Hughes & Winget (1980), doi 10.1002/nme.1620151210, for which a rigid rotation strains nothing.
+#pragma once
+
+#include "adapters/mpm/kernel/call.hpp"
+#include "adapters/mpm/kernel/target.hpp"
+
+MPM_KERNEL_BEGIN
+
+// Displacement gradient of the step against its start [-]; tt is the hoop.
+struct Gradient {
+    double rr, rz, zr, zz, tt;
+};
+
+MPM_INLINE void deform(const ParticleView& q, std::ptrdiff_t p, const Gradient& L, Increments& out,
+                       std::ptrdiff_t i) {
+    namespace c = column;
+    const double F_rr = q[c::F_rr][p], F_rz = q[c::F_rz][p];
+    const double F_zr = q[c::F_zr][p], F_zz = q[c::F_zz][p];
+    q[c::F_rr][p] = F_rr + L.rr * F_rr + L.rz * F_zr;  // (A5)
+    q[c::F_rz][p] = F_rz + L.rr * F_rz + L.rz * F_zz;
+    q[c::F_zr][p] = F_zr + L.zr * F_rr + L.zz * F_zr;
+    q[c::F_zz][p] = F_zz + L.zr * F_rz + L.zz * F_zz;
+    q[c::F_tt][p] += q[c::F_tt][p] * L.tt;
+
+    // M = L (I + L/2)^-1, the gradient against the middle of the step.
+    const double a = 1.0 + 0.5 * L.rr, d = 1.0 + 0.5 * L.zz;
+    const double b = 0.5 * L.rz, e = 0.5 * L.zr;
+    const double per_det = 1.0 / (a * d - b * e);
+    const double M_rr = (L.rr * d - L.rz * e) * per_det, M_rz = (L.rz * a - L.rr * b) * per_det;
+    const double M_zr = (L.zr * d - L.zz * e) * per_det, M_zz = (L.zz * a - L.zr * b) * per_det;
+    out.strain[0][i] = M_rr;
+    out.strain[1][i] = M_zz;
+    out.strain[2][i] = L.tt / (1.0 + 0.5 * L.tt);
+    out.strain[3][i] = M_rz + M_zr;
+
+    // Q = (I - W/2)^-1 (I + W/2), W_rz = -W_zr = 2w.
+    const double w = 0.25 * (M_rz - M_zr), per = 1.0 / (1.0 + w * w);
+    const double cosine = (1.0 - w * w) * per, sine = 2.0 * w * per;
+    out.rotation[0][i] = cosine;
+    out.rotation[1][i] = sine;
+    out.rotation[3][i] = -sine;
+    out.rotation[4][i] = cosine;
+}
+
+MPM_KERNEL_END

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#define MPM_TARGET avx2
+#include "adapters/mpm/kernel/gather.hpp"
+#include "adapters/mpm/kernel/scatter.hpp"
+
+namespace grit::mpm {
+extern const Kernels avx2_kernels;
+const Kernels avx2_kernels{avx2::scatter, avx2::gather};
+}  // namespace grit::mpm

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#define MPM_TARGET avx512
+#include "adapters/mpm/kernel/gather.hpp"
+#include "adapters/mpm/kernel/scatter.hpp"
+
+namespace grit::mpm {
+extern const Kernels avx512_kernels;
+const Kernels avx512_kernels{avx512::scatter, avx512::gather};
+}  // namespace grit::mpm

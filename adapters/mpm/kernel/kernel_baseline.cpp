@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#define MPM_TARGET baseline
+#include "adapters/mpm/kernel/gather.hpp"
+#include "adapters/mpm/kernel/scatter.hpp"
+
+namespace grit::mpm {
+extern const Kernels baseline_kernels;
+const Kernels baseline_kernels{baseline::scatter, baseline::gather};
+}  // namespace grit::mpm

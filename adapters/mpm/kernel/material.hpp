@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a body is made of: stress from increments or from F, a range of particles at a time.
+#pragma once
+
+#include "adapters/mpm/kernel/call.hpp"
+
+namespace grit::mpm {
+
+// Particles begin ... end - 1; their increments start at 0.
+struct Range {
+    ParticleView particles;
+    std::ptrdiff_t begin, end;
+};
+
+class Material {
+  public:
+    virtual ~Material() = default;
+    virtual int own_columns() const { return 0; }
+    // F is already that of the end of the step.
+    virtual void update(const Range& range, const Increments& increments) = 0;
+    // P-wave modulus of each particle, an upper bound [Pa].
+    virtual void wave_moduli(const Range& range, double* moduli) const = 0;
+    // Energy that the stress has stored, or taken, since the start [J].
+    virtual double energy(const ParticleView& particles, std::ptrdiff_t p) const = 0;
+    // Columns of its own as seen in the mirror r -> -r.
+    virtual void reflect(const ParticleView&, std::ptrdiff_t) const {}
+};
+
+// A particle that crossed the axis comes back from the other side.
+void reflect(const Material& material, const ParticleView& particles, std::ptrdiff_t p);
+
+}  // namespace grit::mpm

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The nodes of one body: what particles left there, and how it moves them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "adapters/mpm/kernel/call.hpp"
+
+namespace grit::mpm {
+
+// Bits of a node's constraint.
+namespace fixed {
+enum : std::uint8_t { none = 0, r = 1, z = 2 };
+}  // namespace fixed
+
+struct NodeSums {
+    double damping_work = 0.0;  // taken by local damping [J]
+    double gravity_work = 0.0;  // [J]
+    double change = 0.0;        // 1/2 m (v - v_old)^2 [J]
+    // Work of the nodal forces, half a step's, on the velocities that mapping took away: on those that
+    // strained the particles in the step before, less those that they handed back [J].
+    double mapped_away = 0.0;
+};
+
+struct NodeCall {
+    const NodeRecord* records;
+    NodeMotion* motions;
+    const std::uint8_t* fixed;
+    std::ptrdiff_t begin, end;
+    double least_mass;  // nodes with less are at rest [kg]
+    double dt;          // [s]
+    double dt_before;   // of the step before [s]
+    Vector gravity;     // [m/s2]
+    bool by_other;      // particles are strained by the other velocity (MUSL)
+    double damping;     // local damping (Cundall), share of the force [-]
+};
+
+// motions, still of the step before, become v = v_old + dt (f/m + g) and v_old = p/m, without the fixed
+// components.
+void advance_nodes(const NodeCall& call, NodeSums& sums);
+// After contact: what is fixed stays so; sums the change and the work of gravity.
+void close_nodes(const NodeCall& call, NodeSums& sums);
+// other becomes p/m: the velocities that particles would have left now (MUSL).
+void remap_nodes(const NodeCall& call, NodeSums& sums);
+
+}  // namespace grit::mpm

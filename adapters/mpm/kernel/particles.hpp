@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Material points of one body as a structure of arrays. Mass and volume are per metre (plane strain) or
+// per radian (axisymmetry).
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace grit::mpm {
+
+namespace column {
+enum : int {
+    r,
+    z,  // position [m]
+    v_r,
+    v_z,  // velocity [m/s]
+    F_rr,
+    F_rz,
+    F_zr,
+    F_zz,
+    F_tt,  // deformation gradient [-]
+    l_r,
+    l_z,   // initial half sides [m]
+    mass,  // [kg]
+    V0,    // initial volume [m3]
+    S_rr,
+    S_zz,
+    S_tt,
+    S_rz,  // Cauchy stress [Pa], in the order of the library
+    b_r,
+    b_z,  // body acceleration [m/s2]
+    own   // first column of the material
+};
+}  // namespace column
+
+// What kernels see: column c of particle p is base[c * stride + p].
+struct ParticleView {
+    double* base;
+    std::ptrdiff_t stride;
+    __attribute__((always_inline)) double* operator[](int c) const { return base + c * stride; }
+    __attribute__((always_inline)) double J(std::ptrdiff_t p) const {
+        const ParticleView& q = *this;
+        return (q[column::F_rr][p] * q[column::F_zz][p] - q[column::F_rz][p] * q[column::F_zr][p]) *
+               q[column::F_tt][p];
+    }
+};
+
+// A rectangular particle at rest, without stress.
+struct NewParticle {
+    double r, z;      // centre [m]
+    double l_r, l_z;  // half sides [m]
+    double density;   // [kg/m3]
+    double v_r = 0.0, v_z = 0.0;
+};
+
+class Particles {
+  public:
+    explicit Particles(int own_columns = 0) : columns(column::own + own_columns) {}
+
+    // axisymmetric: mass and volume per radian. The id of a particle is the order of adding.
+    void add(const NewParticle& particle, bool axisymmetric);
+
+    std::ptrdiff_t size() const { return count; }
+    ParticleView view() { return {data.data(), stride}; }
+    const int* ids() const { return id.data(); }
+    double operator()(int c, std::ptrdiff_t p) const {
+        return data[static_cast<std::size_t>(c * stride + p)];
+    }
+
+    // Particle order[p] becomes particle p. Allocates on its first call only.
+    void permute(const std::vector<int>& order);
+
+  private:
+    void grow();
+    int columns;
+    std::ptrdiff_t count = 0, stride = 0;
+    std::vector<double> data, spare;
+    std::vector<int> id, spare_id;
+};
+
+}  // namespace grit::mpm

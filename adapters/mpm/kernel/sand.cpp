@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/mpm/kernel/sand.hpp"
+
+#include <stdexcept>
+#include <string>
+
+#include <grit/sand_operators.h>
+
+namespace grit::mpm {
+namespace c = column;
+
+Sand::Sand(const grit_sand& prepared, const grit_sand_options& given)
+    : sand(prepared), options(given) {}
+
+void Sand::update(const Range& range, const Increments& d) {
+    const ParticleView& q = range.particles;
+    const std::ptrdiff_t n = range.end - range.begin;
+    double before[4][Increments::capacity];
+    for (int k = 0; k < 4; ++k)
+        for (std::ptrdiff_t i = 0; i < n; ++i) before[k][i] = q[c::S_rr + k][range.begin + i];
+
+    grit_sand_points points{};
+    points.struct_size = sizeof points;
+    points.components = 4;
+    points.strain_increment = grit_view_of(d.strain[0], 1, Increments::capacity);
+    points.rotation_increment = grit_view_of(d.rotation[0], 1, Increments::capacity);
+    points.stress = grit_mutable_view_of(q[c::S_rr] + range.begin, 1, q.stride);
+    points.state = grit_mutable_view_of(q[state] + range.begin, 1, q.stride);
+    grit_error error;
+    if (grit_sand_update(&sand, &options, n, &points, nullptr, &error) != GRIT_OK)
+        throw std::runtime_error(std::string("sand: ") + error.message);
+
+    for (std::ptrdiff_t i = 0; i < n; ++i) {
+        const std::ptrdiff_t p = range.begin + i;
+        double density = 0.0;
+        for (int k = 0; k < 4; ++k)
+            density += 0.5 * (before[k][i] + q[c::S_rr + k][p]) * d.strain[k][i];
+        q[work][p] += density * q[c::V0][p] * q.J(p);
+    }
+}
+
+void Sand::wave_moduli(const Range& range, double* moduli) const {
+    const ParticleView& q = range.particles;
+    for (std::ptrdiff_t p = range.begin; p < range.end; ++p) {
+        const double stress[6] = {q[c::S_rr][p], q[c::S_zz][p], q[c::S_tt][p],
+                                  q[c::S_rz][p], 0.0,           0.0};
+        const grit_status status =
+            grit_sand_wave_modulus(&sand, options.intergranular_off, stress,
+                                   q[state + GRIT_SAND_VOID_RATIO][p], moduli + (p - range.begin));
+        if (status != GRIT_OK) throw std::runtime_error("sand: no wave modulus for this state");
+    }
+}
+
+double Sand::energy(const ParticleView& q, std::ptrdiff_t p) const { return q[work][p]; }
+
+void Sand::reflect(const ParticleView& q, std::ptrdiff_t p) const {
+    q[state + GRIT_SAND_H12][p] = -q[state + GRIT_SAND_H12][p];
+}
+
+}  // namespace grit::mpm

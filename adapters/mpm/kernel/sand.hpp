@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sand of the library, called as any host would.
+#pragma once
+
+#include <grit/sand.h>
+
+#include "adapters/mpm/kernel/material.hpp"
+
+namespace grit::mpm {
+
+class Sand : public Material {
+  public:
+    static constexpr int state = column::own;  // first of the library's
+    static constexpr int work = state + GRIT_SAND_STATE_SIZE;
+
+    Sand(const grit_sand& sand, const grit_sand_options& options);
+    int own_columns() const override { return GRIT_SAND_STATE_SIZE + 1; }
+    void update(const Range& range, const Increments& increments) override;
+    void wave_moduli(const Range& range, double* moduli) const override;
+    double energy(const ParticleView& particles, std::ptrdiff_t p) const override;
+    void reflect(const ParticleView& particles, std::ptrdiff_t p) const override;
+
+  private:
+    grit_sand sand;
+    grit_sand_options options;
+};
+
+}  // namespace grit::mpm

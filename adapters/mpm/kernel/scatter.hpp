@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From particles to nodes: mass, momentum, forces (A4) and gradients, all in one pass.
+#pragma once
+
+#include "adapters/mpm/kernel/node_stencil.hpp"
+#include "adapters/mpm/kernel/sums.hpp"
+
+MPM_KERNEL_BEGIN
+
+template <Shape shape, bool axisymmetric, bool all, class Sums>
+MPM_INLINE void scatter_by(const ScatterCall& call, Sums& sums) {
+    using Stencil = typename StencilOf<shape, axisymmetric>::type;
+    namespace c = column;
+    const ParticleView q = call.particles;
+    const auto wanted = [&](unsigned part) { return all || (call.parts & part) ? 1.0 : 0.0; };
+    const double with_mass = wanted(part::mass), with_momentum = wanted(part::momentum);
+    const double with_force = wanted(part::force), with_gradient = wanted(part::gradient);
+    for (std::ptrdiff_t p = call.begin; p < call.end; ++p) {
+        const Place place = place_of<axisymmetric>(call.grid, q, p);
+        const Stencil w(call.grid, place);
+        const double V = q[c::V0][p] * q.J(p);
+        double mass = q[c::mass][p], V_f = V;
+        double area = Stencil::is_corner ? 1.0 : axisymmetric ? V / place.r : V;
+        const double m_v_r = with_momentum * (mass * q[c::v_r][p]);
+        const double m_v_z = with_momentum * (mass * q[c::v_z][p]);
+        double m_b_r = mass * q[c::b_r][p], m_b_z = mass * q[c::b_z][p];
+        if (!all) {
+            m_b_r *= with_force;
+            m_b_z *= with_force;
+            V_f *= with_force;
+            mass *= with_mass;
+            area *= with_gradient;
+        }
+        const double rr = -V_f * q[c::S_rr][p], zz = -V_f * q[c::S_zz][p];
+        const double tt = -V_f * q[c::S_tt][p], rz = -V_f * q[c::S_rz][p];
+        for (int k = 0; k < Stencil::points; ++k) {
+            const double S = w.S[k], G_r = w.G_r[k], G_z = w.G_z[k];
+            double f_r = rr * G_r + rz * G_z + S * m_b_r;  // (A4)
+            if constexpr (axisymmetric) f_r += tt * w.hoop(k);
+            const double f_z = rz * G_r + zz * G_z + S * m_b_z;
+            const double g_r = area * w.A_r[k], g_z = area * w.A_z[k];
+            const Vec8 P = {S * mass, S * m_v_r, S * m_v_z, f_r,
+                            f_z,      g_r,       g_z,       std::fabs(g_r) + std::fabs(g_z)};
+            w.add(k, P, sums);
+        }
+    }
+}
+
+template <Shape shape, bool axisymmetric> void scatter_parts(const ScatterCall& call) {
+    if (call.fixed_point) {
+        FixedSums sums{call.fixed_point->nodes, {}, {}};
+        for (int c = 0; c < record::size; ++c) sums.scale[c] = call.fixed_point->scale[c];
+        scatter_by<shape, axisymmetric, false>(call, sums);
+        for (int c = 0; c < record::size; ++c) call.fixed_point->largest[c] = sums.largest[c];
+        return;
+    }
+    DoubleSums sums{call.nodes};
+    if (call.parts == part::all) scatter_by<shape, axisymmetric, true>(call, sums);
+    else scatter_by<shape, axisymmetric, false>(call, sums);
+}
+
+template <bool axisymmetric> void scatter_in(Shape shape, const ScatterCall& call) {
+    switch (shape) {
+        case Shape::cpdi: return scatter_parts<Shape::cpdi, axisymmetric>(call);
+        case Shape::cpdi_published: return scatter_parts<Shape::cpdi_published, axisymmetric>(call);
+        case Shape::ugimp: return scatter_parts<Shape::ugimp, axisymmetric>(call);
+        case Shape::point: return scatter_parts<Shape::point, axisymmetric>(call);
+    }
+}
+
+void scatter(Shape shape, bool axisymmetric, const ScatterCall& call) {
+    axisymmetric ? scatter_in<true>(shape, call) : scatter_in<false>(shape, call);
+}
+
+MPM_KERNEL_END

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How a contribution is added to a node: in double, or in fixed point, where no order matters.
+#pragma once
+
+#include "adapters/mpm/kernel/call.hpp"
+#include "adapters/mpm/kernel/target.hpp"
+
+MPM_KERNEL_BEGIN
+
+typedef std::int64_t Integers __attribute__((vector_size(64), may_alias));
+
+struct DoubleSums {
+    NodeRecord* nodes;
+    MPM_INLINE void add(std::ptrdiff_t node, const Vec8& x) {
+        *reinterpret_cast<Vec8*>(nodes + node) += x;
+    }
+};
+
+// x scale, rounded to an integer by the addition of 1.5 2^52, which leaves the integer in the last bits.
+struct FixedSums {
+    static constexpr double magic = 0x1.8p52;
+    NodeIntegers* nodes;
+    Vec8 scale;
+    Vec8 largest;
+
+    MPM_INLINE void add(std::ptrdiff_t node, const Vec8& x) {
+        const Vec8 scaled = x * scale;
+        const Vec8 size = scaled < 0.0 ? -scaled : scaled;
+        largest = size > largest ? size : largest;
+        const Vec8 shifted = scaled + magic, zero = Vec8{} + magic;
+        *reinterpret_cast<Integers*>(nodes + node) +=
+            reinterpret_cast<const Integers&>(shifted) - reinterpret_cast<const Integers&>(zero);
+    }
+};
+
+MPM_KERNEL_END

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+
+#include "adapters/mpm/kernel/material.hpp"
+
+namespace grit::mpm {
+
+enum class Scheme {
+    usl,   // stress last, by the velocities of the momentum update
+    musl,  // ... by velocities mapped back from the particles
+    usf    // stress first
+};
+
+struct Settings {
+    bool axisymmetric = true;
+    Shape shape = Shape::cpdi;
+    Scheme scheme = Scheme::usl;
+    double cfl = 0.4;                                               // share of cell / (c + v) [-]
+    double largest_step = std::numeric_limits<double>::infinity();  // [s]
+    double pic_rate = 0.0;                                          // 1 - FLIP = pic_rate dt [1/s]
+    double local_damping = 0.0;                                     // share of the nodal force [-]
+    double gravity_r = 0.0, gravity_z = 0.0;                        // [m/s2]
+    // Nodal sums in 64-bit integers: no order of particles, threads or processes changes a bit.
+    bool fixed_point = false;
+    int threads = 1;
+};
+
+struct Body {
+    std::string name;
+    Particles particles;
+    std::unique_ptr<Material> material;
+    // A rigid body moves as this says, over time [s]; empty: free.
+    std::function<Vector(double)> prescribed_velocity;
+    bool rigid() const { return static_cast<bool>(prescribed_velocity); }
+};
+
+// Sums since the start [J]; each counted where it happens.
+struct Energy {
+    double kinetic = 0.0, stored = 0.0;      // now
+    double kinetic_0 = 0.0, stored_0 = 0.0;  // at the start
+    double external_work = 0.0;              // tractions, body forces
+    double rigid_work = 0.0;                 // of bodies with prescribed motion, by contact
+    double contact = 0.0;                    // dissipated in contact, leapfrog value
+    double damping = 0.0;                    // local damping
+    double transfer = 0.0;                   // lost between nodes and particles, PIC share included
+    double pic = 0.0;                        // that share alone
+
+    double residual() const {
+        return kinetic - kinetic_0 + stored - stored_0 + contact + damping + transfer -
+               external_work - rigid_work;
+    }
+};
+
+}  // namespace grit::mpm

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/mpm/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace grit::mpm {
+
+Simulation::Simulation(Axis r, Axis z, const Settings& given, Exchange* others)
+    : settings(given), r_axis(std::move(r)), z_axis(std::move(z)),
+      fixed_nodes(static_cast<std::size_t>(r_axis.nodes()) *
+                  static_cast<std::size_t>(z_axis.nodes())),
+      exchange(others ? *others : alone), pool(given.threads) {
+    if (settings.axisymmetric && r_axis[0] < 0.0)
+        throw std::invalid_argument("the grid must not reach across the axis");
+    if (settings.axisymmetric && r_axis[0] == 0.0) fix_below(0, 0.0);
+}
+
+void Simulation::fix(int direction, const std::function<bool(double)>& where) {
+    std::size_t node = 0;
+    for (int j = 0; j < z_axis.nodes(); ++j)
+        for (int i = 0; i < r_axis.nodes(); ++i, ++node)
+            if (where(direction == 0 ? r_axis[i] : z_axis[j]))
+                fixed_nodes[node] |= direction == 0 ? fixed::r : fixed::z;
+}
+
+void Simulation::fix_below(int direction, double at) {
+    fix(direction, [at](double x) { return x <= at; });
+}
+
+void Simulation::fix_above(int direction, double at) {
+    fix(direction, [at](double x) { return x >= at; });
+}
+
+std::size_t Simulation::add_body(Body body) {
+    Part part{.body = std::move(body), .strips = Strips(grid())};
+    const auto strips = static_cast<std::size_t>(part.strips.count());
+    part.records.resize(fixed_nodes.size());
+    part.motions.resize(fixed_nodes.size());
+    if (settings.fixed_point) {
+        part.integers.resize(fixed_nodes.size());
+        part.fixed_points.resize(strips);
+        part.scale.fill(1.0);
+    }
+    part.slot.resize(static_cast<std::size_t>(part.body.particles.size()));
+    part.gather_sums.resize(strips);
+    part.speed.resize(strips);
+    part.node_sums.resize(strips);
+    part.increments.resize(strips);
+    for (Increments& d : part.increments) {
+        d = {};
+        std::fill_n(d.rotation[8], Increments::capacity, 1.0);
+    }
+    const ParticleView q = part.body.particles.view();
+    double lightest = part.body.particles.size() > 0 ? q[column::mass][0] : 0.0;
+    for (std::ptrdiff_t p = 0; p < part.body.particles.size(); ++p) {
+        lightest = std::min(lightest, q[column::mass][p]);
+    }
+    part.least_mass = 1e-12 * lightest;
+    parts.push_back(std::move(part));
+    return parts.size() - 1;
+}
+
+void Simulation::add_traction(Traction traction) {
+    tractions.push_back(std::move(traction));
+    loads.resize(tractions.size());
+}
+
+void Simulation::add_contact(const ContactLaw& law) {
+    contacts.emplace_back(law, grid(), fixed_nodes);
+}
+
+void Simulation::start() {
+    started = true;
+    sort();
+    measure_speed();
+    account();
+    sums.kinetic_0 = sums.kinetic = kinetic_energy();
+    sums.stored_0 = sums.stored = stored_energy();
+}
+
+void Simulation::step() {
+    if (!started) start();
+    // Strips allow a row; one more step moves less than the other half.
+    if (drift > 0.5 * z_axis.shortest()) sort();
+    clear();
+    if (settings.scheme == Scheme::usf) {
+        scatter(part::mass | part::momentum | part::gradient);
+        advance();  // no force yet: v is the old velocity
+        gather(task::deformation, dt);
+        scatter(part::force);
+    } else {
+        scatter(part::all);
+    }
+    load();
+    advance();
+    correct_contacts();
+    close();
+    if (settings.scheme == Scheme::musl) {
+        gather(task::velocity, dt);
+        remap();
+        gather(task::position | task::deform_by_other, dt);
+    } else if (settings.scheme == Scheme::usf) {
+        gather(task::velocity | task::position, dt);
+    } else {
+        gather(task::all, dt);
+    }
+    t += dt;
+    ++step_count;
+    account();
+}
+
+Energy Simulation::energy() {
+    if (!started) start();
+    sums.kinetic = kinetic_energy();
+    sums.stored = stored_energy();
+    return sums;
+}
+
+double Simulation::kinetic_energy() const {
+    double sum = 0.0;
+    for (const Part& part : parts) {
+        const Particles& q = part.body.particles;
+        for (std::ptrdiff_t p = 0; p < q.size() && !part.body.rigid(); ++p) {
+            const double v_r = q(column::v_r, p), v_z = q(column::v_z, p);
+            sum += 0.5 * q(column::mass, p) * (v_r * v_r + v_z * v_z);
+        }
+    }
+    return sum;
+}
+
+double Simulation::stored_energy() const {
+    double sum = 0.0;
+    for (const Part& part : parts) {
+        if (part.body.rigid()) continue;
+        const ParticleView q = const_cast<Part&>(part).body.particles.view();
+        for (std::ptrdiff_t p = 0; p < part.body.particles.size(); ++p)
+            sum += part.body.material->energy(q, p);
+    }
+    return sum;
+}
+
+}  // namespace grit::mpm

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bodies of material points on one grid, step after step.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "adapters/mpm/contact_pair.hpp"
+#include "adapters/mpm/kernel/exchange.hpp"
+#include "adapters/mpm/kernel/nodes.hpp"
+#include "adapters/mpm/kernel/strips.hpp"
+#include "adapters/mpm/settings.hpp"
+#include "adapters/mpm/thread_pool.hpp"
+#include "adapters/mpm/traction.hpp"
+
+namespace grit::mpm {
+
+class Simulation {
+  public:
+    // exchange: of processes that share the grid, outlives this; null: there is one process.
+    Simulation(Axis r, Axis z, const Settings& settings, Exchange* exchange = nullptr);
+
+    // Before the first step.
+    std::size_t add_body(Body body);
+    void add_traction(Traction traction);
+    void add_contact(const ContactLaw& law);
+    // No velocity across nodes at r or z = at, and beyond.
+    void fix_below(int direction, double at);
+    void fix_above(int direction, double at);
+    // Fills the columns b_r, b_z, an acceleration besides gravity, for time t.
+    using BodyForce =
+        std::function<void(ParticleView, std::ptrdiff_t begin, std::ptrdiff_t end, double t)>;
+    void set_body_force(BodyForce force) { body_force = std::move(force); }
+
+    // Throws std::runtime_error with the particle if one leaves the grid or its material fails.
+    void step();
+    double time() const { return t; }
+    double next_step() const { return dt; }
+    long steps() const { return step_count; }
+
+    Body& body(std::size_t i) { return parts[i].body; }
+    const std::vector<NodeRecord>& records(std::size_t body) const { return parts[body].records; }
+    const std::vector<NodeMotion>& motions(std::size_t body) const { return parts[body].motions; }
+    const ContactPair& contact(std::size_t i) const { return contacts[i]; }
+    // Particle with this id.
+    std::ptrdiff_t find(std::size_t body, int id) const {
+        return parts[body].slot[static_cast<std::size_t>(id)];
+    }
+    // Goes over all particles.
+    Energy energy();
+
+  private:
+    struct Part {
+        Body body;
+        Strips strips;
+        std::vector<NodeRecord> records = {};
+        std::vector<NodeMotion> motions = {};
+        std::vector<NodeIntegers> integers = {};
+        std::vector<FixedPoint> fixed_points = {};  // of each strip
+        std::array<double, record::size> scale = {};
+        std::vector<std::ptrdiff_t> slot = {};  // of an id
+        double least_mass = 0.0;
+        std::vector<GatherSums> gather_sums = {};  // of each strip
+        std::vector<double> speed = {};            // largest v + c of each strip [m/s]
+        std::vector<NodeSums> node_sums = {};      // of each strip's rows
+        std::vector<Increments> increments = {};   // of each strip
+    };
+    // Rows of nodes of a strip; the last one has one more.
+    struct Rows {
+        std::ptrdiff_t begin, end;
+    };
+    GridView grid() const { return {r_axis.view(), z_axis.view()}; }
+    Rows nodes_of(int strip) const;
+    NodeCall node_call(Part& part, int strip) const;
+    void fix(int direction, const std::function<bool(double)>& where);
+    void start();
+    void sort();
+    void scatter(unsigned parts_wanted);
+    void scatter_strips(unsigned parts_wanted);
+    void scatter_fixed(unsigned parts_wanted);
+    bool rescale();
+    void clear();
+    void load();
+    void advance();
+    void correct_contacts();
+    void close();
+    void gather(unsigned tasks, double by);
+    void gather_strip(Part& part, int strip, unsigned tasks, double by);
+    void remap();
+    void account();
+    double stored_energy() const;
+    double kinetic_energy() const;
+    void measure_speed();
+
+    Settings settings;
+    Axis r_axis, z_axis;
+    std::vector<std::uint8_t> fixed_nodes;
+    std::vector<Part> parts;
+    std::vector<Traction> tractions;
+    std::vector<EdgeForces> loads;
+    std::vector<ContactPair> contacts;
+    BodyForce body_force;
+    Exchange alone;
+    Exchange& exchange;
+    ThreadPool pool;
+    Energy sums;
+    double t = 0.0, dt = 0.0, dt_before = 0.0, drift = 0.0;
+    long step_count = 0;
+    bool started = false;
+};
+
+}  // namespace grit::mpm

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A step takes no memory from the heap.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "support/box.hpp"
+
+namespace {
+
+std::atomic<long> allocations{0};
+
+void* counted(std::size_t size, std::size_t alignment) {
+    ++allocations;
+    const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
+    if (void* memory = std::aligned_alloc(alignment, rounded)) return memory;
+    throw std::bad_alloc();
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return counted(size, alignof(std::max_align_t)); }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+    return counted(size, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace {
+
+using namespace mpm_test;
+
+TEST(Step, AllocatesNothing) {
+    for (const Scheme scheme : {Scheme::usl, Scheme::musl, Scheme::usf})
+        for (const bool fixed_point : {false, true}) {
+            Settings settings{.scheme = scheme, .gravity_z = -10.0, .fixed_point = fixed_point};
+            settings.threads = 2;
+            Simulation simulation(Axis::uniform(0.0, 1.0, 10), Axis::uniform(0.0, 3.0, 60),
+                                  settings);
+            simulation.add_body(make_box({0.0, 1.0, 0.1, 0.5, 20, 16, 2000.0}, true,
+                                         std::make_unique<LinearElastic>(1e6, 0.3)));
+            simulation.add_body(make_box({0.0, 0.5, 0.5, 1.0, 10, 20, 2000.0}, true,
+                                         std::make_unique<NeoHooke>(1e6, 0.3)));
+            for (std::size_t b : {0u, 1u})
+                for (std::ptrdiff_t p = 0; p < simulation.body(b).particles.size(); ++p)
+                    simulation.body(b).particles.view()[column::v_z][p] = b == 0 ? 4.0 : 3.0;
+            simulation.add_contact(contact_law(GRIT_CONTACT_GEO, 0.3));
+            simulation.add_traction({1, 0, Edge::top, [](double) { return Vector{0.0, -1.0}; }});
+            // Until the particles have been sorted once more, by rows that they have crossed.
+            const double start = simulation.time();
+            while (simulation.time() - start < 0.05) simulation.step();
+            const long before = allocations;
+            while (simulation.time() - start < 0.15) simulation.step();
+            EXPECT_EQ(allocations, before);
+        }
+}
+
+}  // namespace

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// V4, V6, V7: columns that know their answer.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/box.hpp"
+
+namespace {
+
+using namespace mpm_test;
+constexpr double pi = std::numbers::pi;
+
+// First mode of a bar fixed at z = 0 and confined at its side: error of its centre of mass, relative in
+// the norm over time, and energy that it has lost or won.
+struct ModeError {
+    double velocity, energy, residual;
+};
+
+ModeError vibrate(int cells, bool axisymmetric, Scheme scheme = Scheme::usl,
+                  double pic_rate = 0.0) {
+    constexpr double E = 1e7, rho = 1000.0, L = 1.0, v0 = 0.1, period = 0.04;
+    const double c = std::sqrt(E / rho), h = L / cells;
+    Settings settings{
+        .axisymmetric = axisymmetric, .scheme = scheme, .cfl = 0.1, .pic_rate = pic_rate};
+    Simulation simulation(Axis::uniform(0.0, h, 1), Axis::uniform(0.0, L + 2.0 * h, cells + 2),
+                          settings);
+    Body body = make_box({0.0, h, 0.0, L, 1, 2 * cells, rho}, axisymmetric,
+                         std::make_unique<LinearElastic>(E, 0.0));
+    const ParticleView q = body.particles.view();
+    for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p)
+        q[column::v_z][p] = v0 * std::sin(0.5 * pi * q[column::z][p] / L);
+    simulation.add_body(std::move(body));
+    simulation.fix_below(0, 0.0);
+    simulation.fix_above(0, h);
+    simulation.fix_below(1, 0.0);
+    const Particles& particles = simulation.body(0).particles;
+    double difference = 0.0, size = 0.0;
+    while (simulation.time() < 3.0 * period) {
+        simulation.step();
+        double momentum = 0.0, mass = 0.0;
+        for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
+            momentum += particles(column::mass, p) * particles(column::v_z, p);
+            mass += particles(column::mass, p);
+        }
+        const double exact = v0 * 2.0 / pi * std::cos(0.5 * pi * c * simulation.time() / L);
+        difference += std::pow(momentum / mass - exact, 2);
+        size += exact * exact;
+    }
+    const Energy energy = simulation.energy();
+    return {std::sqrt(difference / size), (energy.kinetic + energy.stored) / energy.kinetic_0 - 1.0,
+            energy.residual() / energy.kinetic_0};
+}
+
+TEST(ConfinedBar, VibratesInItsFirstMode) {
+    const double allowed[3][2] = {{2.2e-2, 1.0e-3}, {6.9e-3, 1.4e-4}, {2.7e-3, 2.0e-5}};
+    for (const bool axisymmetric : {false, true})
+        for (const int k : {0, 1, 2}) {
+            const ModeError error = vibrate(16 << k, axisymmetric);
+            EXPECT_LT(error.velocity, allowed[k][0]) << (16 << k) << " cells";
+            EXPECT_LT(std::fabs(error.energy), allowed[k][1]);
+            EXPECT_LT(std::fabs(error.residual), allowed[k][1]);
+        }
+}
+
+TEST(ConfinedBar, VibratesAlikeWhetherStressIsUpdatedFirstOrLast) {
+    for (const Scheme scheme : {Scheme::usl, Scheme::musl, Scheme::usf}) {
+        const ModeError at_16 = vibrate(16, true, scheme), at_32 = vibrate(32, true, scheme);
+        EXPECT_LT(at_16.velocity, 2.2e-2);
+        EXPECT_LT(at_32.velocity, 6.9e-3);
+        EXPECT_LT(std::fabs(at_16.residual), 1e-3);
+    }
+}
+
+TEST(ConfinedBar, LosesToThePicShareWhatTheBalanceSays) {
+    const ModeError error = vibrate(16, true, Scheme::usl, 200.0);
+    EXPECT_LT(error.energy, -0.02);
+    EXPECT_NEAR(error.residual, 0.0, 0.02 * std::fabs(error.energy));
+}
+
+// Self-weight, brought to rest by local damping.
+TEST(Column, UnderItsWeightCarriesWhatLiesAboveAndPressesAgainstItsSides) {
+    constexpr double E = 1e7, nu = 0.3, rho = 1000.0, g = 9.81, L = 1.0, K0 = nu / (1.0 - nu);
+    for (const bool axisymmetric : {false, true}) {
+        Settings settings{.axisymmetric = axisymmetric, .local_damping = 0.5, .gravity_z = -g};
+        Simulation simulation(Axis::uniform(0.0, 0.0625, 4), Axis::uniform(0.0, 1.0625, 68),
+                              settings);
+        simulation.add_body(make_box({0.0, 0.0625, 0.0, L, 8, 128, rho}, axisymmetric,
+                                     std::make_unique<LinearElastic>(E, nu)));
+        simulation.fix_above(0, 0.0625);
+        simulation.fix_below(0, 0.0);
+        simulation.fix_below(1, 0.0);
+        while (simulation.time() < 0.4) simulation.step();
+        const Particles& q = simulation.body(0).particles;
+        for (std::ptrdiff_t p = 0; p < q.size(); ++p) {
+            const double vertical = -rho * g * (L - q(column::z, p));
+            EXPECT_NEAR(q(column::S_zz, p), vertical, 0.005 * rho * g * L);
+            EXPECT_NEAR(q(column::S_rr, p), K0 * vertical, 0.005 * rho * g * L);
+            EXPECT_NEAR(q(column::S_tt, p), K0 * vertical, 0.005 * rho * g * L);
+            EXPECT_NEAR(q(column::S_rz, p), 0.0, 0.005 * rho * g * L);
+        }
+        const Energy energy = simulation.energy();
+        EXPECT_NEAR(energy.residual(), 0.0, 0.001 * energy.external_work);
+        EXPECT_LT(energy.kinetic, 1e-6 * energy.external_work);
+    }
+}
+
+// A pressure that appears at the top of a bar at t = 0.
+TEST(SteppedBar, MovesWithPressureOverImpedanceBehindAFrontOfTheWaveSpeed) {
+    constexpr double E = 1e7, rho = 1000.0, L = 1.0, pressure = 1000.0;
+    const double c = std::sqrt(E / rho), v = pressure / (rho * c);
+    constexpr int cells = 100;
+    for (const bool axisymmetric : {false, true}) {
+        Settings settings{.axisymmetric = axisymmetric, .cfl = 0.2, .pic_rate = 0.0};
+        Simulation simulation(Axis::uniform(0.0, 0.04, 4), Axis::uniform(0.0, 1.1, 110), settings);
+        simulation.add_body(make_box({0.0, 0.04, 0.0, L, 4, 2 * cells, rho}, axisymmetric,
+                                     std::make_unique<LinearElastic>(E, 0.0)));
+        for (int i = 0; i < 4; ++i)
+            simulation.add_traction({0, (2 * cells - 1) * 4 + i, Edge::top, [](double) {
+                                         return Vector{0.0, -pressure};
+                                     }});
+        simulation.fix_above(0, 0.04);
+        simulation.fix_below(0, 0.0);
+        const double T = 0.6 * L / c;
+        while (simulation.time() < T) simulation.step();
+        const Particles& q = simulation.body(0).particles;
+        double behind = 0.0, count = 0.0, ahead = 0.0, momentum = 0.0, front = L;
+        for (std::ptrdiff_t p = 0; p < q.size(); ++p) {
+            const double z = q(column::z, p), v_z = q(column::v_z, p);
+            momentum += q(column::mass, p) * v_z;
+            if (z > 0.5 * L) {
+                behind += v_z;
+                count += 1.0;
+            }
+            if (z < 0.3 * L) ahead = std::max(ahead, std::fabs(v_z));
+            if (v_z < -0.5 * v) front = std::min(front, z);
+        }
+        EXPECT_NEAR(behind / count, -v, 0.01 * v);
+        EXPECT_LT(ahead, 0.01 * v);
+        EXPECT_NEAR(front, L - c * simulation.time(), 0.02 * L);
+        const double area = axisymmetric ? 0.5 * 0.04 * 0.04 : 0.04;  // per radian, per metre
+        EXPECT_NEAR(momentum, -pressure * area * simulation.time(),
+                    1e-6 * pressure * area * simulation.time());
+        const Energy energy = simulation.energy();
+        EXPECT_NEAR(energy.residual(), 0.0, 0.005 * energy.external_work);
+    }
+}
+
+}  // namespace

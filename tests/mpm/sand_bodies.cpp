@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sand of the library in material points.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include <adapters/mpm/kernel/sand.hpp>
+#include <grit/sand_catalogue.h>
+#include <grit/sand_operators.h>
+
+#include "support/box.hpp"
+
+namespace {
+
+using namespace mpm_test;
+
+grit_sand lausitz() {
+    grit_sand_parameters parameters;
+    grit_sand_parameters_init(&parameters, sizeof parameters);
+    grit_sand_record_parameters(grit_sand_record_find("lausitz"), 1000.0, &parameters);
+    grit_sand sand;
+    EXPECT_EQ(grit_sand_prepare(&parameters, &sand, nullptr), GRIT_OK);
+    return sand;
+}
+
+grit_sand_options options() {
+    grit_sand_options out;
+    grit_sand_options_init(&out, sizeof out);
+    out.tolerance = 1e-3;
+    return out;
+}
+
+TEST(SandBody, GivesEachPointWhatTheLibraryGivesIt) {
+    Sand material(lausitz(), options());
+    Body body = make_box({0.0, 1.0, 0.0, 1.0, 5, 10, 2000.0}, true,
+                         std::make_unique<Sand>(lausitz(), options()));
+    const ParticleView q = body.particles.view();
+    std::mt19937 generator(5);
+    std::uniform_real_distribution<double> any(-1.0, 1.0);
+    Increments d{};
+    for (int i = 0; i < 50; ++i) {
+        for (const int c : {column::S_rr, column::S_zz, column::S_tt})
+            q[c][i] = -100e3 * (1.5 + 0.5 * any(generator));
+        q[column::S_rz][i] = 2e4 * any(generator);
+        q[Sand::state + GRIT_SAND_VOID_RATIO][i] = 0.65;
+        for (auto& strain : d.strain) strain[i] = 1e-4 * any(generator);
+        const double angle = 1e-2 * any(generator);
+        d.rotation[0][i] = d.rotation[4][i] = std::cos(angle);
+        d.rotation[1][i] = std::sin(angle);
+        d.rotation[3][i] = -std::sin(angle);
+        d.rotation[8][i] = 1.0;
+    }
+    Particles alone = body.particles;
+    material.update({q, 0, 50}, d);
+    const ParticleView a = alone.view();
+    const grit_sand sand = lausitz();
+    const grit_sand_options given = options();
+    for (int i = 0; i < 50; ++i) {
+        double stress[6] = {a[column::S_rr][i],
+                            a[column::S_zz][i],
+                            a[column::S_tt][i],
+                            a[column::S_rz][i],
+                            0.0,
+                            0.0};
+        double state[8] = {}, Q[9];
+        state[GRIT_SAND_VOID_RATIO] = 0.65;
+        const double strain[6] = {
+            d.strain[0][i], d.strain[1][i], d.strain[2][i], d.strain[3][i], 0.0, 0.0};
+        for (int k = 0; k < 9; ++k) Q[k] = d.rotation[k][i];
+        grit_sand_points point{};
+        point.struct_size = sizeof point;
+        point.strain_increment = grit_view_of(strain, 6, 1);
+        point.rotation_increment = grit_view_of(Q, 9, 1);
+        point.stress = grit_mutable_view_of(stress, 6, 1);
+        point.state = grit_mutable_view_of(state, 8, 1);
+        ASSERT_EQ(grit_sand_update(&sand, &given, 1, &point, nullptr, nullptr), GRIT_OK);
+        for (int k = 0; k < 4; ++k) EXPECT_EQ(q[column::S_rr + k][i], stress[k]);
+        for (int k = 0; k < 4; ++k) EXPECT_EQ(q[Sand::state + k][i], state[k]);
+        EXPECT_EQ(q[Sand::state + GRIT_SAND_VOID_RATIO][i], state[GRIT_SAND_VOID_RATIO]);
+    }
+}
+
+TEST(SandColumn, ThatStartsAtK0StaysAtRest) {
+    constexpr double rho = 1700.0, g = 9.81, H = 1.0, width = 0.25;
+    Settings settings{.gravity_z = -g};
+    Simulation simulation(Axis::uniform(0.0, width, 4), Axis::uniform(0.0, 1.125, 18), settings);
+    Body body = make_box({0.0, width, 0.0, H, 8, 32, rho}, true,
+                         std::make_unique<Sand>(lausitz(), options()));
+    const grit_sand sand = lausitz();
+    const ParticleView q = body.particles.view();
+    for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p) {
+        double stress[6];
+        grit_sand_stress_at_rest(&sand, rho * g, H - q[column::z][p], 0.0, -1.0, 1, stress);
+        for (int k = 0; k < 4; ++k) q[column::S_rr + k][p] = stress[k];
+        q[Sand::state + GRIT_SAND_VOID_RATIO][p] = 0.65;
+    }
+    simulation.add_body(std::move(body));
+    simulation.fix_below(1, 0.0);
+    simulation.fix_above(0, width);
+    while (simulation.time() < 0.2) simulation.step();
+    const Particles& now = simulation.body(0).particles;
+    for (std::ptrdiff_t p = 0; p < now.size(); ++p) {
+        EXPECT_NEAR(now(column::S_zz, p), -rho * g * (H - now(column::z, p)), 0.01 * rho * g * H);
+        EXPECT_NEAR(now(Sand::state + GRIT_SAND_VOID_RATIO, p), 0.65, 1e-6);
+    }
+    const Energy energy = simulation.energy();
+    EXPECT_LT(energy.kinetic, 1e-12 * rho * g * H * H * width * width);
+}
+
+// Driven down by a rigid plate: void ratio follows the volume, the sand pushes back, energy is kept.
+TEST(SandColumn, PressedByAPlateDensifiesAndTakesTheWorkOfThePlate) {
+    constexpr double rho = 1700.0, width = 0.25, speed = 0.05;
+    Settings settings{.pic_rate = 50.0};
+    Simulation simulation(Axis::uniform(0.0, width, 4), Axis::uniform(0.0, 1.0, 16), settings);
+    Body plate = make_box({0.0, width, 0.5, 0.75, 8, 8, 1000.0}, true, nullptr);
+    plate.prescribed_velocity = [](double) { return Vector{0.0, -speed}; };
+    simulation.add_body(std::move(plate));
+    Body body = make_box({0.0, width, 0.0, 0.5, 8, 16, rho}, true,
+                         std::make_unique<Sand>(lausitz(), options()));
+    const ParticleView q = body.particles.view();
+    for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p) {
+        for (const int c : {column::S_rr, column::S_zz, column::S_tt}) q[c][p] = -1000.0;
+        q[Sand::state + GRIT_SAND_VOID_RATIO][p] = 0.75;
+    }
+    simulation.add_body(std::move(body));
+    simulation.fix_below(1, 0.0);
+    simulation.fix_above(0, width);
+    simulation.add_contact(contact_law(GRIT_CONTACT_FRICTIONAL, 0.3));
+    while (simulation.time() < 0.1) simulation.step();  // 1 % on average
+    const Particles& now = simulation.body(1).particles;
+    const ParticleView v = simulation.body(1).particles.view();
+    double J_mean = 0.0;
+    for (std::ptrdiff_t p = 0; p < now.size(); ++p) {
+        EXPECT_NEAR(now(Sand::state + GRIT_SAND_VOID_RATIO, p), 1.75 * v.J(p) - 1.0, 1e-5);
+        J_mean += v.J(p) / static_cast<double>(now.size());
+    }
+    EXPECT_NEAR(J_mean, 0.99, 0.001);
+    const Energy energy = simulation.energy();
+    EXPECT_GT(energy.rigid_work, 0.0);
+    EXPECT_NEAR(energy.residual(), 0.0, 0.02 * energy.rigid_work);
+}
+
+}  // namespace
