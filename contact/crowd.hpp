@@ -8,8 +8,6 @@
 
 GRIT_KERNEL_BEGIN
 
-static_assert(most_bodies == GRIT_CONTACT_MOST_BODIES);
-
 template <int C> struct NodePair {
     int a, b;  // bodies
     Law law{grit_contact_options{}};
@@ -42,15 +40,9 @@ template <int C> struct Crowd {
         for (int p = 0; p < pair_count; ++p) {
             NodePair<C>& pair = pairs[p];
             if (!pair.shares.active || pair.silent) continue;
-            Velocity& v_a = velocity[pairs[p].a];
-            Velocity& v_b = velocity[pairs[p].b];
-            pair.x.w = difference(v_a, v_b);
+            pair.x.w = difference(velocity[pair.a], velocity[pair.b]);
             pair.r = respond<double, C>(pair.law, pair.shares, pair.x);
-            if (!pair.r.touches) return;
-            for (int c = 0; c < C; ++c) {
-                v_a[c] += -pair.shares.a * pair.r.u[c];
-                v_b[c] += pair.shares.b * pair.r.u[c];
-            }
+            if (pair.r.touches) push(pair, pair.r.u, 1.0);
         }
     }
 
@@ -58,7 +50,6 @@ template <int C> struct Crowd {
     bool sweep(double tolerance, int sweep_limit) {
         for (int body = 0; body < bodies; ++body) trial[body] = velocity[body];
         const double approach = assemble(), allowed = 1e-6 * tolerance * approach;
-        largest_approach = approach;
         if (!(approach > 0.0)) return true;
         for (int s = 0; s < sweep_limit; ++s) {
             const double pressed = press(allowed);
@@ -67,7 +58,7 @@ template <int C> struct Crowd {
         }
         // Coulomb's law at several normals may have no solution, or one that gains energy: then friction
         // is left out.
-        if (energy(velocity) <= energy(trial) && consistent()) return true;
+        if (energy(velocity) <= energy(trial) && consistent(approach)) return true;
         for (int row = 0; row < system.count; ++row) {
             NodePair<C>& pair = pairs[pair_of[row]];
             pair.u_t = {};
@@ -78,12 +69,12 @@ template <int C> struct Crowd {
     }
 
     // Does every pair leave no more approach than it may, where the sweeps ended?
-    bool consistent() const {
+    bool consistent(double approach) const {
         for (int row = 0; row < system.count; ++row) {
             const NodePair<C>& pair = pairs[pair_of[row]];
             const Velocity w = difference(velocity[pair.a], velocity[pair.b]);
             const double left = (1.0 - pair.r.f_p) * pair.r.w_n;
-            if (dot(w, pair.x.n) > left + 0.1 * largest_approach) return false;
+            if (dot(w, pair.x.n) > left + 0.1 * approach) return false;
         }
         return true;
     }
@@ -108,7 +99,7 @@ template <int C> struct Crowd {
         for (int p = 0; p < pair_count; ++p) {
             NodePair<C>& pair = pairs[p];
             if (!pair.shares.active || pair.silent) continue;
-            pair.x.w = difference(velocity[pairs[p].a], velocity[pairs[p].b]);
+            pair.x.w = difference(velocity[pair.a], velocity[pair.b]);
             largest = max(largest, dot(pair.x.w, pair.x.n));
             Approach<double, C> closing = pair.x;
             closing.w = pair.x.n;  // would it touch if it approached?
@@ -140,11 +131,10 @@ template <int C> struct Crowd {
     double press(double allowed) {
         for (int body = 0; body < bodies; ++body) velocity[body] = trial[body];
         for (int row = 0; row < system.count; ++row)
-            push(pair_of[row], pairs[pair_of[row]].u_t, 1.0);
+            push(pairs[pair_of[row]], pairs[pair_of[row]].u_t, 1.0);
         for (int row = 0; row < system.count; ++row) {
-            const int p = pair_of[row];
-            system.b[row] =
-                dot(difference(velocity[pairs[p].a], velocity[pairs[p].b]), pairs[p].x.n);
+            const NodePair<C>& pair = pairs[pair_of[row]];
+            system.b[row] = dot(difference(velocity[pair.a], velocity[pair.b]), pair.x.n);
         }
         if (!solve_normals(system, allowed)) return -1.0;
         double change = 0.0;
@@ -155,7 +145,7 @@ template <int C> struct Crowd {
             pair.r.u_n = u_n;
             pair.r.w_n = u_n / pair.r.f_p;  // what the others leave, (C5)
             pair.r.touches = u_n > 0.0;
-            push(pair_of[row], pair.x.n, u_n);
+            push(pair, pair.x.n, u_n);
             for (int c = 0; c < C; ++c) pair.r.u[c] = fma(u_n, pair.x.n[c], pair.u_t[c]);
         }
         return change;
@@ -165,15 +155,14 @@ template <int C> struct Crowd {
     double rub() {
         double change = 0.0;
         for (int row = 0; row < system.count; ++row) {
-            const int p = pair_of[row];
-            NodePair<C>& pair = pairs[p];
-            push(p, pair.u_t, -1.0);
-            const Velocity w = difference(velocity[pairs[p].a], velocity[pairs[p].b]);
+            NodePair<C>& pair = pairs[pair_of[row]];
+            push(pair, pair.u_t, -1.0);
+            const Velocity w = difference(velocity[pair.a], velocity[pair.b]);
             const Velocity w_t = scaled_sum(-dot(w, pair.x.n), pair.x.n, w);
             const double limit =
                 pair.r.touches ? friction_limit(pair.law, pair.shares, pair.x, pair.r) : 0.0;
             pair.r.w_t = sqrt(dot(w_t, w_t));
-            pair.r.slips = pair.r.touches && (limit < pair.r.w_t || pair.law.frictionless);
+            pair.r.slips = pair.r.touches && limit < pair.r.w_t;
             pair.r.u_t = min(pair.r.w_t, limit);
             const double part = pair.r.w_t > limit ? limit / pair.r.w_t
                                 : pair.r.touches   ? 1.0
@@ -183,21 +172,19 @@ template <int C> struct Crowd {
                 pair.u_t[c] = part * w_t[c];
                 pair.r.u[c] = fma(pair.r.u_n, pair.x.n[c], pair.u_t[c]);
             }
-            push(p, pair.u_t, 1.0);
+            push(pair, pair.u_t, 1.0);
         }
         return change;
     }
 
     // Take times u from the relative velocity of a pair.
-    void push(int p, const Velocity& u, double times) {
-        const Shares<double>& shares = pairs[p].shares;
+    void push(const NodePair<C>& pair, const Velocity& u, double times) {
         for (int c = 0; c < C; ++c) {
-            velocity[pairs[p].a][c] -= shares.a * (times * u[c]);
-            velocity[pairs[p].b][c] += shares.b * (times * u[c]);
+            velocity[pair.a][c] -= pair.shares.a * (times * u[c]);
+            velocity[pair.b][c] += pair.shares.b * (times * u[c]);
         }
     }
 
-    double largest_approach;
     Velocity trial[most_bodies];
     NormalSystem system;
     int pair_of[most_pairs];  // row of the system

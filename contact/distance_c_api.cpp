@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // grit_contact_surfaces_add: the loop over particles. A particle is checked against all its nodes
 // before it changes one.
+#define GRIT_TARGET c_api
 #include <algorithm>
 #include <cmath>
 
+#include "contact/node_checks.hpp"
 #include "contact/surfaces.hpp"
 
 namespace grit {
 namespace {
 
-constexpr double normal_tolerance = 1e-6;
 constexpr int most_sides = 3;
-constexpr double largest_length = 1e100;  // its square is a number
 
 struct Domain {
     double x[3] = {0.0, 0.0, 0.0};
@@ -54,20 +54,20 @@ class Adding {
         p.last = d.node + last;
         for (int c = 0; c < s.components; ++c) {
             p.x[c] = component(d.position, at, c);
-            if (!(std::fabs(p.x[c]) <= largest_length))
+            if (!(std::fabs(p.x[c]) <= c_api::largest_number))
                 return failure(error, GRIT_BAD_STATE, i,
                                "particle %td: position component %d must be within %g, got %g", i,
-                               c, largest_length, p.x[c]);
+                               c, c_api::largest_number, p.x[c]);
         }
         for (int j = 0; j < d.sides; ++j)
             for (int c = 0; c < s.components; ++c) {
                 p.r[j][c] = d.side.base[at * d.side.point_stride + j * d.side.row_stride +
                                         c * d.side.column_stride];
-                if (!(std::fabs(p.r[j][c]) <= largest_length))
+                if (!(std::fabs(p.r[j][c]) <= c_api::largest_number))
                     return failure(error, GRIT_BAD_STATE, i,
                                    "particle %td: component %d of side %d must be within %g, got "
                                    "%g",
-                                   i, c, j, largest_length, p.r[j][c]);
+                                   i, c, j, c_api::largest_number, p.r[j][c]);
             }
         return GRIT_OK;
     }
@@ -81,18 +81,18 @@ class Adding {
         double square = 0.0;
         for (int c = 0; c < s.components; ++c) {
             const double x = component(s.position, node, c), n = component(s.normal, node, c);
-            if (!(std::fabs(x) <= largest_length))
+            if (!(std::fabs(x) <= c_api::largest_number))
                 return failure(error, GRIT_BAD_STATE, i,
                                "particle %td: position component %d of node %td must be within %g, "
                                "got %g",
-                               i, c, node, largest_length, x);
+                               i, c, node, c_api::largest_number, x);
             square += n * n;
         }
-        if (!(square == 0.0 || std::fabs(square - 1.0) <= normal_tolerance))
+        if (!(square == 0.0 || std::fabs(square - 1.0) <= c_api::normal_tolerance))
             return failure(error, GRIT_BAD_STATE, i,
                            "particle %td: |normal|^2 of node %td must be within %g of 1, or 0, "
                            "got %g",
-                           i, node, normal_tolerance, square);
+                           i, node, c_api::normal_tolerance, square);
         return GRIT_OK;
     }
 

@@ -58,32 +58,19 @@ template <int C> class ManyCorrection {
             pair.shares = shares_of(pair.law, m_a, m_b);
             if (!pair.shares.active) continue;
             ++crowd.active;
-            if (!read_pair(q.pairs[p], q.pair_options[p], pair, here)) return p;
+            if (!read_pair(q.pairs[p], pair, here)) return p;
         }
         return -1;
     }
 
-    bool read_pair(const grit_contact_pair& pair, const grit_contact_options& options,
-                   NodePair<C>& p, const Places<1>& here) const {
-        p.x.n = load_vector<C, double>(pair.normal, here);
-        p.silent = options.allow_zero_normal && zero_normal(p.x.n);
-        bool good = p.silent || good_normal(p.x.n);
-        p.x.gap = -std::numeric_limits<double>::infinity();
-        if (pair.gap.base) p.x.gap = load<double>(pair.gap, 0, here);
-        good = good && (!pair.gap.base || good_signed_length(p.x.gap));
-        if (options.law == GRIT_CONTACT_GEO) {
-            p.x.s = load<double>(pair.distance, 0, here);
-            bool good_d = true;
-            p.x.cell = cell_along(
-                pair.cell_size, pair.spacing, p.x.n, here, [](double d) { return d; }, good_d);
-            good = good && good_signed_length(p.x.s) && (good_d || p.silent);
-        }
-        if (options.adhesion > 0.0) {
-            p.x.area = load<double>(pair.contact_area, 0, here);
-            good = good && good_area(p.x.area);
-        }
-        good = good && good_body(pair.a, here) && good_body(pair.b, here);
-        return good && (!moves() || good_vector(load_vector<C, double>(b.position, here)));
+    bool read_pair(const grit_contact_pair& views, NodePair<C>& pair, const Places<1>& here) const {
+        const auto all = [](const auto& x) { return x; };
+        const auto [x, good, no_normal] =
+            read_approach<double, C>(views, pair.law, pair.law.geo, here, all);
+        pair.x = x;
+        pair.silent = no_normal;
+        return good && good_body(pair.a, here) && good_body(pair.b, here) &&
+               (!moves() || good_vector(load_vector<C, double>(b.position, here)));
     }
 
     bool good_body(int body, const Places<1>& here) const {

@@ -11,9 +11,6 @@
 namespace grit {
 namespace {
 
-constexpr int most_bodies = GRIT_CONTACT_MOST_BODIES;
-constexpr int most_pairs = most_bodies * (most_bodies - 1) / 2;
-
 // The pair as grit_contact_correct would see it.
 grit_contact_nodes nodes_of(const grit_contact_bodies& b, const grit_contact_pair& pair) {
     grit_contact_nodes q{};

@@ -2,43 +2,11 @@
 // One pair of bodies at many nodes, a pack of nodes at a time. A lane never looks at its neighbours.
 #pragma once
 
-#include <limits>
-
-#include "contact/node_checks.hpp"
+#include "contact/read_approach.hpp"
 #include "contact/report.hpp"
 #include "contact/request.hpp"
 
 GRIT_KERNEL_BEGIN
-
-// 1/x of a component of a view: divided once where all nodes share it.
-template <class Real>
-GRIT_INLINE Real inverse_of(const Real& x, const grit_view& view, int component) {
-    if (view.point_stride == 0) {
-        const double shared = view.base[component * view.component_stride];
-        return Real(1.0 / max(shared, 1.0 / largest_number));
-    }
-    return Real(1.0) / max(x, Real(1.0 / largest_number));
-}
-
-// The cell along n, from the view of cell sizes or the edges of the cell, (C4).
-template <class Real, int C>
-GRIT_INLINE Cell<Real> cell_along(const grit_view& cell_size, const grit_view& spacing,
-                                  const Vector<Real, C>& n, const Places<lanes_of<Real>>& places,
-                                  const auto& only, MaskOf<Real>& good) {
-    if (cell_size.base) {
-        const Real d = only(load<Real>(cell_size, 0, places));
-        good = good & good_length(d);
-        return {d, inverse_of(d, cell_size, 0)};
-    }
-    Vector<Real, C> cells;
-    for (int i = 0; i < C; ++i) {
-        const Real edge = only(load<Real>(spacing, i, places));
-        good = good & good_length(edge);
-        cells[i] = n[i] * inverse_of(edge, spacing, i);
-    }
-    const Real inverse = sqrt(dot(cells, cells));
-    return {Real(1.0) / max(inverse, Real(1.0 / largest_number)), inverse};
-}
 
 // What inactive lanes hold is not looked at: a comparison with their NaN might trap. In most packs of a
 // contact surface all lanes are active.
@@ -56,8 +24,6 @@ template <int C, bool geo> class Correction {
     explicit Correction(const CorrectionRequest& request)
         : q(*request.nodes), law(*request.options), n(request.n), reports(request.reports),
           sums(request.sums), writes(!request.options->validate_only),
-          adheres(request.options->adhesion > 0.0),
-          allow_zero_normal(request.options->allow_zero_normal != 0),
           dissipates((reports || sums) && q.previous_velocity_a.base && q.previous_velocity_b.base),
           moves(sums && q.position.base) {}
 
@@ -96,26 +62,8 @@ template <int C, bool geo> class Correction {
         const auto only = [&](const auto& x) { return lanes.only(active, x); };
         const auto v_a = load_vector<C, Real>(q.velocity_a, places);
         const auto v_b = load_vector<C, Real>(q.velocity_b, places);
-        Approach<Real, C> x;
-        x.n = only(load_vector<C, Real>(q.normal, places));
-        Mask good = good_vector(only(v_a)) & good_vector(only(v_b));
-        const Mask no_normal = zero_normal(x.n) & Mask(allow_zero_normal);
-        good = good & (good_normal(x.n) | no_normal);
-        x.gap = Real(-std::numeric_limits<double>::infinity());
-        if (q.gap.base) {
-            x.gap = only(load<Real>(q.gap, 0, places));
-            good = good & good_signed_length(x.gap);
-        }
-        if (geo) {
-            x.s = only(load<Real>(q.distance, 0, places));
-            Mask good_d(true);
-            x.cell = cell_along(q.cell_size, q.spacing, x.n, places, only, good_d);
-            good = good & good_signed_length(x.s) & (good_d | no_normal);
-        }
-        if (adheres) {
-            x.area = only(load<Real>(q.contact_area, 0, places));
-            good = good & good_area(x.area);
-        }
+        auto [x, good, no_normal] = read_approach<Real, C>(q, law, geo, places, only);
+        good = good & good_vector(only(v_a)) & good_vector(only(v_b));
         good = good & good_companions<Real>(only, places);
         x.w = only(difference(v_a, v_b));
 
@@ -219,7 +167,7 @@ template <int C, bool geo> class Correction {
     const std::ptrdiff_t n;
     grit_contact_report* const reports;
     grit_contact_sums* const sums;
-    const bool writes, adheres, allow_zero_normal, dissipates, moves;
+    const bool writes, dissipates, moves;
     CorrectionOutcome outcome;
 };
 

@@ -5,12 +5,10 @@
 // masses differ; here it is one small linear system per set of pairs that touch.
 #pragma once
 
+#include "contact/request.hpp"
 #include "support/number.hpp"
 
 GRIT_KERNEL_BEGIN
-
-constexpr int most_bodies = 8;
-constexpr int most_pairs = most_bodies * (most_bodies - 1) / 2;
 
 struct NormalSystem {
     int count;

@@ -50,12 +50,12 @@ struct Law {
     explicit Law(const grit_contact_options& o)
         : k(o.penalty_power), mu(o.friction_coefficient), c_a_dt(o.adhesion * o.time_step),
           gap_tolerance(o.gap_tolerance), mass_tolerance(o.mass_tolerance),
-          inverse_dt(o.time_step > 0.0 ? 1.0 / o.time_step : 0.0),
-          frictionless(o.friction_coefficient == 0.0 && o.adhesion == 0.0),
-          geo(o.law == GRIT_CONTACT_GEO), rigid_a(o.rigid == GRIT_CONTACT_A_RIGID),
+          inverse_dt(o.time_step > 0.0 ? 1.0 / o.time_step : 0.0), adheres(o.adhesion > 0.0),
+          frictionless(o.friction_coefficient == 0.0 && !adheres), geo(o.law == GRIT_CONTACT_GEO),
+          allow_zero_normal(o.allow_zero_normal != 0), rigid_a(o.rigid == GRIT_CONTACT_A_RIGID),
           rigid_b(o.rigid == GRIT_CONTACT_B_RIGID) {}
     double k, mu, c_a_dt, gap_tolerance, mass_tolerance, inverse_dt;
-    bool frictionless, geo, rigid_a, rigid_b;
+    bool adheres, frictionless, geo, allow_zero_normal, rigid_a, rigid_b;
 };
 
 // x^k of x in [0, 1] with 0^k = 0: by multiplication where k is a small whole number, as it mostly is.
@@ -135,7 +135,7 @@ template <class Real, int C>
 GRIT_INLINE Real friction_limit(const Law& law, const Shares<Real>& shares,
                                 const Approach<Real, C>& x, const Response<Real, C>& r) {
     const Real friction = Real(law.mu) * r.u_n;
-    if (law.c_a_dt == 0.0) return friction;
+    if (!law.adheres) return friction;
     return friction + r.f_p * Real(law.c_a_dt) * x.area / max(shares.m_r, Real(no_mass));
 }
 

@@ -8,6 +8,9 @@
 
 namespace grit {
 
+inline constexpr int most_bodies = GRIT_CONTACT_MOST_BODIES;
+inline constexpr int most_pairs = most_bodies * (most_bodies - 1) / 2;
+
 struct CorrectionRequest {
     const grit_contact_options* options;
     const grit_contact_nodes* nodes;
