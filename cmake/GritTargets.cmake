@@ -1,11 +1,13 @@
 # How Grit compiles: one set of flags, object libraries per folder, and the two libraries made of them.
 
+set(GRIT_SANITIZERS address,undefined,float-cast-overflow)
+
 # Warnings and sanitizers for everything that is built here; errors only when Grit is on top.
 function(grit_warnings target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow $<$<BOOL:${PROJECT_IS_TOP_LEVEL}>:-Werror>)
   if(GRIT_SANITIZE)
-    target_compile_options(${target} PRIVATE -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all)
+    target_compile_options(${target} PRIVATE -fsanitize=${GRIT_SANITIZERS} -fno-sanitize-recover=all)
     target_link_options(${target} PRIVATE -fsanitize=address,undefined)
   endif()
 endfunction()

@@ -25,6 +25,7 @@ struct Settings {
     double pic_rate = 0.0;                                          // 1 - FLIP = pic_rate dt [1/s]
     double local_damping = 0.0;                                     // share of the nodal force [-]
     double gravity_r = 0.0, gravity_z = 0.0;                        // [m/s2]
+    bool cell_mean = false;  // of the volumetric strain of a step, against locking
     // Nodal sums in 64-bit integers: no order of particles, threads or processes changes a bit.
     bool fixed_point = false;
     int threads = 1;

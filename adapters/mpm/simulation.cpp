@@ -53,11 +53,20 @@ std::size_t Simulation::add_body(Body body) {
         std::fill_n(d.rotation[8], Increments::capacity, 1.0);
     }
     const ParticleView q = part.body.particles.view();
-    double lightest = part.body.particles.size() > 0 ? q[column::mass][0] : 0.0;
+    double lightest = part.body.particles.size() > 0 ? q[column::mass][0] : 0.0, largest = 0.0;
     for (std::ptrdiff_t p = 0; p < part.body.particles.size(); ++p) {
         lightest = std::min(lightest, q[column::mass][p]);
+        largest = std::max(largest, q[column::V0][p]);
     }
     part.least_mass = 1e-12 * lightest;
+    if (part.body.material) part.separation = part.body.material->separation();
+    if (settings.cell_mean && !part.body.rigid()) {
+        part.cells.resize(static_cast<std::size_t>(r_axis.cells()) *
+                          static_cast<std::size_t>(z_axis.cells()));
+        part.deferred.resize(part.slot.size());
+        exchange.max(&largest, 1);
+        part.mean.per_volume = 1.0 / largest;
+    }
     parts.push_back(std::move(part));
     return parts.size() - 1;
 }

@@ -60,6 +60,10 @@ class Simulation {
         std::vector<NodeIntegers> integers = {};
         std::vector<FixedPoint> fixed_points = {};  // of each strip
         std::array<double, record::size> scale = {};
+        Separation separation = {};
+        CellMean mean = {};  // of the vectors that follow, if wanted
+        std::vector<CellIntegers> cells = {};
+        std::vector<Deferred> deferred = {};
         std::vector<std::ptrdiff_t> slot = {};  // of an id
         double least_mass = 0.0;
         std::vector<GatherSums> gather_sums = {};  // of each strip
@@ -88,6 +92,8 @@ class Simulation {
     void close();
     void gather(unsigned tasks, double by);
     void gather_strip(Part& part, int strip, unsigned tasks, double by);
+    void deform_strip(Part& part, int strip);
+    double update(Part& part, int strip, const Range& range);
     void remap();
     void account();
     double stored_energy() const;

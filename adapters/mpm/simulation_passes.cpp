@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "adapters/mpm/for_strips.hpp"
 #include "adapters/mpm/simulation.hpp"
 
 namespace grit::mpm {
@@ -41,19 +42,6 @@ void Simulation::sort() {
     }
     drift = 0.0;
 }
-
-namespace {
-
-// work(part, strip) for all bodies and strips.
-template <class Parts, class Work>
-void for_strips(ThreadPool& pool, Parts& parts, const Work& work) {
-    if (parts.empty()) return;
-    const int strips = parts[0].strips.count();
-    pool.run(strips * static_cast<int>(parts.size()),
-             [&](int i) { work(parts[static_cast<std::size_t>(i / strips)], i % strips); });
-}
-
-}  // namespace
 
 void Simulation::clear() {
     for_strips(pool, parts, [this](Part& part, int strip) {
@@ -154,51 +142,6 @@ void Simulation::remap() {
         if (!part.body.rigid())
             remap_nodes(node_call(part, strip), part.node_sums[static_cast<std::size_t>(strip)]);
     });
-}
-
-void Simulation::gather(unsigned tasks, double by) {
-    if (tasks & (task::velocity | task::position))
-        for (Part& part : parts)
-            if (!(tasks == (task::position | task::deform_by_other)))
-                std::fill(part.gather_sums.begin(), part.gather_sums.end(), GatherSums{});
-    for_strips(pool, parts,
-               [&, this](Part& part, int strip) { gather_strip(part, strip, tasks, by); });
-}
-
-void Simulation::gather_strip(Part& part, int strip, unsigned tasks, double by) {
-    const auto s = static_cast<std::size_t>(strip);
-    GatherSums& strip_sums = part.gather_sums[s];
-    Increments& increments = part.increments[s];
-    Material* material = part.body.material.get();
-    const ParticleView q = part.body.particles.view();
-    const std::ptrdiff_t end = part.strips.begin(strip + 1);
-    const bool deforms =
-        (tasks & (task::deformation | task::deform_by_other)) && !part.body.rigid();
-    if (part.body.rigid()) tasks &= task::position;
-    if (tasks == 0) return;
-    double fastest = 0.0;
-    for (std::ptrdiff_t begin = part.strips.begin(strip); begin < end;) {
-        const std::ptrdiff_t stop = std::min<std::ptrdiff_t>(begin + Increments::capacity, end);
-        const int reflected = strip_sums.reflected;
-        const GatherCall call{
-            grid(), q, begin, stop, part.motions.data(), by, settings.pic_rate * by, tasks};
-        kernels().gather(settings.shape, settings.axisymmetric, call, increments, strip_sums);
-        const Range range{q, begin, stop};
-        if (deforms) {
-            material->update(range, increments);
-            double moduli[Increments::capacity];
-            material->wave_moduli(range, moduli);
-            for (std::ptrdiff_t p = begin; p < stop; ++p) {
-                const double per_density = q[column::V0][p] * q.J(p) / q[column::mass][p];
-                fastest = std::max(fastest, moduli[p - begin] * per_density);
-            }
-        }
-        if (strip_sums.reflected > reflected)
-            for (std::ptrdiff_t p = begin; p < stop; ++p)
-                if (q[column::r][p] < 0.0) reflect(*material, q, p);
-        begin = stop;
-    }
-    if (deforms) part.speed[s] = std::sqrt(fastest);
 }
 
 void Simulation::measure_speed() {

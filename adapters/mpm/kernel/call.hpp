@@ -86,6 +86,38 @@ enum : unsigned {
 };
 }  // namespace task
 
+// Displacement gradient of the step against its start [-]; tt is the hoop.
+struct Gradient {
+    double rr, rz, zr, zz, tt;
+    __attribute__((always_inline)) double trace() const { return rr + zz + tt; }
+};
+
+// Volume and volume times volumetric strain of a cell, in fixed point: no order changes a bit.
+struct CellIntegers {
+    static constexpr double scale = 0x1p50;  // of volumes, to reference; a cell has room for 2^13
+    std::int64_t volume, strain;
+};
+
+// Deformation of a particle that waits for the mean of its cell; cell -1: it wants none.
+struct Deferred {
+    Gradient L;
+    int cell;
+};
+
+// The volumetric strain of a step as the mean over the particles of a cell, against locking: for all but
+// those that are separated.
+struct CellMean {
+    CellIntegers* cells = nullptr;  // added to; null: each particle has its own
+    Deferred* deferred = nullptr;   // [particles] out
+    double per_volume = 0.0;        // 1 / volume of the largest particle [1/m3]
+};
+
+// A particle without any stress is separated: it no longer opens once its void ratio is at the cap.
+struct Separation {
+    int void_ratio = -1;  // column; -1: nothing separates
+    double cap = 0.0;     // [-]
+};
+
 // Increments of at most so many particles: midpoint strain, engineering shear, 11 = rr, 22 = zz, 33 = tt,
 // 12 = rz, and the rotation Q, row-major, before it.
 struct alignas(64) Increments {
@@ -102,6 +134,17 @@ struct GatherCall {
     double dt;                  // [s]
     double pic;                 // PIC share of this step [-]
     unsigned tasks;
+    Separation separation = {};
+    CellMean mean = {};  // with cells, deformation stops there
+};
+
+// The rest of deformation, where the mean is over cells.
+struct DeformCall {
+    ParticleView particles;
+    std::ptrdiff_t begin, end;  // no more than Increments::capacity
+    const CellIntegers* cells;
+    const Deferred* deferred;  // [particles]
+    Separation separation;
 };
 
 struct GatherSums {
@@ -119,6 +162,7 @@ struct GatherSums {
 struct Kernels {
     void (*scatter)(Shape, bool axisymmetric, const ScatterCall&);
     void (*gather)(Shape, bool axisymmetric, const GatherCall&, Increments&, GatherSums&);
+    void (*deform)(bool axisymmetric, const DeformCall&, Increments&);
 };
 
 // The best that this processor has, and those of any.

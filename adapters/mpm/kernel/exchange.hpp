@@ -3,6 +3,7 @@
 //
 //   when                        what                                            bytes
 //   after a scatter, per body   sum of node records, or of integers             64 a halo node
+//   mean volumetric strains     sum of cells                                    16 a halo cell
 //   after MUSL's second one     sum of node records                             64 a halo node
 //   contact with distances      minima of surfaces and centres, two each        32 a halo node
 //   fixed point, per scatter    maxima of contributions, eight a body           8 each
@@ -19,6 +20,7 @@ class Exchange {
     virtual ~Exchange() = default;
     virtual void sum_nodes(NodeRecord* /*records*/, std::ptrdiff_t /*nodes*/) {}
     virtual void sum_nodes(NodeIntegers* /*records*/, std::ptrdiff_t /*nodes*/) {}
+    virtual void sum_cells(CellIntegers* /*cells*/, std::ptrdiff_t /*count*/) {}
     virtual void min_nodes(double* /*values*/, std::ptrdiff_t /*nodes*/, int /*per_node*/) {}
     virtual void max(double* /*values*/, int /*count*/) {}
     virtual void sum(double* /*values*/, int /*count*/) {}

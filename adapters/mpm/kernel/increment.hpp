@@ -8,14 +8,25 @@
 
 MPM_KERNEL_BEGIN
 
-// Displacement gradient of the step against its start [-]; tt is the hoop.
-struct Gradient {
-    double rr, rz, zr, zz, tt;
-};
-
-MPM_INLINE void deform(const ParticleView& q, std::ptrdiff_t p, const Gradient& L, Increments& out,
-                       std::ptrdiff_t i) {
+MPM_INLINE bool is_separated(const ParticleView& q, std::ptrdiff_t p,
+                             const Separation& separation) {
     namespace c = column;
+    return separation.void_ratio >= 0 && q[c::S_rr][p] == 0.0 && q[c::S_zz][p] == 0.0 &&
+           q[c::S_tt][p] == 0.0 && q[c::S_rz][p] == 0.0;
+}
+
+MPM_INLINE bool opens_too_far(const ParticleView& q, std::ptrdiff_t p, const Gradient& L,
+                              const Separation& separation) {
+    return is_separated(q, p, separation) && L.trace() > 0.0 &&
+           q[separation.void_ratio][p] >= separation.cap;
+}
+
+MPM_INLINE void deform(const ParticleView& q, std::ptrdiff_t p, const Gradient& given,
+                       const Separation& separation, Increments& out, std::ptrdiff_t i) {
+    namespace c = column;
+    // What has opened to the cap keeps its domain and does not turn.
+    const bool held = opens_too_far(q, p, given, separation);
+    const Gradient L = held ? Gradient{} : given;
     const double F_rr = q[c::F_rr][p], F_rz = q[c::F_rz][p];
     const double F_zr = q[c::F_zr][p], F_zz = q[c::F_zz][p];
     q[c::F_rr][p] = F_rr + L.rr * F_rr + L.rz * F_zr;  // (A5)

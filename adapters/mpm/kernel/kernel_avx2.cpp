@@ -5,5 +5,5 @@
 
 namespace grit::mpm {
 extern const Kernels avx2_kernels;
-const Kernels avx2_kernels{avx2::scatter, avx2::gather};
+const Kernels avx2_kernels{avx2::scatter, avx2::gather, avx2::deform_by_mean};
 }  // namespace grit::mpm

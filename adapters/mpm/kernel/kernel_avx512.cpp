@@ -5,5 +5,5 @@
 
 namespace grit::mpm {
 extern const Kernels avx512_kernels;
-const Kernels avx512_kernels{avx512::scatter, avx512::gather};
+const Kernels avx512_kernels{avx512::scatter, avx512::gather, avx512::deform_by_mean};
 }  // namespace grit::mpm

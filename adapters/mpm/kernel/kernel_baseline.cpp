@@ -5,5 +5,5 @@
 
 namespace grit::mpm {
 extern const Kernels baseline_kernels;
-const Kernels baseline_kernels{baseline::scatter, baseline::gather};
+const Kernels baseline_kernels{baseline::scatter, baseline::gather, baseline::deform_by_mean};
 }  // namespace grit::mpm

@@ -22,6 +22,7 @@ class Material {
     virtual void wave_moduli(const Range& range, double* moduli) const = 0;
     // Energy that the stress has stored, or taken, since the start [J].
     virtual double energy(const ParticleView& particles, std::ptrdiff_t p) const = 0;
+    virtual Separation separation() const { return {}; }
     // Columns of its own as seen in the mirror r -> -r.
     virtual void reflect(const ParticleView&, std::ptrdiff_t) const {}
 };

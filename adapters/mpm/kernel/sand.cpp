@@ -53,6 +53,12 @@ void Sand::wave_moduli(const Range& range, double* moduli) const {
 
 double Sand::energy(const ParticleView& q, std::ptrdiff_t p) const { return q[work][p]; }
 
+Separation Sand::separation() const {
+    double void_ratios[3];
+    grit_sand_void_ratios(&sand, 0.0, void_ratios);
+    return {state + GRIT_SAND_VOID_RATIO, 1.2 * void_ratios[0]};
+}
+
 void Sand::reflect(const ParticleView& q, std::ptrdiff_t p) const {
     q[state + GRIT_SAND_H12][p] = -q[state + GRIT_SAND_H12][p];
 }

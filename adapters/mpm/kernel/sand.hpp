@@ -18,6 +18,8 @@ class Sand : public Material {
     void update(const Range& range, const Increments& increments) override;
     void wave_moduli(const Range& range, double* moduli) const override;
     double energy(const ParticleView& particles, std::ptrdiff_t p) const override;
+    // e = 1.2 e_i at zero pressure.
+    Separation separation() const override;
     void reflect(const ParticleView& particles, std::ptrdiff_t p) const override;
 
   private:
