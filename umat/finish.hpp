@@ -114,7 +114,6 @@ inline void write_point(const UpdateRequest& q, std::ptrdiff_t i, std::ptrdiff_t
     const Material& m = *q.material;
     const grit_sand_points& host = *q.points;
     const int n = host.components == 0 ? 6 : host.components;
-    int flags = r.flags | (r.stress_free ? GRIT_SAND_STRESS_FREE : void_flag(m, r.T, r.e));
     if (q.options->tangent != GRIT_TANGENT_NONE)
         write_tangent(host, at, end_tangent(m, q.igs, p, r));
 
@@ -135,7 +134,9 @@ inline void write_point(const UpdateRequest& q, std::ptrdiff_t i, std::ptrdiff_t
     for (int c = first; c < GRIT_SAND_STATE_SIZE; ++c)
         host.state.base[at * host.state.point_stride + c * host.state.component_stride] = state[c];
     if (host.substep.base) host.substep.base[at * host.substep.point_stride] = r.next_step;
-    write_report(q.reports ? q.reports + i : nullptr, flags, r.substeps, r.evaluations, r.error);
+    if (!q.reports) return;
+    const int flags = r.flags | (r.stress_free ? GRIT_SAND_STRESS_FREE : void_flag(m, r.T, r.e));
+    write_report(q.reports + i, flags, r.substeps, r.evaluations, r.error);
 }
 
 // A zero increment changes nothing but a rotation; its tangent is the limit of small increments.
@@ -163,8 +164,9 @@ inline void write_resting(const UpdateRequest& q, std::ptrdiff_t i, std::ptrdiff
                     turned[c];
         }
     }
+    if (!q.reports) return;
     const int flags = stress_free ? GRIT_SAND_STRESS_FREE : void_flag(m, p.T, p.e);
-    write_report(q.reports ? q.reports + i : nullptr, flags, 0, 0, 0.0);
+    write_report(q.reports + i, flags, 0, 0, 0.0);
 }
 
 inline void write_failure(const UpdateRequest& q, std::ptrdiff_t i, Fault fault, double increment,

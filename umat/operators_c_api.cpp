@@ -9,7 +9,7 @@
 #include "support/versioned.hpp"
 #include "umat/dense_operators.hpp"
 #include "umat/low_stress.hpp"
-#include "umat/principal.hpp"
+#include "umat/principal_bound.hpp"
 
 using namespace grit;
 using namespace grit::c_api;
@@ -144,14 +144,18 @@ grit_status grit_sand_wave_modulus(const grit_sand* sand, int intergranular_off,
     if (!usable(sand, stress, void_ratio) || !modulus) return GRIT_BAD_CALL;
     const Material& m = material_of(*sand);
     const PointFactors k = point_factors(m, stress_in_domain(m, stress), void_ratio);
-    const auto largest = [](const Tensor<double>& A) {
-        return principal_values(A).cwiseAbs().maxCoeff();
+    const Tensor<double>& dev = k.shape.T_hat_dev;
+    const double J_2 = 0.5 * contract(dev, dev), J_3 = determinant(dev);
+    const double most = largest_principal_bound(J_2, J_3);
+    const double least = -largest_principal_bound(J_2, -J_3);
+    // Largest |principal value| of times T_hat_dev + 1/3.
+    const auto largest = [&](double times) {
+        return max(times * most + 1.0 / 3.0, -(times * least + 1.0 / 3.0));
     };
     // n.(L:nn).n and |n.N.n| for any unit vector n
     const double scale = k.f.f_s / k.shape.T_hat_sq;
-    const double linear = scale * (square(k.shape.F) + square(m.a * largest(k.shape.T_hat)));
-    const Tensor<double> flow = scaled_sum(1.0, k.shape.T_hat, k.shape.T_hat_dev);
-    const double nonlinear = scale * k.f.f_d * m.a * k.shape.F * largest(flow);
+    const double linear = scale * (square(k.shape.F) + square(m.a * largest(1.0)));
+    const double nonlinear = scale * k.f.f_d * m.a * k.shape.F * largest(2.0);
     const bool igs = m.has_intergranular_strain != 0.0 && !intergranular_off;
     *modulus = max(igs ? m.m_R * linear : 0.0, linear + nonlinear);
     return GRIT_OK;
