@@ -46,7 +46,7 @@ struct Energy {
     double kinetic_0 = 0.0, stored_0 = 0.0;  // at the start
     double external_work = 0.0;              // tractions, body forces
     double rigid_work = 0.0;                 // of bodies with prescribed motion, by contact
-    double contact = 0.0;                    // dissipated in contact, leapfrog value
+    double contact = 0.0;                    // taken in contact, leapfrog value
     double damping = 0.0;                    // local damping
     double transfer = 0.0;                   // lost between nodes and particles, PIC share included
     double pic = 0.0;                        // that share alone

@@ -80,6 +80,10 @@ void Simulation::add_contact(const ContactLaw& law) {
     contacts.emplace_back(law, grid(), fixed_nodes);
 }
 
+void Simulation::add_contact(const PenaltyLaw& law) {
+    penalties.emplace_back(law, settings.axisymmetric, fixed_nodes.size());
+}
+
 void Simulation::start() {
     started = true;
     sort();
@@ -103,9 +107,11 @@ void Simulation::step() {
         scatter(part::all);
     }
     load();
+    push_contacts();
     advance();
     correct_contacts();
     close();
+    move_contacts();
     if (settings.scheme == Scheme::musl) {
         gather(task::velocity, dt);
         remap();

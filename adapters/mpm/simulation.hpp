@@ -11,6 +11,7 @@
 #include "adapters/mpm/kernel/exchange.hpp"
 #include "adapters/mpm/kernel/nodes.hpp"
 #include "adapters/mpm/kernel/strips.hpp"
+#include "adapters/mpm/penalty_pair.hpp"
 #include "adapters/mpm/settings.hpp"
 #include "adapters/mpm/thread_pool.hpp"
 #include "adapters/mpm/traction.hpp"
@@ -26,6 +27,7 @@ class Simulation {
     std::size_t add_body(Body body);
     void add_traction(Traction traction);
     void add_contact(const ContactLaw& law);
+    void add_contact(const PenaltyLaw& law);
     // No velocity across nodes at r or z = at, and beyond.
     void fix_below(int direction, double at);
     void fix_above(int direction, double at);
@@ -44,6 +46,7 @@ class Simulation {
     const std::vector<NodeRecord>& records(std::size_t body) const { return parts[body].records; }
     const std::vector<NodeMotion>& motions(std::size_t body) const { return parts[body].motions; }
     const ContactPair& contact(std::size_t i) const { return contacts[i]; }
+    const PenaltyPair& penalty_contact(std::size_t i) const { return penalties[i]; }
     // Particle with this id.
     std::ptrdiff_t find(std::size_t body, int id) const {
         return parts[body].slot[static_cast<std::size_t>(id)];
@@ -88,7 +91,10 @@ class Simulation {
     void clear();
     void load();
     void advance();
+    void push_contacts();
     void correct_contacts();
+    void move_contacts();
+    PenaltyBody penalty_body(std::size_t body);
     void close();
     void gather(unsigned tasks, double by);
     void gather_strip(Part& part, int strip, unsigned tasks, double by);
@@ -107,6 +113,7 @@ class Simulation {
     std::vector<Traction> tractions;
     std::vector<EdgeForces> loads;
     std::vector<ContactPair> contacts;
+    std::vector<PenaltyPair> penalties;
     BodyForce body_force;
     Exchange alone;
     Exchange& exchange;

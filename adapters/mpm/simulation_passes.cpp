@@ -98,27 +98,6 @@ void Simulation::advance() {
     });
 }
 
-void Simulation::correct_contacts() {
-    const auto side = [this](std::size_t i) {
-        Part& part = parts[i];
-        return ContactBody{part.records.data(), part.motions.data(), part.body.particles.view(),
-                           part.body.particles.size(), part.body.rigid()};
-    };
-    for (ContactPair& pair : contacts) {
-        const ContactLaw& law = pair.law();
-        pair.correct(grid(), side(law.a), side(law.b), dt, exchange);
-        const grit_contact_totals& totals = pair.totals();
-        sums.contact += totals.dissipation_normal + totals.dissipation_tangential;
-        for (const std::size_t i : {law.a, law.b}) {
-            if (!parts[i].body.rigid()) continue;
-            // What moves a rigid body works against the force that the body feels.
-            const double* J = i == law.a ? totals.impulse_on_a : totals.impulse_on_b;
-            const Vector v = parts[i].body.prescribed_velocity(t + dt);
-            sums.rigid_work -= J[0] * v.r + J[1] * v.z;
-        }
-    }
-}
-
 void Simulation::close() {
     for_strips(pool, parts, [this](Part& part, int strip) {
         if (!part.body.rigid())
@@ -191,7 +170,10 @@ void Simulation::account() {
     drift += largest[1];
     dt_before = dt;
     const double shortest = std::min(r_axis.shortest(), z_axis.shortest());
-    dt = std::min(settings.cfl * shortest / largest[0], settings.largest_step);
+    double inverse2 = largest[0] * largest[0] / (shortest * shortest);
+    for (const PenaltyPair& pair : penalties)
+        inverse2 += 1.0 / (pair.stable_step() * pair.stable_step());
+    dt = std::min(settings.cfl / std::sqrt(inverse2), settings.largest_step);
     if (!(dt > 0.0)) throw std::runtime_error("no positive time step: is anything able to move?");
 }
 

@@ -3,25 +3,9 @@
 
 #include <cmath>
 
+#include "adapters/mpm/grid_point.hpp"
+
 namespace grit::mpm {
-namespace {
-
-struct Corner {
-    std::ptrdiff_t node[4];
-    double N[4];
-};
-
-Corner corner_at(const GridView& grid, double r, double z) {
-    const int i = grid.r.cell_of(r), j = grid.z.cell_of(z);
-    const double x = (r - grid.r.node[i]) * grid.r.inverse[i];
-    const double y = (z - grid.z.node[j]) * grid.z.inverse[j];
-    const std::ptrdiff_t n_r = grid.nodes_r(), first = j * n_r + i;
-    return {{first, first + 1, first + n_r, first + n_r + 1},
-            {(1.0 - x) * (1.0 - y), x * (1.0 - y), (1.0 - x) * y, x * y}};
-}
-
-}  // namespace
-
 EdgeForces edge_forces(const ParticleView& q, std::ptrdiff_t p, Edge edge, Vector stress,
                        bool axisymmetric) {
     namespace c = column;
@@ -46,7 +30,7 @@ EdgeForces edge_forces(const ParticleView& q, std::ptrdiff_t p, Edge edge, Vecto
 
 void add_edge_forces(const GridView& grid, const EdgeForces& forces, NodeRecord* nodes) {
     for (int k = 0; k < 2; ++k) {
-        const Corner corner = corner_at(grid, forces.r[k], forces.z[k]);
+        const GridPoint corner = grid_point(grid, forces.r[k], forces.z[k]);
         for (int i = 0; i < 4; ++i) {
             nodes[corner.node[i]][record::f_r] += corner.N[i] * forces.f_r[k];
             nodes[corner.node[i]][record::f_z] += corner.N[i] * forces.f_z[k];
@@ -58,7 +42,7 @@ double edge_work(const GridView& grid, const EdgeForces& forces, const NodeMotio
                  double dt) {
     double work = 0.0;
     for (int k = 0; k < 2; ++k) {
-        const Corner corner = corner_at(grid, forces.r[k], forces.z[k]);
+        const GridPoint corner = grid_point(grid, forces.r[k], forces.z[k]);
         for (int i = 0; i < 4; ++i) {
             const NodeMotion& v = motions[corner.node[i]];
             work += 0.5 * dt * corner.N[i] *

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Penalty contact of two bodies along the lines that bound them (PCA), through the library.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include <grit/contact_penalty.h>
+
+#include "adapters/mpm/kernel/nodes.hpp"
+
+namespace grit::mpm {
+
+// A polyline with its body on the left of the direction of travel.
+struct PenaltyLine {
+    std::vector<Vector> points;
+    bool closed = false;
+};
+
+struct PenaltyLaw {
+    std::size_t a = 0, b = 1;        // bodies
+    grit_penalty_options options{};  // axisymmetric and time_step are the driver's
+    PenaltyLine line_a, line_b;      // at the start
+    double longest = 0.0;            // segments are split above it [m]
+    double shortest = 0.0;           // ... and merged below it [m]; 0: never
+};
+
+// eps_n = multiple M / cell (S2), M the P-wave modulus of the softer body [Pa].
+PenaltyLaw penalty_law(double friction_coefficient, double multiple, double modulus, double cell);
+
+struct PenaltyBody {
+    NodeRecord* records;
+    const NodeMotion* motions;
+    double least_mass;  // nodes with less take no force [kg]
+    bool rigid;
+};
+
+class PenaltyPair {
+  public:
+    PenaltyPair(const PenaltyLaw& law, bool axisymmetric, std::size_t nodes);
+    // Adds the forces of the lines where they are to those of the nodes; dt: of the step before.
+    void push(const GridView& grid, const PenaltyBody& a, const PenaltyBody& b, double dt);
+    // Vertices move with their bodies.
+    void move(const GridView& grid, const PenaltyBody& a, const PenaltyBody& b, double dt);
+
+    const PenaltyLaw& law() const { return pair_law; }
+    // Of the last push.
+    const grit_penalty_totals& totals() const { return step_totals; }
+    // Energy that the forces of the last step took from the bodies, on both together: what friction
+    // dissipates and springs hold, and what the areas of vertices lose or give as they change [J].
+    double energy_taken() const { return taken; }
+    double stable_step() const { return step; }  // (S5) [s]
+    // Vertices of line 0 or 1, two coordinates each.
+    const std::vector<double>& vertices(int line) const { return lines[line].position; }
+
+  private:
+    struct Line {
+        std::vector<double> position, velocity, history, force, stiffness;
+        bool closed = false;
+        std::ptrdiff_t count() const { return static_cast<std::ptrdiff_t>(position.size() / 2); }
+    };
+    static grit_penalty_surface surface(Line& line);
+    void scatter(const GridView& grid, const Line& line, const PenaltyBody& body,
+                 std::vector<double>& touched_mass, std::vector<double>& touched);
+    double advance(const GridView& grid, const PenaltyBody& body, double dt, Line& line) const;
+    void remesh(Line& line);
+
+    PenaltyLaw pair_law;
+    Line lines[2], spare;
+    std::vector<double> nodal_stiffness, mass[2], stiffness[2], weight;
+    std::vector<std::ptrdiff_t> parents;
+    std::vector<std::uint64_t> workspace;
+    grit_penalty_totals step_totals;
+    double taken = 0.0, dt_before = 0.0;
+    double step = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace grit::mpm
