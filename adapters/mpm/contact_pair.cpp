@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "adapters/mpm/kernel/place.hpp"
+
 namespace grit::mpm {
 namespace {
 
@@ -25,9 +27,9 @@ ContactLaw contact_law(int law, double friction_coefficient, double penalty_powe
     return out;
 }
 
-ContactPair::ContactPair(const ContactLaw& law, const GridView& grid,
+ContactPair::ContactPair(const ContactLaw& law, bool is_axisymmetric, const GridView& grid,
                          const std::vector<std::uint8_t>& fixed)
-    : pair_law(law), sums{}, step_totals{} {
+    : pair_law(law), axisymmetric(is_axisymmetric), sums{}, step_totals{} {
     const std::size_t n = fixed.size();
     for (const std::uint8_t bits : fixed)
         fixed_bits.push_back((bits & fixed::r ? GRIT_CONTACT_FIXED_1 : 0) |
@@ -89,16 +91,15 @@ grit_contact_surfaces ContactPair::surfaces() {
 }
 
 // Adds the particles that have weight at an active node.
+template <bool axi>
 void ContactPair::measure(const GridView& grid, const ContactBody& body, int which) {
-    namespace c = column;
-    const ParticleView& q = body.particles;
     const grit_contact_surfaces s = surfaces();
     const std::ptrdiff_t n_r = grid.nodes_r();
     for (std::ptrdiff_t p = 0; p < body.count; ++p) {
-        const double l_r = q[c::l_r][p], l_z = q[c::l_z][p];
-        const double side[4] = {q[c::F_rr][p] * l_r, q[c::F_zr][p] * l_r, q[c::F_rz][p] * l_z,
-                                q[c::F_zz][p] * l_z};
-        const double x[2] = {q[c::r][p], q[c::z][p]};
+        const auto place = baseline::place_of<axi>(grid, body.particles, p);
+        const double x[2] = {place.r, place.z};
+        const double side[4] = {place.domain.r1r, place.domain.r1z, place.domain.r2r,
+                                place.domain.r2z};
         std::ptrdiff_t nodes[16];
         int count = 0;
         for (int k = 0; k < 4; ++k) {
@@ -143,8 +144,9 @@ void ContactPair::correct(const GridView& grid, const ContactBody& a, const Cont
     if (geo || pair_law.gated) {
         const grit_contact_surfaces s = surfaces();
         require(grit_contact_surfaces_reset(&s, &error), error);
-        measure(grid, a, 0);
-        measure(grid, b, 1);
+        for (const int which : {0, 1})
+            axisymmetric ? measure<true>(grid, which == 0 ? a : b, which)
+                         : measure<false>(grid, which == 0 ? a : b, which);
         exchange.min_nodes(surface.data(), s.nodes, 2);
         exchange.min_nodes(centre.data(), s.nodes, 2);
         grit_contact_distances wanted{};

@@ -34,7 +34,7 @@ struct ContactBody {
 
 class ContactPair {
   public:
-    ContactPair(const ContactLaw& law, const GridView& grid,
+    ContactPair(const ContactLaw& law, bool axisymmetric, const GridView& grid,
                 const std::vector<std::uint8_t>& fixed);
     // Velocities after the momentum update become those after contact.
     void correct(const GridView& grid, const ContactBody& a, const ContactBody& b, double dt,
@@ -46,10 +46,11 @@ class ContactPair {
   private:
     bool find_active(const ContactBody& a, const ContactBody& b);
     void find_normals(const ContactBody& a, const ContactBody& b);
-    void measure(const GridView& grid, const ContactBody& body, int which);
+    template <bool axi> void measure(const GridView& grid, const ContactBody& body, int which);
     grit_contact_surfaces surfaces();
 
     ContactLaw pair_law;
+    bool axisymmetric;
     std::vector<int> fixed_bits;
     std::vector<double> position, spacing, normal, surface, centre, distance, gap;
     std::vector<char> is_active;

@@ -77,7 +77,7 @@ void Simulation::add_traction(Traction traction) {
 }
 
 void Simulation::add_contact(const ContactLaw& law) {
-    contacts.emplace_back(law, grid(), fixed_nodes);
+    contacts.emplace_back(law, settings.axisymmetric, grid(), fixed_nodes);
 }
 
 void Simulation::add_contact(const PenaltyLaw& law) {

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include <adapters/mpm/kernel/place.hpp>
+
 #include "support/box.hpp"
 #include "support/one_particle.hpp"
 
@@ -35,6 +37,43 @@ TEST(Domain, ReachesTheNeighbouringCellsAtMostHoweverItIsStretched) {
                 }
             EXPECT_NEAR(mass, q[column::mass], 1e-13 * q[column::mass]);
         }
+}
+
+// Singular values of [r1 r2], the larger one first, and the direction of that one.
+struct Stretches {
+    double s1, s2, angle;
+};
+Stretches stretches(const baseline::Domain& d) {
+    const double rr = d.r1r * d.r1r + d.r2r * d.r2r, zz = d.r1z * d.r1z + d.r2z * d.r2z;
+    const double rz = d.r1r * d.r1z + d.r2r * d.r2z;
+    const double mean = 0.5 * (rr + zz), radius = std::hypot(0.5 * (rr - zz), rz);
+    const double s1 = std::sqrt(mean + radius);
+    return {s1, 0.25 * d.area() / s1, 0.5 * std::atan2(2.0 * rz, rr - zz)};
+}
+
+TEST(Domain, OfASpentParticleKeepsItsAreaAndDirectionsButNotItsLength) {
+    std::mt19937 generator(8);
+    std::uniform_real_distribution<double> any(-1.0, 1.0);
+    int changed = 0;
+    for (int sample = 0; sample < 1000; ++sample) {
+        const double shear = 30.0 * any(generator), turn = std::numbers::pi * any(generator);
+        const double a = 0.01 * (1.5 + any(generator)), b = 0.01 * (1.5 + any(generator));
+        const double c = std::cos(turn), s = std::sin(turn);
+        const baseline::Domain d{a * c, a * s, b * (shear * c - s), b * (shear * s + c)};
+        const baseline::Domain r = baseline::rounded(d);
+        const Stretches before = stretches(d), after = stretches(r);
+        EXPECT_NEAR(r.area(), d.area(), 1e-12 * d.area() * (1.0 + shear * shear));
+        if (before.s1 <= 8.999 * before.s2) {
+            EXPECT_EQ(r.r1r, d.r1r);
+            continue;
+        }
+        ++changed;
+        EXPECT_NEAR(after.s1 / after.s2, 9.0, 1e-6);
+        EXPECT_NEAR(std::sin(after.angle - before.angle), 0.0, 1e-6);
+        // Nor is it turned over: its corners stay where they were, seen along the long side.
+        EXPECT_GE(r.r2r * d.r2r + r.r2z * d.r2z, 0.0);
+    }
+    EXPECT_GT(changed, 300);
 }
 
 TEST(Domain, DoesNotReachAcrossTheAxis) {

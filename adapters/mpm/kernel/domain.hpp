@@ -4,31 +4,12 @@
 // the true ring.
 #pragma once
 
-#include <cmath>
-
-#include "adapters/mpm/kernel/call.hpp"
-#include "adapters/mpm/kernel/target.hpp"
+#include "adapters/mpm/kernel/place.hpp"
 
 MPM_KERNEL_BEGIN
 
-// Half-side vectors r1, r2 [m]. Corners in the order (--), (+-), (++), (-+).
-struct Domain {
-    double r1r, r1z, r2r, r2z;
-    MPM_INLINE double area() const { return 4.0 * (r1r * r2z - r1z * r2r); }
-};
-
 MPM_INLINE Vec4 xi() { return Vec4{-1.0, 1.0, 1.0, -1.0}; }
 MPM_INLINE Vec4 eta() { return Vec4{-1.0, -1.0, 1.0, 1.0}; }
-
-// Shrunk as a whole until no half extent exceeds its limit: for weights only, mass and volume stay.
-MPM_INLINE Domain limited(Domain d, double limit_r, double limit_z) {
-    const double extent_r = std::fabs(d.r1r) + std::fabs(d.r2r);
-    const double extent_z = std::fabs(d.r1z) + std::fabs(d.r2z);
-    if (extent_r <= limit_r && extent_z <= limit_z) return d;
-    const double by_r = limit_r / extent_r, by_z = limit_z / extent_z;
-    const double s = by_r < by_z ? by_r : by_z;
-    return {s * d.r1r, s * d.r1z, s * d.r2r, s * d.r2z};
-}
 
 struct CornerWeights {
     Vec4 S, G_r, G_z;  // [-], [1/m]

@@ -7,33 +7,6 @@
 
 MPM_KERNEL_BEGIN
 
-// Particle p as the shape functions see it.
-struct Place {
-    double r, z;  // [m]
-    int cell_r, cell_z;
-    Domain domain;
-    double l_r, l_z;  // initial half sides, shrunk as domains are [m]
-};
-
-template <bool axisymmetric>
-MPM_INLINE Place place_of(const GridView& grid, const ParticleView& q, std::ptrdiff_t p) {
-    Place place;
-    place.r = q[column::r][p];
-    place.z = q[column::z][p];
-    place.cell_r = grid.r.cell_of(place.r);
-    place.cell_z = grid.z.cell_of(place.z);
-    double limit_r = grid.r.limit[place.cell_r];
-    const double limit_z = grid.z.limit[place.cell_z];
-    if (axisymmetric && place.r < limit_r) limit_r = place.r;  // nothing reaches across the axis
-    const double l_r = q[column::l_r][p], l_z = q[column::l_z][p];
-    place.domain = limited({q[column::F_rr][p] * l_r, q[column::F_zr][p] * l_r,
-                            q[column::F_rz][p] * l_z, q[column::F_zz][p] * l_z},
-                           limit_r, limit_z);
-    place.l_r = l_r < limit_r ? l_r : limit_r;
-    place.l_z = l_z < limit_z ? l_z : limit_z;
-    return place;
-}
-
 // Four corners of CPDI, k = 1/(3 r_p) or 0.
 template <bool axisymmetric, bool weighted> struct CornerStencil {
     static constexpr bool is_corner = true;
