@@ -2,6 +2,7 @@
 #include "adapters/mpm/contact_pair.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -44,6 +45,7 @@ ContactPair::ContactPair(const ContactLaw& law, bool is_axisymmetric, const Grid
         }
     normal.resize(2 * n);
     surface.resize(2 * n);
+    near_surface.resize(2 * n);
     centre.resize(2 * n);
     distance.resize(n);
     gap.resize(n);
@@ -78,56 +80,95 @@ void ContactPair::find_normals(const ContactBody& a, const ContactBody& b) {
             error);
 }
 
-grit_contact_surfaces ContactPair::surfaces() {
+grit_contact_surfaces ContactPair::surfaces(std::vector<double>& of) {
     grit_contact_surfaces s{};
     s.struct_size = sizeof s;
     s.components = 2;
     s.nodes = static_cast<std::ptrdiff_t>(is_active.size());
     s.position = grit_view_of(position.data(), 2, 1);
     s.normal = grit_view_of(normal.data(), 2, 1);
-    s.surface = grit_mutable_view_of(surface.data(), 2, 1);
-    s.centre = grit_mutable_view_of(centre.data(), 2, 1);
+    s.surface = grit_mutable_view_of(of.data(), 2, 1);
     return s;
 }
 
-// Adds the particles that have weight at an active node.
+// Whether x is no more than half a cell off the node, across the normal.
+bool ContactPair::is_beside(const double* x, std::ptrdiff_t node) const {
+    const double *at = &position[2 * node], *n = &normal[2 * node], *cell = &spacing[2 * node];
+    const double across = n[0] * (x[1] - at[1]) - n[1] * (x[0] - at[0]);
+    return std::fabs(across) * std::hypot(n[1] / cell[0], n[0] / cell[1]) <= 0.5 + 1e-6;
+}
+
+// Adds the particles that have weight at an active node, and their corners beside one.
 template <bool axi>
 void ContactPair::measure(const GridView& grid, const ContactBody& body, int which) {
-    const grit_contact_surfaces s = surfaces();
+    const grit_contact_surfaces near = surfaces(near_surface);
+    grit_contact_surfaces all = surfaces(surface);
+    all.centre = grit_mutable_view_of(centre.data(), 2, 1);
     const std::ptrdiff_t n_r = grid.nodes_r();
     for (std::ptrdiff_t p = 0; p < body.count; ++p) {
         const auto place = baseline::place_of<axi>(grid, body.particles, p);
         const double x[2] = {place.r, place.z};
         const double side[4] = {place.domain.r1r, place.domain.r1z, place.domain.r2r,
                                 place.domain.r2z};
-        std::ptrdiff_t nodes[16];
+        std::ptrdiff_t nodes[16], beside[4];
         int count = 0;
         for (int k = 0; k < 4; ++k) {
             const double e1 = k == 1 || k == 2 ? 1.0 : -1.0, e2 = k < 2 ? -1.0 : 1.0;
-            const double r = x[0] + e1 * side[0] + e2 * side[2];
-            const double z = x[1] + e1 * side[1] + e2 * side[3];
-            const int i = grid.r.cell_of(r), j = grid.z.cell_of(z);
+            const double corner[2] = {x[0] + e1 * side[0] + e2 * side[2],
+                                      x[1] + e1 * side[1] + e2 * side[3]};
+            const int i = grid.r.cell_of(corner[0]), j = grid.z.cell_of(corner[1]);
             // A corner on a grid line has no weight beyond it.
-            const int last_i = r == grid.r.node[i] ? i : i + 1;
-            const int last_j = z == grid.z.node[j] ? j : j + 1;
+            const int last_i = corner[0] == grid.r.node[i] ? i : i + 1;
+            const int last_j = corner[1] == grid.z.node[j] ? j : j + 1;
+            int count_beside = 0;
             for (int n_z = j; n_z <= last_j; ++n_z)
                 for (int n = i; n <= last_i; ++n) {
                     const std::ptrdiff_t node = n_z * n_r + n;
-                    if (is_active[static_cast<std::size_t>(node)]) nodes[count++] = node;
+                    if (!is_active[static_cast<std::size_t>(node)]) continue;
+                    nodes[count++] = node;
+                    if (is_beside(corner, node)) beside[count_beside++] = node;
                 }
+            add(near, which, corner, nullptr, beside, count_beside);
         }
-        if (count == 0) continue;
-        grit_contact_domains d{};
-        d.struct_size = sizeof d;
-        d.body = which;
-        d.sides = 2;
-        d.nodes_each = count;
-        d.node = nodes;
-        d.position = grit_view_of(x, 2, 1);
-        d.side = grit_matrix_view_of(side, 4, 2, 1);
-        grit_error error;
-        require(grit_contact_surfaces_add(&s, 1, &d, &error), error);
+        add(all, which, x, side, nodes, count);
     }
+}
+
+// A parallelogram, or a point where side is null.
+void ContactPair::add(const grit_contact_surfaces& to, int which, const double* x,
+                      const double* side, const std::ptrdiff_t* nodes, int count) {
+    if (count == 0) return;
+    grit_contact_domains d{};
+    d.struct_size = sizeof d;
+    d.body = which;
+    d.nodes_each = count;
+    d.node = nodes;
+    d.position = grit_view_of(x, 2, 1);
+    if (side) {
+        d.sides = 2;
+        d.side = grit_matrix_view_of(side, 4, 2, 1);
+    }
+    grit_error error;
+    require(grit_contact_surfaces_add(&to, 1, &d, &error), error);
+}
+
+// The surface beside a node, where a corner is, and not the nearest of all within a cell of it: on a
+// curved surface that one is a cell off, and neighbouring nodes would wait for the same corner.
+void ContactPair::find_surfaces(const GridView& grid, const ContactBody& a, const ContactBody& b,
+                                Exchange& exchange) {
+    grit_error error;
+    grit_contact_surfaces all = surfaces(surface);
+    all.centre = grit_mutable_view_of(centre.data(), 2, 1);
+    const grit_contact_surfaces near = surfaces(near_surface);
+    require(grit_contact_surfaces_reset(&all, &error), error);
+    require(grit_contact_surfaces_reset(&near, &error), error);
+    for (const int which : {0, 1})
+        axisymmetric ? measure<true>(grid, which == 0 ? a : b, which)
+                     : measure<false>(grid, which == 0 ? a : b, which);
+    for (std::vector<double>* minima : {&surface, &near_surface, &centre})
+        exchange.min_nodes(minima->data(), all.nodes, 2);
+    for (std::size_t i = 0; i < surface.size(); ++i)
+        if (std::isfinite(near_surface[i])) surface[i] = near_surface[i];
 }
 
 void ContactPair::correct(const GridView& grid, const ContactBody& a, const ContactBody& b,
@@ -142,13 +183,9 @@ void ContactPair::correct(const GridView& grid, const ContactBody& a, const Cont
     grit_error error;
     const bool geo = pair_law.options.law == GRIT_CONTACT_GEO;
     if (geo || pair_law.gated) {
-        const grit_contact_surfaces s = surfaces();
-        require(grit_contact_surfaces_reset(&s, &error), error);
-        for (const int which : {0, 1})
-            axisymmetric ? measure<true>(grid, which == 0 ? a : b, which)
-                         : measure<false>(grid, which == 0 ? a : b, which);
-        exchange.min_nodes(surface.data(), s.nodes, 2);
-        exchange.min_nodes(centre.data(), s.nodes, 2);
+        find_surfaces(grid, a, b, exchange);
+        grit_contact_surfaces s = surfaces(surface);
+        s.centre = grit_mutable_view_of(centre.data(), 2, 1);
         grit_contact_distances wanted{};
         wanted.struct_size = sizeof wanted;
         wanted.measure = pair_law.measure;

@@ -47,12 +47,17 @@ class ContactPair {
     bool find_active(const ContactBody& a, const ContactBody& b);
     void find_normals(const ContactBody& a, const ContactBody& b);
     template <bool axi> void measure(const GridView& grid, const ContactBody& body, int which);
-    grit_contact_surfaces surfaces();
+    void find_surfaces(const GridView& grid, const ContactBody& a, const ContactBody& b,
+                       Exchange& exchange);
+    bool is_beside(const double* x, std::ptrdiff_t node) const;
+    void add(const grit_contact_surfaces& to, int which, const double* x, const double* side,
+             const std::ptrdiff_t* nodes, int count);
+    grit_contact_surfaces surfaces(std::vector<double>& of);
 
     ContactLaw pair_law;
     bool axisymmetric;
     std::vector<int> fixed_bits;
-    std::vector<double> position, spacing, normal, surface, centre, distance, gap;
+    std::vector<double> position, spacing, normal, surface, near_surface, centre, distance, gap;
     std::vector<char> is_active;
     std::vector<std::ptrdiff_t> active;
     grit_contact_sums sums;

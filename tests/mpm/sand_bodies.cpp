@@ -5,36 +5,18 @@
 #include <cmath>
 #include <random>
 
-#include <adapters/mpm/kernel/sand.hpp>
-#include <grit/sand_catalogue.h>
 #include <grit/sand_operators.h>
 
-#include "support/box.hpp"
+#include "support/lausitz.hpp"
 
 namespace {
 
 using namespace mpm_test;
 
-grit_sand lausitz() {
-    grit_sand_parameters parameters;
-    grit_sand_parameters_init(&parameters, sizeof parameters);
-    grit_sand_record_parameters(grit_sand_record_find("lausitz"), 1000.0, &parameters);
-    grit_sand sand;
-    EXPECT_EQ(grit_sand_prepare(&parameters, &sand, nullptr), GRIT_OK);
-    return sand;
-}
-
-grit_sand_options options() {
-    grit_sand_options out;
-    grit_sand_options_init(&out, sizeof out);
-    out.tolerance = 1e-3;
-    return out;
-}
-
 TEST(SandBody, GivesEachPointWhatTheLibraryGivesIt) {
-    Sand material(lausitz(), options());
+    Sand material(lausitz(), sand_options());
     Body body = make_box({0.0, 1.0, 0.0, 1.0, 5, 10, 2000.0}, true,
-                         std::make_unique<Sand>(lausitz(), options()));
+                         std::make_unique<Sand>(lausitz(), sand_options()));
     const ParticleView q = body.particles.view();
     std::mt19937 generator(5);
     std::uniform_real_distribution<double> any(-1.0, 1.0);
@@ -55,7 +37,7 @@ TEST(SandBody, GivesEachPointWhatTheLibraryGivesIt) {
     material.update({q, 0, 50}, d);
     const ParticleView a = alone.view();
     const grit_sand sand = lausitz();
-    const grit_sand_options given = options();
+    const grit_sand_options given = sand_options();
     for (int i = 0; i < 50; ++i) {
         double stress[6] = {a[column::S_rr][i],
                             a[column::S_zz][i],
@@ -81,33 +63,6 @@ TEST(SandBody, GivesEachPointWhatTheLibraryGivesIt) {
     }
 }
 
-TEST(SandColumn, ThatStartsAtK0StaysAtRest) {
-    constexpr double rho = 1700.0, g = 9.81, H = 1.0, width = 0.25;
-    Settings settings{.gravity_z = -g};
-    Simulation simulation(Axis::uniform(0.0, width, 4), Axis::uniform(0.0, 1.125, 18), settings);
-    Body body = make_box({0.0, width, 0.0, H, 8, 32, rho}, true,
-                         std::make_unique<Sand>(lausitz(), options()));
-    const grit_sand sand = lausitz();
-    const ParticleView q = body.particles.view();
-    for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p) {
-        double stress[6];
-        grit_sand_stress_at_rest(&sand, rho * g, H - q[column::z][p], 0.0, -1.0, 1, stress);
-        for (int k = 0; k < 4; ++k) q[column::S_rr + k][p] = stress[k];
-        q[Sand::state + GRIT_SAND_VOID_RATIO][p] = 0.65;
-    }
-    simulation.add_body(std::move(body));
-    simulation.fix_below(1, 0.0);
-    simulation.fix_above(0, width);
-    while (simulation.time() < 0.2) simulation.step();
-    const Particles& now = simulation.body(0).particles;
-    for (std::ptrdiff_t p = 0; p < now.size(); ++p) {
-        EXPECT_NEAR(now(column::S_zz, p), -rho * g * (H - now(column::z, p)), 0.01 * rho * g * H);
-        EXPECT_NEAR(now(Sand::state + GRIT_SAND_VOID_RATIO, p), 0.65, 1e-6);
-    }
-    const Energy energy = simulation.energy();
-    EXPECT_LT(energy.kinetic, 1e-12 * rho * g * H * H * width * width);
-}
-
 // Driven down by a rigid plate: void ratio follows the volume, the sand pushes back, energy is kept.
 TEST(SandColumn, PressedByAPlateDensifiesAndTakesTheWorkOfThePlate) {
     constexpr double rho = 1700.0, width = 0.25, speed = 0.05;
@@ -117,7 +72,7 @@ TEST(SandColumn, PressedByAPlateDensifiesAndTakesTheWorkOfThePlate) {
     plate.prescribed_velocity = [](double) { return Vector{0.0, -speed}; };
     simulation.add_body(std::move(plate));
     Body body = make_box({0.0, width, 0.0, 0.5, 8, 16, rho}, true,
-                         std::make_unique<Sand>(lausitz(), options()));
+                         std::make_unique<Sand>(lausitz(), sand_options()));
     const ParticleView q = body.particles.view();
     for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p) {
         for (const int c : {column::S_rr, column::S_zz, column::S_tt}) q[c][p] = -1000.0;

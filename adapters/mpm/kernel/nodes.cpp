@@ -6,9 +6,14 @@
 namespace grit::mpm {
 namespace {
 
-// Against the motion; returns the force that is left.
-double damped(double f, double v, double damping) {
-    return v == 0.0 ? f : f - damping * std::copysign(std::fabs(f), v);
+// Local damping of one component of a node, of mass m: what all forces, contact too, have changed since
+// old is opposed by a share of it against the motion. without_contact: impulse of the other forces.
+// Returns the work taken; contact has accounted for its own at the undamped v.
+double damp(double& v, double old, double m, double without_contact, double damping) {
+    if (old == 0.0) return 0.0;
+    const double change = v - old, lag = damping * std::copysign(std::fabs(change), old);
+    v -= lag;
+    return lag * (0.5 * m * (old + v) + 0.5 * (m * change - without_contact));
 }
 
 }  // namespace
@@ -32,29 +37,28 @@ void advance_nodes(const NodeCall& call, NodeSums& sums) {
             sums.mapped_away +=
                 0.5 * (n[record::f_r] * (call.dt_before * v[lane] - call.dt * old_r) +
                        n[record::f_z] * (call.dt_before * v[lane + 1] - call.dt * old_z));
-        const double all_r = n[record::f_r] + m * call.gravity.r;
-        const double all_z = n[record::f_z] + m * call.gravity.z;
-        double f_r = all_r, f_z = all_z;
-        if (call.damping > 0.0) {
-            f_r = damped(f_r, old_r, call.damping);
-            f_z = damped(f_z, old_z, call.damping);
-        }
+        const double f_r = n[record::f_r] + m * call.gravity.r;
+        const double f_z = n[record::f_z] + m * call.gravity.z;
         const double v_r = old_r + free_r * call.dt * f_r * per_m;
         const double v_z = old_z + free_z * call.dt * f_z * per_m;
-        if (call.damping > 0.0)
-            sums.damping_work +=
-                0.5 * call.dt * ((all_r - f_r) * (old_r + v_r) + (all_z - f_z) * (old_z + v_z));
         v = NodeMotion{v_r, v_z, old_r, old_z};
     }
 }
 
 void close_nodes(const NodeCall& call, NodeSums& sums) {
     for (std::ptrdiff_t i = call.begin; i < call.end; ++i) {
-        const double m = call.records[i][record::m];
+        const NodeRecord& n = call.records[i];
+        const double m = n[record::m];
         if (!(m > call.least_mass)) continue;
         NodeMotion& v = call.motions[i];
         if (call.fixed[i] & fixed::r) v[motion::v_r] = 0.0;
         if (call.fixed[i] & fixed::z) v[motion::v_z] = 0.0;
+        if (call.damping > 0.0)
+            sums.damping_work +=
+                damp(v[motion::v_r], v[motion::other_r], m,
+                     call.dt * (n[record::f_r] + m * call.gravity.r), call.damping) +
+                damp(v[motion::v_z], v[motion::other_z], m,
+                     call.dt * (n[record::f_z] + m * call.gravity.z), call.damping);
         const double dv_r = v[motion::v_r] - v[motion::other_r];
         const double dv_z = v[motion::v_z] - v[motion::other_z];
         sums.change += 0.5 * m * (dv_r * dv_r + dv_z * dv_z);
