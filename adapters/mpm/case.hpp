@@ -32,7 +32,7 @@ struct ElasticPlan {
 // Moves as a table says.
 struct RigidPlan {
     TimeTable velocity_r, velocity_z;  // [m/s]
-    std::string from_stage;            // at rest before, and time counts from there; empty: always
+    std::string from_stage = {};       // at rest before, and time counts from there; empty: always
 };
 
 struct SandPlan {
@@ -49,9 +49,9 @@ using MaterialPlan = std::variant<ElasticPlan, RigidPlan, SandPlan>;
 
 // Vertical stress of the weight above, the horizontal ones K0 times that.
 struct Geostatic {
-    double surface = 0.0;      // level [m]
-    double surcharge = 0.0;    // [Pa], presses
-    std::optional<double> K0;  // sand: 1 - sin phi_c, elastic: nu / (1 - nu)
+    double surface = 0.0;           // level [m]
+    double surcharge = 0.0;         // [Pa], presses
+    std::optional<double> K0 = {};  // sand: 1 - sin phi_c, elastic: nu / (1 - nu)
 };
 
 struct BodyPlan {
@@ -75,16 +75,16 @@ enum class Boundary {
 
 struct TractionPlan {
     std::string body;
-    Edge edge;
+    Edge edge = Edge::top;
     double r[2] = {-unlimited, unlimited}, z[2] = {-unlimited, unlimited};  // of centres [m]
-    Vector direction;                                                       // unit
-    TimeFunction stress;                                                    // [Pa]
-    std::string from_stage;  // nothing before, and time counts from there; empty: always
+    Vector direction{0.0, -1.0};                                            // unit
+    TimeFunction stress = TimeTable{{0.0}, {0.0}};                          // [Pa]
+    std::string from_stage = {};  // nothing before, and time counts from there; empty: always
 };
 
 struct ContactPlan {
     std::string stiff, soft;  // bodies
-    int law;                  // GRIT_CONTACT_...
+    int law = 0;              // GRIT_CONTACT_...
     double friction_coefficient = 0.0, penalty_power = 6.0;
     int normal = 0, measure = 0;  // GRIT_CONTACT_...
     bool gated = true;
@@ -100,10 +100,10 @@ struct StageEnd {
 };
 
 struct StagePlan {
-    std::string name;
+    std::string name = {};
     bool gravity = true;
     double local_damping = 0.0, pic_rate = 0.0, cfl = 0.4;  // as in Settings
-    StageEnd end;
+    StageEnd end = {};
 };
 
 enum class DepthOf { lowest_point, centre_of_mass };

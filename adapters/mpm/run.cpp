@@ -14,6 +14,8 @@ namespace {
 
 // Steps between looks at energies, which go over all particles.
 constexpr long look_every = 20;
+// Below the energy of such a strain a broken balance does not matter [-].
+constexpr double least_strain = 1e-4;
 
 std::string text(double value) {
     char out[32];
@@ -39,14 +41,21 @@ struct Runner::Blows {
 Runner::Runner(Case given) : plan(std::move(given)), built(build_case(plan)) {
     if (plan.stages.empty()) throw std::invalid_argument("a case needs a stage");
     driven = plan.body(plan.history.body);
+    double weight = 0.0, stiffness = 0.0;
     for (std::size_t i = 0; i < plan.bodies.size(); ++i) {
-        const Particles& q = built.simulation->body(i).particles;
-        particle_count += q.size();
-        for (std::ptrdiff_t p = 0; p < q.size() && !plan.bodies[i].rigid(); ++p)
-            weight += plan.gravity * q(column::mass, p);
+        Body& body = built.simulation->body(i);
+        const ParticleView q = body.particles.view();
+        particle_count += body.particles.size();
+        for (std::ptrdiff_t p = 0; p < body.particles.size() && !body.rigid(); ++p) {
+            double modulus = 0.0;
+            body.material->wave_moduli({q, p, p + 1}, &modulus);
+            weight += plan.gravity * q[column::mass][p];
+            stiffness += modulus * q[column::V0][p];
+        }
     }
-    shortest =
+    const double cell =
         std::min(built.simulation->axis_r().shortest(), built.simulation->axis_z().shortest());
+    least_energy = std::max(weight * cell, 0.5 * least_strain * least_strain * stiffness);
     state_now.stage_time = built.clock->began;
     state_now.start_level = level();
     begin_stage();
@@ -92,7 +101,7 @@ void Runner::step() {
 void Runner::check_energy() {
     Simulation& simulation = *built.simulation;
     const Energy energy = simulation.energy();
-    const double turned = turned_over(energy, least_energy()), residual = energy.residual();
+    const double turned = turned_over(energy, least_energy), residual = energy.residual();
     // A positive condition, so that NaN fails it.
     if (std::abs(residual) <= plan.residual_limit * turned) return;
     throw std::runtime_error("the energy balance is broken at t = " + text(simulation.time()) +
@@ -124,7 +133,7 @@ bool Runner::at_rest() {
     if (!(unbalanced_share(simulation, state_now.last_dt) <= end.unbalanced_share)) return false;
     if (!(end.kinetic_share > 0.0)) return true;
     const Energy energy = simulation.energy();
-    return energy.kinetic <= end.kinetic_share * turned_over(energy, least_energy());
+    return energy.kinetic <= end.kinetic_share * turned_over(energy, least_energy);
 }
 
 Runner::Blows Runner::blows() const {
@@ -178,7 +187,7 @@ HistoryRow Runner::row() {
     out.base_force = per_time * state_now.impulse[3];
     const Energy energy = simulation.energy();
     out.energy = times(energy, full);
-    const double turned = turned_over(energy, least_energy());
+    const double turned = turned_over(energy, least_energy);
     out.residual_share = turned > 0.0 ? energy.residual() / turned : 0.0;
     out.dt = state_now.last_dt;
     out.largest_gap = contact_forces(simulation, driven).largest_gap;

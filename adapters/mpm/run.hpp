@@ -77,8 +77,6 @@ class Runner {
     Ended end_of_stage();
     bool at_rest();
     void check_energy();
-    // Weight sunk by a cell [J]: a scale for energies while nothing has been turned over.
-    double least_energy() const { return weight * shortest; }
     struct Blows;
     Blows blows() const;
 
@@ -86,7 +84,8 @@ class Runner {
     BuiltCase built;
     std::size_t driven = 0;
     std::ptrdiff_t particle_count = 0;
-    double weight = 0.0, shortest = 0.0;
+    // What matters at the least [J]: the weight sunk by a cell, or all bodies strained by 1e-4.
+    double least_energy = 0.0;
     bool due = true;
     Ended how = Ended::not_yet;
     RunState state_now;
