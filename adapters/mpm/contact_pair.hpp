@@ -44,6 +44,7 @@ class ContactPair {
     const grit_contact_totals& totals() const { return step_totals; }
 
   private:
+    friend struct CheckpointMembers;
     bool find_active(const ContactBody& a, const ContactBody& b);
     void find_normals(const ContactBody& a, const ContactBody& b);
     void measure(const GridView& grid, const ContactBody& body, int which);
