@@ -31,6 +31,11 @@ void add_mpm_options(CLI::App& app, cli::MpmRequest& request) {
     app.add_option("--out", request.out, "Folder for data and pictures, made if missing [.]");
     app.add_option("--threads", request.threads, "Instead of the case's; changes no result")
         ->check(CLI::Range(1, 1024));
+    app.add_option("--checkpoint-minutes", request.checkpoint_minutes,
+                   "Between checkpoints DIR/<case>.checkpoint; without, an interrupted run alone "
+                   "leaves one")
+        ->check(CLI::PositiveNumber);
+    app.add_flag("--restart", request.restart, "Go on from the checkpoint in DIR");
     app.add_flag("--no-plot", request.no_plot, "Data only");
     app.add_flag("--quiet", request.quiet, "Nothing but errors");
 }

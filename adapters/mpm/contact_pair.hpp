@@ -51,6 +51,7 @@ class ContactPair {
     const Faces& faces() const { return step_faces; }
 
   private:
+    friend struct CheckpointMembers;
     bool find_active(const ContactBody& a, const ContactBody& b);
     void find_normals(const ContactBody& a, const ContactBody& b);
     void measure(const GridView& grid, const ContactBody& body, int which);

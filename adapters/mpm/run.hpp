@@ -29,7 +29,6 @@ struct HistoryRow {
 // All that a run knows besides its simulation.
 struct RunState {
     int stage = 0;  // from 0; number of stages: finished
-    bool began = false;
     double last_dt = 0.0;
     double start_level = 0.0, stage_level = 0.0;  // [m]
     double next_row = 0.0;                        // [s]

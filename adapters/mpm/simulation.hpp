@@ -71,6 +71,7 @@ class Simulation {
     Energy energy();
 
   private:
+    friend struct CheckpointMembers;
     struct Part {
         Body body;
         Strips strips;
@@ -96,6 +97,7 @@ class Simulation {
     void fix(int direction, Hold hold, const std::function<bool(double)>& where);
     void start();
     void sort();
+    static void find_places(Part& part);
     void scatter(unsigned parts_wanted);
     void scatter_strips(unsigned parts_wanted);
     void scatter_fixed(unsigned parts_wanted);

@@ -69,10 +69,47 @@ TEST(MaterialPointCommand, EndsAfterTheStepWhenItIsInterrupted) {
                                         signal + " $!; wait $!; exit $?");
         EXPECT_EQ(answer.status, 1) << answer.text;
         EXPECT_TRUE(answer.says("grit: x: interrupted (after step ")) << answer.text;
-        EXPECT_EQ(here.files("out"), Names{"x.csv"});
+        EXPECT_EQ(here.files("out"), (Names{"x.checkpoint", "x.csv"}));
         EXPECT_NE(here.text("out/x.csv").find("# STOPPED EARLY: interrupted"), std::string::npos);
         EXPECT_GT(here.result("x").at("t").size(), 2U);
     }
+}
+
+// Ended by signals at any moment, it goes on to the same bits.
+TEST(MaterialPointCommand, GoesOnFromACheckpointToTheHistoryOfARunThatNeverStopped) {
+    const Workplace here;
+    here.write("x.toml", column("12"));
+    ASSERT_EQ(here.grit("mpm --quiet --out whole x.toml").status, 0);
+    const std::string run = "mpm --quiet --checkpoint-minutes 1e-3 --out parts x.toml";
+    const auto killed = [&](const std::string& arguments, const std::string& signal) {
+        here.grit(arguments +
+                  " & sleep 0.1; until [ -e parts/x.checkpoint ]; do sleep 0.02; done; "
+                  "kill -" +
+                  signal + " $!; wait $!");
+        EXPECT_TRUE(here.files("parts").contains("x.checkpoint"));
+    };
+    killed(run, "KILL");
+    killed(run + " --restart", "TERM");
+    EXPECT_NE(here.text("parts/x.csv").find("STOPPED EARLY: interrupted"), std::string::npos);
+    const Answer answer = here.grit(run + " --restart");
+    EXPECT_EQ(answer.status, 0) << answer.text;
+    EXPECT_NE(here.text("whole/x.csv"), "");
+    EXPECT_EQ(here.text("whole/x.csv"), here.text("parts/x.csv"));
+    EXPECT_FALSE(here.files("parts").contains("x.checkpoint"));
+}
+
+TEST(MaterialPointCommand, RefusesACheckpointThatIsMissingOrOfAnotherCase) {
+    const Workplace here;
+    here.write("x.toml", column("1000"));
+    Answer answer = here.grit("mpm --quiet --restart --out out x.toml");
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_TRUE(answer.says("x.checkpoint: cannot read this checkpoint")) << answer.text;
+    here.grit("mpm --quiet --out out x.toml & sleep 0.2; kill -TERM $!; wait $!");
+    here.write("x.toml", column("1000", "fixed_point = true\n"));
+    answer = here.grit("mpm --quiet --restart --out out x.toml");
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_TRUE(answer.says("fixed point")) << answer.text;
+    EXPECT_TRUE(here.files("out").contains("x.checkpoint"));
 }
 
 TEST(MaterialPointCommand, StopsAnUnstableRunWithOneClearLine) {
