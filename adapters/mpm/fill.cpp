@@ -86,7 +86,9 @@ std::vector<int> outermost(Particles& particles, const Axis& r, const Axis& z,
     std::vector<std::vector<std::ptrdiff_t>> by_cell(static_cast<std::size_t>(r.cells()) *
                                                      static_cast<std::size_t>(z.cells()));
     const auto cell = [&](double x, double y) -> std::vector<std::ptrdiff_t>& {
-        return by_cell[static_cast<std::size_t>(a_z.cell_of(y) * a_r.cells + a_r.cell_of(x))];
+        const auto row = static_cast<std::size_t>(a_z.cell_of(y));
+        return by_cell[row * static_cast<std::size_t>(a_r.cells) +
+                       static_cast<std::size_t>(a_r.cell_of(x))];
     };
     for (std::ptrdiff_t p = 0; p < particles.size(); ++p) cell(q[c::r][p], q[c::z][p]).push_back(p);
     const double to_r = traction.edge == Edge::right  ? 1.0

@@ -59,7 +59,8 @@ TEST(Boxes, AreFilledExactlyWhereverTheGridLinesAre) {
 }
 
 TEST(Boxes, ThatShareAPlaceFillItOnce) {
-    const Axis r = make_axis({0.0, {{1.0, 10, 1.0}}}), z = r;
+    const Axis r = make_axis({0.0, {{1.0, 10, 1.0}}});
+    const Axis& z = r;
     BodyPlan body = elastic_box("body", 0.0, 0.6, 0.0, 0.6);
     body.outlines.push_back(elastic_box("", 0.4, 1.0, 0.4, 1.0).outlines[0]);
     Particles particles = fill(body, r, z, false, 0);
@@ -67,7 +68,8 @@ TEST(Boxes, ThatShareAPlaceFillItOnce) {
 }
 
 TEST(Polygons, HaveTheParticlesWhoseCentresAreInside) {
-    const Axis r = make_axis({0.0, {{1.0, 50, 1.0}}}), z = r;
+    const Axis r = make_axis({0.0, {{1.0, 50, 1.0}}});
+    const Axis& z = r;
     BodyPlan body = elastic_box("body", 0.0, 1.0, 0.0, 1.0);
     body.outlines = {Outline{{{0.1, 0.1}, {0.9, 0.1}, {0.5, 0.8}}}};
     Particles particles = fill(body, r, z, false, 0);
@@ -80,7 +82,8 @@ TEST(Polygons, HaveTheParticlesWhoseCentresAreInside) {
 }
 
 TEST(OutermostEdges, AreThoseThatNoParticleCovers) {
-    const Axis r = make_axis({0.0, {{1.0, 10, 1.0}}}), z = r;
+    const Axis r = make_axis({0.0, {{1.0, 10, 1.0}}});
+    const Axis& z = r;
     BodyPlan body = elastic_box("step", 0.0, 1.0, 0.0, 0.4);
     body.outlines.push_back(elastic_box("", 0.0, 0.3, 0.4, 0.7).outlines[0]);
     Particles particles = fill(body, r, z, false, 0);
@@ -159,6 +162,21 @@ TEST(Sand, StartsAtRestWithTheVoidRatioOfItsPressure) {
                     1e-12);
         EXPECT_EQ(q[Sand::state + GRIT_SAND_H11][p], 0.0);
     }
+}
+
+TEST(ElasticBodies, StartWithTheStressThatNoLateralStrainGives) {
+    const Axis r = make_axis({0.0, {{0.5, 5, 1.0}}}), z = make_axis({-1.0, {{0.0, 10, 1.0}}});
+    BodyPlan body = elastic_box("rock", 0.0, 0.5, -1.0, 0.0);
+    body.geostatic = Geostatic{0.0, 0.0};
+    Particles particles = fill(body, r, z, true, 0);
+    set_initial_state(body, 10.0, particles);
+    const ParticleView q = particles.view();
+    for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
+        EXPECT_NEAR(q[column::S_zz][p], 1e4 * q[column::z][p], 1e-9);
+        EXPECT_NEAR(q[column::S_rr][p], 1e4 * q[column::z][p] * 0.3 / 0.7, 1e-9);
+    }
+    body.material = RigidPlan{};
+    EXPECT_THROW(set_initial_state(body, 10.0, particles), std::invalid_argument);
 }
 
 }  // namespace

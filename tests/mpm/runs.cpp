@@ -182,6 +182,40 @@ TEST(Run, StopsWhereTheEnergyBalanceBreaksAndSaysWhere) {
     EXPECT_LT(runner.simulation().time(), 1.0);
 }
 
+// How far the lowest particles of a column that is free at its sides bulge out [m].
+double bulge(Boundary bottom) {
+    Case plan = column_case();
+    plan.r = {0.0, {{0.4, 8, 1.0}}};
+    plan.boundary[static_cast<int>(Side::bottom)] = bottom;
+    plan.gravity = 500.0;
+    plan.stages[0].end.time = 0.02;
+    Runner runner(plan);
+    run(runner);
+    double farthest = 0.0;
+    const Particles& q = runner.simulation().body(0).particles;
+    for (std::ptrdiff_t p = 0; p < q.size(); ++p)
+        if (q(column::z, p) < 0.02) farthest = std::max(farthest, q(column::r, p));
+    return farthest - 0.1875;
+}
+
+TEST(Boundary, IsARollerOrFixedAltogether) {
+    const double on_rollers = bulge(Boundary::roller);
+    EXPECT_GT(on_rollers, 0.005);
+    EXPECT_LT(bulge(Boundary::fixed), 0.4 * on_rollers);
+}
+
+TEST(Depth, IsThatOfTheLowestPointOrOfTheCentreOfMass) {
+    Case plan = column_case();
+    plan.stages[0].end.time = 0.05;  // sags on its roller
+    for (const DepthOf what : {DepthOf::lowest_point, DepthOf::centre_of_mass}) {
+        plan.history.depth_of = what;
+        Runner runner(plan);
+        const HistoryRow last = run(runner);
+        if (what == DepthOf::lowest_point) EXPECT_NEAR(last.depth, 0.0, 1e-12);
+        else EXPECT_GT(last.depth, 1e-3);
+    }
+}
+
 TEST(Run, RefusesWhatNamesNobody) {
     Case plan = column_case();
     plan.history.body = "pile";
