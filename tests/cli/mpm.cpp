@@ -52,6 +52,16 @@ TEST(MaterialPointCommand, RunsACaseThatSaysInWhatItDiffersFromAnother) {
     EXPECT_NEAR(t.at(static_cast<std::size_t>(second)), 0.002, 3e-4);
 }
 
+TEST(MaterialPointCommand, OverridesElementsOfListsByNameAndByNumber) {
+    const Workplace here;
+    here.write("x.toml", column("0.1"));
+    here.write("y.toml", "base = \"x.toml\"\n[override]\n\"stage.1.until.time_s\" = 0.02\n"
+                         "\"grid.z.1.cells\" = 12\n\"body.column.box.1.z_m\" = [0, 0.5]\n");
+    EXPECT_EQ(here.grit("mpm --quiet --out out y.toml").text, "");
+    EXPECT_NEAR(here.result("y").at("t").back(), 0.02, 2e-3);
+    EXPECT_NE(here.text("out/y.csv").find("# 80 particles"), std::string::npos);
+}
+
 TEST(MaterialPointCommand, GivesTheSameHistoryForAnyNumberOfThreads) {
     const Workplace here;
     here.write("x.toml", column("0.05"));
