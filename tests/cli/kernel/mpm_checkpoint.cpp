@@ -3,12 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <sys/resource.h>
-
-#include <csignal>
-
 #include <element/aside_file.hpp>
 
+#include "support/no_room.hpp"
 #include "support/sand_box.hpp"
 #include "support/workplace.hpp"
 
@@ -81,25 +78,6 @@ TEST_F(CheckpointFile, ThatIsNotThereIsRefusedByName) {
               std::string::npos);
     EXPECT_NE(refusal(here.path("."), *simulation).find("Is a directory"), std::string::npos);
 }
-
-// As a disk without room for the file, on this process alone.
-class NoRoom {
-  public:
-    explicit NoRoom(rlim_t bytes) {
-        getrlimit(RLIMIT_FSIZE, &before);
-        handler = std::signal(SIGXFSZ, SIG_IGN);
-        const rlimit limit{bytes, before.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~NoRoom() {
-        setrlimit(RLIMIT_FSIZE, &before);
-        std::signal(SIGXFSZ, handler);
-    }
-
-  private:
-    rlimit before{};
-    void (*handler)(int) = nullptr;
-};
 
 TEST_F(CheckpointFile, ThatFindsNoRoomLeavesTheOneBefore) {
     cli::write_mpm_checkpoint(place, *simulation, "first");
