@@ -3,6 +3,7 @@
 
 #include <cctype>
 #include <set>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -121,6 +122,22 @@ void read_history(TomlTable table, Case& plan) {
     table.finish();
 }
 
+FieldsPlan read_fields(TomlTable table) {
+    FieldsPlan out;
+    out.interval = number_within(table, "interval_s", 0.0, 0.0, 1e9);
+    std::vector<std::string> names = table.strings_or_none("variables");
+    if (!table.has("variables")) names = mpm_field_names();
+    for (const std::string& name : names) {
+        try {
+            out.variables.push_back(mpm_field(name));
+        } catch (const std::invalid_argument& error) {
+            table.fail("variables", fmt::format("{}: {}", table.full("variables"), error.what()));
+        }
+    }
+    table.finish();
+    return out;
+}
+
 }  // namespace
 
 MpmCaseFile read_mpm_case(const std::filesystem::path& path) {
@@ -142,6 +159,7 @@ MpmCaseFile read_mpm_case(const std::filesystem::path& path) {
     read_stages(root, plan);
     plan.history.body = plan.bodies.front().name;
     if (auto history = root.table_if("history")) read_history(std::move(*history), plan);
+    if (auto fields = root.table_if("fields")) out.fields = read_fields(std::move(*fields));
     root.finish();
     return out;
 }

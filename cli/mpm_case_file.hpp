@@ -4,14 +4,24 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include <adapters/mpm/case.hpp>
 
+#include "cli/mpm_fields.hpp"
+
 namespace cli {
+
+// [fields]: files for ParaView.
+struct FieldsPlan {
+    double interval = 0.0;  // between times [s]; 0: the start and the ends of stages alone
+    std::vector<MpmField> variables;
+};
 
 struct MpmCaseFile {
     grit::mpm::Case plan;
+    std::optional<FieldsPlan> fields;
     std::vector<std::filesystem::path> inputs;  // all files that were read
 };
 

@@ -21,6 +21,7 @@ void check_outputs(const MpmRequest& request, const MpmCaseFile& file,
     const std::string who = fmt::format("case {} ({})", file.plan.name, request.file.string());
     outputs.add(options.history, who);
     outputs.add(options.checkpoint, who);
+    if (options.shown) outputs.add(options.fields.string() + ".pvd", who);
     outputs.spare(file.inputs);
 }
 
@@ -40,7 +41,11 @@ ExitCode run_mpm(const MpmRequest& request) {
     if (request.threads) file.plan.settings.threads = *request.threads;
     const MpmRunOptions options{request.out / (plan.name + ".csv"),
                                 request.out / (plan.name + ".checkpoint"),
-                                request.checkpoint_minutes, request.restart, request.quiet};
+                                request.out / plan.name,
+                                file.fields,
+                                request.checkpoint_minutes,
+                                request.restart,
+                                request.quiet};
     check_outputs(request, file, options);
     Runner runner = prepare(request, plan);
     make_output_folder(request.out);

@@ -15,7 +15,9 @@ namespace cli {
 using namespace grit::mpm;
 
 MpmRun::MpmRun(const MpmRunOptions& wanted, Runner& work)
-    : options(wanted), runner(work), progress(wanted.quiet), saved(Clock::now()) {
+    : options(wanted), runner(work), progress(wanted.quiet), fields(work.simulation()),
+      saved(Clock::now()) {
+    if (options.shown) field_files.emplace(options.fields, options.shown->variables, fields);
     if (options.restart) resume();
     history.emplace(options.history, history_comments(runner), history_columns());
     const std::size_t columns = history_columns().size();
@@ -33,6 +35,7 @@ void MpmRun::resume() {
                             history_columns().size());
         runner.resume(done.state);
         checkpoint.restore(runner.simulation());
+        if (field_files) field_files->resume(done.frames);
     } catch (const std::runtime_error& error) {
         throw BadInput(error.what());
     }
@@ -42,7 +45,10 @@ std::string MpmRun::go() {
     std::string failure;
     bool interrupted = false;
     try {
-        if (runner.row_is_due()) row();
+        if (runner.row_is_due()) {
+            row();
+            frame();
+        }
         while (!runner.finished() && !interrupted) {
             step();
             interrupted = RunGuard::interrupted();
@@ -74,12 +80,24 @@ void MpmRun::row() {
     done.history.insert(done.history.end(), values.begin(), values.end());
 }
 
+void MpmRun::frame() {
+    if (!field_files) return;
+    field_files->write();
+    done.frames = field_files->times();
+    while (options.shown->interval > 0.0 && done.next_frame <= runner.simulation().time())
+        done.next_frame += options.shown->interval;
+}
+
 void MpmRun::step() {
     const int stage = runner.state().stage;
     runner.step();
     RunGuard::done(stage + 1, static_cast<int>(runner.simulation().steps()));
     if (runner.row_is_due()) row();
-    if (runner.state().stage != stage) stage_ended(stage);
+    const bool ended = runner.state().stage != stage;
+    if (ended) stage_ended(stage);
+    const bool frame_due = options.shown && options.shown->interval > 0.0 &&
+                           runner.simulation().time() >= done.next_frame;
+    if (ended || frame_due) frame();
     if (progress(runner)) history->flush();
     const std::chrono::duration<double, std::ratio<60>> since = Clock::now() - saved;
     if (options.checkpoint_minutes > 0.0 && since.count() >= options.checkpoint_minutes) save();

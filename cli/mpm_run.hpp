@@ -10,6 +10,8 @@
 
 #include <adapters/mpm/run.hpp>
 
+#include "cli/mpm_case_file.hpp"
+#include "cli/mpm_field_files.hpp"
 #include "cli/mpm_progress.hpp"
 #include "cli/mpm_saved_run.hpp"
 #include "cli/table_file.hpp"
@@ -18,8 +20,10 @@ namespace cli {
 
 struct MpmRunOptions {
     std::filesystem::path history, checkpoint;  // files
-    double checkpoint_minutes = 0.0;            // 0: when it is interrupted, only
-    bool restart = false;                       // from the checkpoint
+    std::filesystem::path fields;               // stem of files
+    std::optional<FieldsPlan> shown;
+    double checkpoint_minutes = 0.0;  // 0: when it is interrupted, only
+    bool restart = false;             // from the checkpoint
     bool quiet = false;
 };
 
@@ -37,6 +41,7 @@ class MpmRun {
     void resume();
     void step();
     void row();
+    void frame();
     void stage_ended(int stage);
     void save();
     std::string here();
@@ -44,7 +49,9 @@ class MpmRun {
     const MpmRunOptions& options;
     grit::mpm::Runner& runner;
     MpmProgress progress;
-    SavedRun done;  // ends and history
+    MpmFields fields;  // count displacements from the start
+    std::optional<MpmFieldFiles> field_files;
+    SavedRun done;  // ends, history and frames
     std::optional<TableFile> history;
     Clock::time_point saved;
 };

@@ -77,6 +77,8 @@ template <class Run, class Visitor> void visit(Run& run, Visitor& visitor) {
     visitor(state.stage_time);
     visitor(run.ends);
     visitor(run.history);
+    visitor(run.frames);
+    visitor(run.next_frame);
 }
 
 }  // namespace

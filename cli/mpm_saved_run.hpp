@@ -14,6 +14,8 @@ struct SavedRun {
     grit::mpm::RunState state;
     std::vector<std::string> ends;  // how stages ended
     std::vector<double> history;    // all rows, one after the other
+    std::vector<double> frames;     // times of fields [s]
+    double next_frame = 0.0;        // [s]
 };
 
 std::string bytes_of(const SavedRun& run);
