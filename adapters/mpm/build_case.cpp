@@ -58,6 +58,12 @@ void add_bodies(const Case& plan, const Axis& r, const Axis& z, const BuiltCase&
                 return s < 0.0 ? Vector{0.0, 0.0}
                                : Vector{motion.velocity_r.at(s), motion.velocity_z.at(s)};
             };
+        for (std::size_t i = 0; i < built.simulation->bodies(); ++i) {
+            Body& other = built.simulation->body(i);
+            const std::string names = other.name + " and " + body.name;
+            check_apart(other.particles, body.particles, r, z, names);
+            check_apart(body.particles, other.particles, r, z, names);
+        }
         built.simulation->add_body(std::move(body));
     }
 }

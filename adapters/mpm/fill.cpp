@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
+
+#include "adapters/mpm/cell_list.hpp"
 
 namespace grit::mpm {
 namespace {
@@ -82,15 +85,7 @@ std::vector<int> outermost(Particles& particles, const Axis& r, const Axis& z,
                            const TractionPlan& traction) {
     namespace c = column;
     const ParticleView q = particles.view();
-    const AxisView a_r = r.view(), a_z = z.view();
-    std::vector<std::vector<std::ptrdiff_t>> by_cell(static_cast<std::size_t>(r.cells()) *
-                                                     static_cast<std::size_t>(z.cells()));
-    const auto cell = [&](double x, double y) -> std::vector<std::ptrdiff_t>& {
-        const auto row = static_cast<std::size_t>(a_z.cell_of(y));
-        return by_cell[row * static_cast<std::size_t>(a_r.cells) +
-                       static_cast<std::size_t>(a_r.cell_of(x))];
-    };
-    for (std::ptrdiff_t p = 0; p < particles.size(); ++p) cell(q[c::r][p], q[c::z][p]).push_back(p);
+    const CellList list(particles, r, z);
     const double to_r = traction.edge == Edge::right  ? 1.0
                         : traction.edge == Edge::left ? -1.0
                                                       : 0.0;
@@ -104,17 +99,24 @@ std::vector<int> outermost(Particles& particles, const Axis& r, const Axis& z,
             continue;
         const double beyond_r = x + 1.001 * to_r * q[c::l_r][p];
         const double beyond_z = y + 1.001 * to_z * q[c::l_z][p];
-        const std::vector<std::ptrdiff_t>& near = cell(beyond_r, beyond_z);
-        const bool covered = std::any_of(near.begin(), near.end(), [&](std::ptrdiff_t o) {
-            return o != p && std::abs(q[c::r][o] - beyond_r) <= q[c::l_r][o] &&
-                   std::abs(q[c::z][o] - beyond_z) <= q[c::l_z][o];
-        });
-        if (!covered) out.push_back(particles.ids()[p]);
+        if (list.covering(beyond_r, beyond_z, p) < 0) out.push_back(particles.ids()[p]);
     }
     if (out.empty())
         throw std::invalid_argument("traction on body " + traction.body +
                                     ": no outermost edge in its range");
     return out;
+}
+
+void check_apart(Particles& one, Particles& other, const Axis& r, const Axis& z,
+                 const std::string& names) {
+    const CellList list(other, r, z);
+    const ParticleView q = one.view();
+    for (std::ptrdiff_t p = 0; p < one.size(); ++p) {
+        const double x = q[column::r][p], y = q[column::z][p];
+        if (list.covering(x, y) >= 0)
+            throw std::invalid_argument("bodies " + names + " share the place (" +
+                                        std::to_string(x) + ", " + std::to_string(y) + ") m");
+    }
 }
 
 }  // namespace grit::mpm

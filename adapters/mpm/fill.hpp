@@ -19,4 +19,9 @@ Particles fill(const BodyPlan& body, const Axis& r, const Axis& z, bool axisymme
 std::vector<int> outermost(Particles& particles, const Axis& r, const Axis& z,
                            const TractionPlan& traction);
 
+// Throws std::invalid_argument where the centre of a particle of one lies in a particle of the other.
+// names: of both.
+void check_apart(Particles& one, Particles& other, const Axis& r, const Axis& z,
+                 const std::string& names);
+
 }  // namespace grit::mpm

@@ -107,6 +107,17 @@ TEST(OutermostEdges, AreThoseThatNoParticleCovers) {
     EXPECT_THROW(outermost(particles, r, z, traction), std::invalid_argument);
 }
 
+TEST(Bodies, MayTouchButNotShareAPlace) {
+    const Axis r = make_axis({0.0, {{1.0, 10, 1.0}}});
+    const Axis& z = r;
+    Particles soil = fill(elastic_box("soil", 0.0, 1.0, 0.0, 0.5), r, z, true, 0);
+    Particles above = fill(elastic_box("pile", 0.0, 0.2, 0.5, 0.9), r, z, true, 0);
+    Particles inside = fill(elastic_box("pile", 0.11, 0.14, 0.4, 0.9), r, z, true, 0);
+    EXPECT_NO_THROW(check_apart(soil, above, r, z, ""));
+    EXPECT_NO_THROW(check_apart(above, soil, r, z, ""));
+    EXPECT_THROW(check_apart(inside, soil, r, z, ""), std::invalid_argument);
+}
+
 TEST(TimeTable, IsLinearBetweenItsPointsAndConstantBeyond) {
     const TimeTable table{{1.0, 2.0, 4.0}, {10.0, 20.0, 0.0}};
     EXPECT_EQ(table.at(0.0), 10.0);
