@@ -79,7 +79,8 @@ std::vector<std::string> history_comments(const grit::mpm::Runner& runner) {
         "done; energy_residual = kinetic (less that of the start) + stored + contact + damping + "
         "transfer - external - rigid; transfer includes pic; residual_share: of the largest of "
         "them",
-        "unbalanced_share: largest |m dv/dt| at a free node / largest nodal force; largest_gap: "
+        "unbalanced_share: largest |m dv/dt| at a node / largest nodal force, of the body "
+        "largest_gap: "
         "nan "
         "where no distance is measured",
         "how the run ended stands below the last row"};

@@ -49,9 +49,10 @@ double base_reaction(const Simulation& simulation) {
 
 double unbalanced_share(const Simulation& simulation, double dt) {
     const Settings& settings = simulation.current_settings();
-    double unbalanced = 0.0, largest = 0.0;
+    double share = 0.0;
     for (std::size_t body = 0; body < simulation.bodies(); ++body) {
         if (simulation.rigid(body)) continue;
+        double unbalanced = 0.0, largest = 0.0;
         const std::vector<NodeRecord>& nodes = simulation.records(body);
         const std::vector<NodeMotion>& motions = simulation.motions(body);
         for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -64,8 +65,9 @@ double unbalanced_share(const Simulation& simulation, double dt) {
             largest = std::max({largest, std::hypot(n[record::f_r], n[record::f_z]),
                                 n[record::m] * std::abs(settings.gravity_z)});
         }
+        if (largest > 0.0) share = std::max(share, unbalanced / largest);
     }
-    return largest > 0.0 ? unbalanced / largest : 0.0;
+    return share;
 }
 
 ContactForces contact_forces(const Simulation& simulation, std::size_t body) {

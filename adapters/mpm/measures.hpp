@@ -16,7 +16,8 @@ Vector mean_velocity(Particles& particles);
 // moving down, weight and all.
 double base_reaction(const Simulation& simulation);
 
-// The largest resultant on a node that may move, |m dv / dt|, as a share of the largest nodal force.
+// The largest resultant on a node of a body, |m dv / dt|, as a share of the body's largest nodal force; of
+// all bodies the largest share: one that falls is not at rest because a heavy one is.
 // Local damping, a part of the resultant, makes it smaller. Not with MUSL, which maps twice.
 double unbalanced_share(const Simulation& simulation, double dt);
 

@@ -44,6 +44,20 @@ TEST(Run, PressesAColumnUntilItRestsAndItsBaseCarriesLoadAndWeight) {
     EXPECT_LT(std::abs(last.residual_share), 0.01);
 }
 
+TEST(Run, DoesNotTakeAFallingBodyForOneAtRestBesideAHeavyOne) {
+    Case plan = column_case();
+    plan.r = {0.0, {{2.0, 20, 1.0}}};
+    plan.z = {-2.0, {{1.2, 32, 1.0}}};
+    plan.bodies = {elastic_box("ball", 0.0, 0.1, 0.5, 0.6),
+                   elastic_box("rock", 0.0, 2.0, -2.0, 0.0)};
+    plan.bodies[1].geostatic = Geostatic{};
+    plan.stages[0].end = {.time = 0.1, .unbalanced_share = 0.01, .kinetic_share = 1e-3};
+    plan.history.body = "ball";
+    Runner runner(plan);
+    run(runner);
+    EXPECT_EQ(runner.ended(), Ended::by_time);
+}
+
 TEST(Run, WithoutGravityLeavesAColumnAtRestUntilTheStageThatHasIt) {
     Case plan = column_case();
     plan.stages = {{.name = "nothing", .gravity = false, .end = {.time = 0.01}},
