@@ -172,13 +172,16 @@ CaseFile read_case(const std::filesystem::path& path, TomlTable& root, const std
 
 std::vector<CaseFile> read_case_file(const std::filesystem::path& path,
                                      const std::filesystem::path& umat) {
-    TomlTable root = TomlTable::of_file(path);
+    std::vector<std::filesystem::path> inputs;
+    TomlTable root = TomlTable::of_file(path, &inputs);
     const Samples samples = read_samples(root);
     std::vector<CaseFile> out;
     for (const SampleRow& row : samples.rows) {
         if (samples.given) root.take_columns_from(row);
         out.push_back(read_case(path, root, row.name, umat));
-        if (samples.given) out.back().inputs.push_back(samples.table);
+        CaseFile& file = out.back();
+        file.inputs.insert(file.inputs.end(), inputs.begin() + 1, inputs.end());
+        if (samples.given) file.inputs.push_back(samples.table);
     }
     return out;
 }

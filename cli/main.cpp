@@ -10,6 +10,9 @@
 #include "cli/element_command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/incremental_driver_command.hpp"
+#ifdef GRIT_CLI_HAS_MPM
+#include "cli/mpm_command.hpp"
+#endif
 #include "cli/plot_command.hpp"
 #include "cli/sand_command.hpp"
 #include "cli/version.hpp"
@@ -21,6 +24,22 @@ std::string version() {
     return fmt::format("grit {}, instruction set {}", cli::version(),
                        names[grit_instruction_set()]);
 }
+
+#ifdef GRIT_CLI_HAS_MPM
+void add_mpm_options(CLI::App& app, cli::MpmRequest& request) {
+    app.add_option("CASE", request.file, "TOML file")->required();
+    app.add_option("--out", request.out, "Folder for data and pictures, made if missing [.]");
+    app.add_option("--threads", request.threads, "Instead of the case's; changes no result")
+        ->check(CLI::Range(1, 1024));
+    app.add_option("--checkpoint-minutes", request.checkpoint_minutes,
+                   "Between checkpoints DIR/<case>.checkpoint; without, an interrupted run alone "
+                   "leaves one")
+        ->check(CLI::PositiveNumber);
+    app.add_flag("--restart", request.restart, "Go on from the checkpoint in DIR");
+    app.add_flag("--no-plot", request.no_plot, "Data only");
+    app.add_flag("--quiet", request.quiet, "Nothing but errors");
+}
+#endif
 
 }  // namespace
 
@@ -70,6 +89,14 @@ int main(int argc, char** argv) {
                              : cli::run_element_tests(request);
         };
     });
+
+#ifdef GRIT_CLI_HAS_MPM
+    CLI::App* mpm = app.add_subcommand("mpm", "Run a material-point case, see "
+                                              "docs/material-points.md");
+    cli::MpmRequest run;
+    add_mpm_options(*mpm, run);
+    mpm->callback([&] { command = [&] { return cli::run_mpm(run); }; });
+#endif
 
     CLI::App* picture = app.add_subcommand("plot", "Draw results and laboratory data together");
     cli::PlotRequest plot;

@@ -72,18 +72,25 @@ int statev_index(TomlTable& table, const std::string& key, int size) {
 
 }  // namespace
 
-void read_sand(TomlTable table, CaseFile& file) {
-    grit_sand_parameters_init(&file.parameters, sizeof file.parameters);
-    file.sand = "given in the case file";
+NamedSand read_sand_parameters(TomlTable& table) {
+    NamedSand out;
+    grit_sand_parameters_init(&out.parameters, sizeof out.parameters);
     if (const std::optional<std::string> name = table.string_if("name")) {
         const int record = grit_sand_record_find(name->c_str());
         if (record < 0)
             table.fail("name", fmt::format("{}: no sand is called \"{}\"{}", table.full("name"),
                                            *name, element::suggestion(*name, sand_names())));
-        grit_sand_record_parameters(record, 1.0, &file.parameters);
-        file.sand = *name;
+        grit_sand_record_parameters(record, 1.0, &out.parameters);
+        out.name = *name;
     }
-    for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i) set_parameter(table, i, file.parameters);
+    for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i) set_parameter(table, i, out.parameters);
+    return out;
+}
+
+void read_sand(TomlTable table, CaseFile& file) {
+    const NamedSand named = read_sand_parameters(table);
+    file.parameters = named.parameters;
+    file.sand = named.name;
     if (const auto K_w = table.number_if("water_stiffness_kPa")) {
         if (!(*K_w >= 0.0))
             table.fail("water_stiffness_kPa", fmt::format("{} must be >= 0, got {:g}",

@@ -7,6 +7,14 @@
 
 namespace cli {
 
+// Parameters in kPa; a name says where they come from.
+struct NamedSand {
+    std::string name = "given in the case file";
+    grit_sand_parameters parameters{};
+};
+// name and parameters of a table that may have other keys.
+NamedSand read_sand_parameters(TomlTable& table);
+
 void read_sand(TomlTable table, CaseFile& file);
 void read_umat(TomlTable table, CaseFile& file);
 // After the sand.

@@ -17,6 +17,7 @@ class TableFile {
 
     void row(const std::vector<double>& values);
     void comment(const std::string& text);
+    void flush() { file.flush(); }
     void complete() { file.complete(); }
 
   private:

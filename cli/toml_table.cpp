@@ -2,13 +2,12 @@
 #include "cli/toml_table.hpp"
 
 #include <cmath>
-#include <fstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <toml++/toml.h>
 
 #include "cli/exit_code.hpp"
+#include "cli/toml_document.hpp"
 #include "element/nearest.hpp"
 #include "element/number.hpp"
 
@@ -26,18 +25,11 @@ TomlTable::TomlTable(std::shared_ptr<const Content> table_content, std::string f
     : content(std::move(table_content)), path(std::move(file)), name(std::move(table_name)),
       columns(row) {}
 
-TomlTable TomlTable::of_file(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    if (!file || std::filesystem::is_directory(path))
-        throw BadInput(fmt::format("{}: cannot read this file", path.string()));
-    try {
-        const auto document = std::make_shared<const toml::table>(toml::parse(file, path.string()));
-        return {std::make_shared<const Content>(Content{document, document.get()}), path.string(),
-                "", nullptr};
-    } catch (const toml::parse_error& error) {
-        throw BadInput(fmt::format("{}:{}: {}", path.string(), error.source().begin.line,
-                                   error.description()));
-    }
+TomlTable TomlTable::of_file(const std::filesystem::path& path,
+                             std::vector<std::filesystem::path>* inputs) {
+    const std::shared_ptr<const toml::table> document = parse_document(path, inputs);
+    return {std::make_shared<const Content>(Content{document, document.get()}), path.string(), "",
+            nullptr};
 }
 
 std::string TomlTable::full(const std::string& key) const {
@@ -51,10 +43,12 @@ std::filesystem::path TomlTable::folder() const {
 
 void TomlTable::fail(const std::string& key, const std::string& message) const {
     const toml::node* node = content->get(key);
-    const auto line = (node ? node->source() : content->values->source()).begin.line;
+    const toml::source_region& source = node ? node->source() : content->values->source();
+    const auto line = source.begin.line;
+    const std::string& file = source.path ? *source.path : path;  // its own, or that of its base
     const std::string sample = columns ? fmt::format("sample {}: ", columns->name) : "";
-    throw BadInput(line ? fmt::format("{}:{}: {}{}", path, line, sample, message)
-                        : fmt::format("{}: {}{}", path, sample, message));
+    throw BadInput(line ? fmt::format("{}:{}: {}{}", file, line, sample, message)
+                        : fmt::format("{}: {}{}", file, sample, message));
 }
 
 bool TomlTable::look(const std::string& key) {

@@ -51,6 +51,8 @@ ContactPair::ContactPair(const ContactLaw& law, bool is_axisymmetric, const Grid
     gap.resize(n);
     is_active.resize(n);
     active.reserve(n);
+    reports.resize(n);
+    step_faces.largest_gap = NAN;
     step_totals.struct_size = sizeof step_totals;
 }
 
@@ -175,6 +177,7 @@ void ContactPair::correct(const GridView& grid, const ContactBody& a, const Cont
                           double dt, Exchange& exchange) {
     step_totals = {};
     step_totals.struct_size = sizeof step_totals;
+    step_faces = {.largest_gap = NAN};
     if (!find_active(a, b)) return;
     const auto n = static_cast<std::ptrdiff_t>(active.size());
     std::fill(normal.begin(), normal.end(), 0.0);
@@ -219,8 +222,21 @@ void ContactPair::correct(const GridView& grid, const ContactBody& a, const Cont
     q.previous_velocity_b = grit_view_of(motions_b + motion::other_r, motion::size, 1);
     q.position = grit_view_of(position.data(), 2, 1);
     sums = {};
-    require(grit_contact_correct(&options, n, &q, nullptr, &sums, &error), error);
+    require(grit_contact_correct(&options, n, &q, reports.data(), &sums, &error), error);
     require(grit_contact_sums_read(&sums, &step_totals), error);
+    sum_faces(geo || pair_law.gated);
+}
+
+void ContactPair::sum_faces(bool measured) {
+    for (std::size_t i = 0; i < active.size(); ++i) {
+        const auto node = static_cast<std::size_t>(active[i]);
+        const bool faces_z = std::abs(normal[2 * node + 1]) > std::abs(normal[2 * node]);
+        Vector& sum = faces_z ? step_faces.along_z : step_faces.along_r;
+        sum.r += reports[i].force[0];
+        sum.z += reports[i].force[1];
+        if (measured && std::isfinite(gap[node]))
+            step_faces.largest_gap = std::fmax(step_faces.largest_gap, gap[node]);
+    }
 }
 
 }  // namespace grit::mpm

@@ -42,8 +42,16 @@ class ContactPair {
     const ContactLaw& law() const { return pair_law; }
     // Of the last step.
     const grit_contact_totals& totals() const { return step_totals; }
+    // Forces on b by where their node's normal points, and the largest gap at a node of both bodies
+    // [m], NaN: not measured.
+    struct Faces {
+        Vector along_r{0.0, 0.0}, along_z{0.0, 0.0};
+        double largest_gap;
+    };
+    const Faces& faces() const { return step_faces; }
 
   private:
+    friend struct CheckpointMembers;
     bool find_active(const ContactBody& a, const ContactBody& b);
     void find_normals(const ContactBody& a, const ContactBody& b);
     template <bool axi> void measure(const GridView& grid, const ContactBody& body, int which);
@@ -53,6 +61,7 @@ class ContactPair {
     void add(const grit_contact_surfaces& to, int which, const double* x, const double* side,
              const std::ptrdiff_t* nodes, int count);
     grit_contact_surfaces surfaces(std::vector<double>& of);
+    void sum_faces(bool measured);
 
     ContactLaw pair_law;
     bool axisymmetric;
@@ -61,7 +70,9 @@ class ContactPair {
     std::vector<char> is_active;
     std::vector<std::ptrdiff_t> active;
     grit_contact_sums sums;
+    std::vector<grit_contact_report> reports;
     grit_contact_totals step_totals;
+    Faces step_faces;
 };
 
 }  // namespace grit::mpm

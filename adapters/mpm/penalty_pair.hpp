@@ -54,6 +54,7 @@ class PenaltyPair {
     const std::vector<double>& vertices(int line) const { return lines[line].position; }
 
   private:
+    friend struct CheckpointMembers;
     struct Line {
         std::vector<double> position, velocity, history, force, stiffness;
         bool closed = false;

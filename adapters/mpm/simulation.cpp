@@ -17,20 +17,42 @@ Simulation::Simulation(Axis r, Axis z, const Settings& given, Exchange* others)
     if (settings.axisymmetric && r_axis[0] == 0.0) fix_below(0, 0.0);
 }
 
-void Simulation::fix(int direction, const std::function<bool(double)>& where) {
+void Simulation::fix(int direction, Hold hold, const std::function<bool(double)>& where) {
+    const std::uint8_t across = direction == 0 ? fixed::r : fixed::z;
+    const std::uint8_t bits = hold == Hold::both ? fixed::r | fixed::z : across;
     std::size_t node = 0;
     for (int j = 0; j < z_axis.nodes(); ++j)
         for (int i = 0; i < r_axis.nodes(); ++i, ++node)
-            if (where(direction == 0 ? r_axis[i] : z_axis[j]))
-                fixed_nodes[node] |= direction == 0 ? fixed::r : fixed::z;
+            if (where(direction == 0 ? r_axis[i] : z_axis[j])) fixed_nodes[node] |= bits;
 }
 
-void Simulation::fix_below(int direction, double at) {
-    fix(direction, [at](double x) { return x <= at; });
+void Simulation::fix_below(int direction, double at, Hold hold) {
+    fix(direction, hold, [at](double x) { return x <= at; });
 }
 
-void Simulation::fix_above(int direction, double at) {
-    fix(direction, [at](double x) { return x >= at; });
+void Simulation::fix_above(int direction, double at, Hold hold) {
+    fix(direction, hold, [at](double x) { return x >= at; });
+}
+
+void Simulation::set_gravity(Vector gravity) {
+    settings.gravity_r = gravity.r;
+    settings.gravity_z = gravity.z;
+}
+
+// The next step is known already.
+void Simulation::set_cfl(double cfl) {
+    dt = std::min(dt * (cfl / settings.cfl), settings.largest_step);
+    settings.cfl = cfl;
+}
+
+Vector Simulation::traction_force(std::size_t body) const {
+    Vector sum{0.0, 0.0};
+    for (std::size_t i = 0; i < tractions.size(); ++i) {
+        if (tractions[i].body != body) continue;
+        sum.r += loads[i].f_r[0] + loads[i].f_r[1];
+        sum.z += loads[i].f_z[0] + loads[i].f_z[1];
+    }
+    return sum;
 }
 
 std::size_t Simulation::add_body(Body body) {

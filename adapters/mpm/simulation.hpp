@@ -18,6 +18,8 @@
 
 namespace grit::mpm {
 
+enum class Hold { across, both };
+
 class Simulation {
   public:
     // exchange: of processes that share the grid, outlives this; null: there is one process.
@@ -28,13 +30,19 @@ class Simulation {
     void add_traction(Traction traction);
     void add_contact(const ContactLaw& law);
     void add_contact(const PenaltyLaw& law);
-    // No velocity across nodes at r or z = at, and beyond.
-    void fix_below(int direction, double at);
-    void fix_above(int direction, double at);
+    // No velocity across nodes at r or z = at, and beyond; or none at all.
+    void fix_below(int direction, double at, Hold hold = Hold::across);
+    void fix_above(int direction, double at, Hold hold = Hold::across);
     // Fills the columns b_r, b_z, an acceleration besides gravity, for time t.
     using BodyForce =
         std::function<void(ParticleView, std::ptrdiff_t begin, std::ptrdiff_t end, double t)>;
     void set_body_force(BodyForce force) { body_force = std::move(force); }
+
+    // Between steps, from the next one on.
+    void set_gravity(Vector gravity);
+    void set_local_damping(double share) { settings.local_damping = share; }
+    void set_pic_rate(double rate) { settings.pic_rate = rate; }
+    void set_cfl(double cfl);
 
     // Throws std::runtime_error with the particle if one leaves the grid or its material fails.
     void step();
@@ -45,8 +53,19 @@ class Simulation {
     Body& body(std::size_t i) { return parts[i].body; }
     const std::vector<NodeRecord>& records(std::size_t body) const { return parts[body].records; }
     const std::vector<NodeMotion>& motions(std::size_t body) const { return parts[body].motions; }
+    std::size_t bodies() const { return parts.size(); }
+    bool rigid(std::size_t body) const { return parts[body].body.rigid(); }
     const ContactPair& contact(std::size_t i) const { return contacts[i]; }
     const PenaltyPair& penalty_contact(std::size_t i) const { return penalties[i]; }
+    std::size_t contact_count() const { return contacts.size(); }
+    // Of all tractions on a body in the last step [N].
+    Vector traction_force(std::size_t body) const;
+    // Least mass of a node of a body that moves [kg].
+    double least_mass(std::size_t body) const { return parts[body].least_mass; }
+    const std::uint8_t* constraints() const { return fixed_nodes.data(); }
+    const Axis& axis_r() const { return r_axis; }
+    const Axis& axis_z() const { return z_axis; }
+    const Settings& current_settings() const { return settings; }
     // Particle with this id.
     std::ptrdiff_t find(std::size_t body, int id) const {
         return parts[body].slot[static_cast<std::size_t>(id)];
@@ -55,6 +74,7 @@ class Simulation {
     Energy energy();
 
   private:
+    friend struct CheckpointMembers;
     struct Part {
         Body body;
         Strips strips;
@@ -81,9 +101,10 @@ class Simulation {
     GridView grid() const { return {r_axis.view(), z_axis.view()}; }
     Rows nodes_of(int strip) const;
     NodeCall node_call(Part& part, int strip) const;
-    void fix(int direction, const std::function<bool(double)>& where);
+    void fix(int direction, Hold hold, const std::function<bool(double)>& where);
     void start();
     void sort();
+    static void find_places(Part& part);
     void scatter(unsigned parts_wanted);
     void scatter_strips(unsigned parts_wanted);
     void scatter_fixed(unsigned parts_wanted);

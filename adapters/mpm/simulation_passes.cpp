@@ -36,11 +36,15 @@ NodeCall Simulation::node_call(Part& part, int strip) const {
 void Simulation::sort() {
     for (Part& part : parts) {
         part.strips.sort(grid(), part.body.particles);
-        const int* ids = part.body.particles.ids();
-        for (std::size_t p = 0; p < part.slot.size(); ++p)
-            part.slot[static_cast<std::size_t>(ids[p])] = static_cast<std::ptrdiff_t>(p);
+        find_places(part);
     }
     drift = 0.0;
+}
+
+void Simulation::find_places(Part& part) {
+    const int* ids = part.body.particles.ids();
+    for (std::size_t p = 0; p < part.slot.size(); ++p)
+        part.slot[static_cast<std::size_t>(ids[p])] = static_cast<std::ptrdiff_t>(p);
 }
 
 void Simulation::clear() {

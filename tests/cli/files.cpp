@@ -74,4 +74,17 @@ TEST(Outputs, AreCompleteOrNotThereWhenTheRunIsInterrupted) {
               std::string::npos);
 }
 
+TEST(Cases, MaySayInWhatTheyDifferFromAnother) {
+    const Workplace here;
+    here.write_case("x", compression);
+    here.write("y.toml", "base = \"x.toml\"\n[override]\n\"start.pressure_kPa\" = 200\n");
+    EXPECT_EQ(here.grit("element --no-plot --out out x.toml y.toml").status, 0);
+    EXPECT_EQ(here.result("x").at("p").front(), 100.0);
+    EXPECT_EQ(here.result("y").at("p").front(), 200.0);
+    here.write("y.toml", "base = \"x.toml\"\n[override]\n\"start.pressure_kPa\" = -1\n");
+    const Answer answer = here.grit("element --no-plot --out out y.toml");
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_TRUE(answer.says("y.toml:3: start.pressure_kPa must be > 0, got -1")) << answer.text;
+}
+
 }  // namespace

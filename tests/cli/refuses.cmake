@@ -1,4 +1,4 @@
-# GRIT refuses FILE with exit status 2 and the one line that the file's first line asks for, "# grit:
+# GRIT COMMAND refuses FILE with exit status 2 and the one line that the file's first line asks for, "# grit:
 # LINE: text" (LINE 0: none), and writes nothing to OUT.
 cmake_minimum_required(VERSION 3.25)
 file(STRINGS ${FILE} first LIMIT_COUNT 1)
@@ -12,7 +12,7 @@ if(CMAKE_MATCH_1 EQUAL 0)
   set(place "${FILE}: ")
 endif()
 file(REMOVE_RECURSE ${OUT})
-execute_process(COMMAND ${GRIT} element ${FILE} --out ${OUT} RESULT_VARIABLE status
+execute_process(COMMAND ${GRIT} ${COMMAND} ${FILE} --out ${OUT} RESULT_VARIABLE status
                 OUTPUT_VARIABLE said ERROR_VARIABLE complained)
 if(NOT status EQUAL 2)
   message(SEND_ERROR "exit status ${status} instead of 2")

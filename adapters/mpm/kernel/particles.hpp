@@ -71,6 +71,7 @@ class Particles {
     void permute(const std::vector<int>& order);
 
   private:
+    friend struct CheckpointMembers;
     void grow();
     int columns;
     std::ptrdiff_t count = 0, stride = 0;

@@ -22,6 +22,9 @@ class Sand : public Material {
     Separation separation() const override;
     void reflect(const ParticleView& particles, std::ptrdiff_t p) const override;
 
+    const grit_sand& prepared() const { return sand; }
+    const grit_sand_options& update_options() const { return options; }
+
   private:
     grit_sand sand;
     grit_sand_options options;

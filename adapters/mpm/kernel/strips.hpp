@@ -23,6 +23,7 @@ class Strips {
     std::ptrdiff_t begin(int strip) const { return start[static_cast<std::size_t>(strip)]; }
 
   private:
+    friend struct CheckpointMembers;
     int strips;
     std::vector<std::ptrdiff_t> start;
     std::vector<int> cell, order, place;

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/mpm/measures.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace grit::mpm {
+namespace c = column;
+
+double level_of(Particles& particles, DepthOf what) {
+    const ParticleView q = particles.view();
+    double lowest = unlimited, moment = 0.0, mass = 0.0;
+    for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
+        const double reach =
+            std::abs(q[c::F_zr][p]) * q[c::l_r][p] + std::abs(q[c::F_zz][p]) * q[c::l_z][p];
+        lowest = std::min(lowest, q[c::z][p] - reach);
+        mass += q[c::mass][p];
+        moment += q[c::mass][p] * q[c::z][p];
+    }
+    return what == DepthOf::lowest_point ? lowest : moment / mass;
+}
+
+Vector mean_velocity(Particles& particles) {
+    const ParticleView q = particles.view();
+    Vector momentum{0.0, 0.0};
+    double mass = 0.0;
+    for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
+        mass += q[c::mass][p];
+        momentum.r += q[c::mass][p] * q[c::v_r][p];
+        momentum.z += q[c::mass][p] * q[c::v_z][p];
+    }
+    return {momentum.r / mass, momentum.z / mass};
+}
+
+double base_reaction(const Simulation& simulation) {
+    const double g = simulation.current_settings().gravity_z;
+    double sum = 0.0;
+    for (std::size_t body = 0; body < simulation.bodies(); ++body) {
+        if (simulation.rigid(body)) continue;
+        const std::vector<NodeRecord>& nodes = simulation.records(body);
+        for (int i = 0; i < simulation.axis_r().nodes(); ++i) {
+            const auto node = static_cast<std::size_t>(i);
+            if (!(simulation.constraints()[i] & fixed::z)) continue;
+            sum -= nodes[node][record::f_z] + g * nodes[node][record::m];
+        }
+    }
+    return sum;
+}
+
+double unbalanced_share(const Simulation& simulation, double dt) {
+    const Settings& settings = simulation.current_settings();
+    double share = 0.0;
+    for (std::size_t body = 0; body < simulation.bodies(); ++body) {
+        if (simulation.rigid(body)) continue;
+        double unbalanced = 0.0, largest = 0.0;
+        const std::vector<NodeRecord>& nodes = simulation.records(body);
+        const std::vector<NodeMotion>& motions = simulation.motions(body);
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            const NodeRecord& n = nodes[i];
+            const NodeMotion& v = motions[i];
+            if (!(n[record::m] > simulation.least_mass(body))) continue;
+            const double a_r = (v[motion::v_r] - v[motion::other_r]) / dt;
+            const double a_z = (v[motion::v_z] - v[motion::other_z]) / dt;
+            unbalanced = std::max(unbalanced, n[record::m] * std::hypot(a_r, a_z));
+            largest = std::max({largest, std::hypot(n[record::f_r], n[record::f_z]),
+                                n[record::m] * std::abs(settings.gravity_z)});
+        }
+        if (largest > 0.0) share = std::max(share, unbalanced / largest);
+    }
+    return share;
+}
+
+ContactForces contact_forces(const Simulation& simulation, std::size_t body) {
+    ContactForces out;
+    out.largest_gap = NAN;
+    for (std::size_t i = 0; i < simulation.contact_count(); ++i) {
+        const ContactPair& pair = simulation.contact(i);
+        if (pair.law().a != body && pair.law().b != body) continue;
+        const double sign = pair.law().b == body ? 1.0 : -1.0;
+        const ContactPair::Faces& faces = pair.faces();
+        out.tip.r += sign * faces.along_z.r;
+        out.tip.z += sign * faces.along_z.z;
+        out.shaft.r += sign * faces.along_r.r;
+        out.shaft.z += sign * faces.along_r.z;
+        out.largest_gap = std::fmax(out.largest_gap, faces.largest_gap);
+    }
+    return out;
+}
+
+double turned_over(const Energy& e, double least) {
+    return std::max({least, e.kinetic, e.kinetic_0, std::abs(e.stored - e.stored_0),
+                     std::abs(e.external_work), std::abs(e.rigid_work), std::abs(e.contact),
+                     std::abs(e.damping), std::abs(e.transfer)});
+}
+
+}  // namespace grit::mpm

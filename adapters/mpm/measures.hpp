@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a run looks at between steps. Forces and energies are per radian or per metre.
+#pragma once
+
+#include "adapters/mpm/case.hpp"
+#include "adapters/mpm/simulation.hpp"
+
+namespace grit::mpm {
+
+// z of the lowest corner, or of the centre of mass [m].
+double level_of(Particles& particles, DepthOf what);
+// Of the centre of mass [m/s].
+Vector mean_velocity(Particles& particles);
+
+// Upward force of the bottom of the grid on all bodies in the last step [N]: what keeps its nodes from
+// moving down, weight and all.
+double base_reaction(const Simulation& simulation);
+
+// The largest resultant on a node of a body, |m dv / dt|, as a share of the body's largest nodal force; of
+// all bodies the largest share: one that falls is not at rest because a heavy one is.
+// Local damping, a part of the resultant, makes it smaller. Not with MUSL, which maps twice.
+double unbalanced_share(const Simulation& simulation, double dt);
+
+// By contacts on a body in the last step [N]: across surfaces that face along z (a tip), along r
+// (a shaft).
+struct ContactForces {
+    Vector tip{0.0, 0.0}, shaft{0.0, 0.0};
+    double largest_gap;  // at a node of both bodies [m]; NaN: not measured
+};
+ContactForces contact_forces(const Simulation& simulation, std::size_t body);
+
+// The largest term of the balance so far, no less than least [J].
+double turned_over(const Energy& energy, double least);
+
+}  // namespace grit::mpm

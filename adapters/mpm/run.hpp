@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A case, stage after stage, one step at a time.
+#pragma once
+
+#include <array>
+
+#include "adapters/mpm/build_case.hpp"
+
+namespace grit::mpm {
+
+// What a run is worth knowing of. Whole bodies: in axisymmetry 2 pi times the sums per radian.
+struct HistoryRow {
+    int stage = 0;  // from 1
+    long step = 0;
+    double t = 0.0;  // [s]
+    int blow = 0;
+    double depth = 0.0,
+           velocity = 0.0;  // of the driven body, downwards, since the start [m], [m/s]
+    // Mean forces since the row before [N]: of contacts on the driven body, upwards, where it faces down
+    // or up and where it faces sideways; of tractions on it, downwards; of the bottom, upwards.
+    double tip_force = 0.0, shaft_force = 0.0, hammer_force = 0.0, base_force = 0.0;
+    Energy energy;                // [J]
+    double residual_share = 0.0;  // of the energy turned over [-]
+    double dt = 0.0;              // of the last step [s]
+    double largest_gap = 0.0;     // between bodies at a node of both [m]; NaN: not measured
+    double unbalanced_share = 0.0;
+};
+
+// All that a run knows besides its simulation.
+struct RunState {
+    int stage = 0;  // from 0; number of stages: finished
+    double last_dt = 0.0;
+    double start_level = 0.0, stage_level = 0.0;  // [m]
+    double next_row = 0.0;                        // [s]
+    // Impulses since the last row [N s]: tip, shaft, hammer, base.
+    std::array<double, 4> impulse{};
+    double row_time = 0.0;           // of the last row [s]
+    std::vector<double> stage_time;  // when stages began [s]; infinite: not yet
+};
+
+// Why a stage has ended.
+enum class Ended { not_yet, by_time, by_depth, by_blows, at_rest };
+
+class Runner {
+  public:
+    // Throws std::invalid_argument, see build_case.
+    explicit Runner(Case plan);
+
+    bool finished() const { return state_now.stage == static_cast<int>(plan.stages.size()); }
+    // Throws std::runtime_error naming time, step, residual and limit if the energy balance breaks, or
+    // what Simulation::step throws.
+    void step();
+    // A row is due: at the start, after an interval and at the end of a stage.
+    bool row_is_due() const { return due; }
+    HistoryRow row();
+
+    // How the last stage that ended did so.
+    Ended ended() const { return how; }
+    // Share of the stage that is done, as far as its time, depth or blows tell; NaN: they do not.
+    double share_done();
+
+    const Case& description() const { return plan; }
+    Simulation& simulation() { return *built.simulation; }
+    std::ptrdiff_t particles() const { return particle_count; }
+    int blow() const;
+    // Of the driven body since the start [m].
+    double depth() { return state_now.start_level - level(); }
+
+    const RunState& state() const { return state_now; }
+    // Goes on from there; the state of the simulation is to be restored afterwards.
+    void resume(const RunState& state);
+
+  private:
+    void begin_stage();
+    double level();
+    Ended end_of_stage();
+    bool at_rest();
+    void check_energy();
+    struct Blows;
+    Blows blows() const;
+
+    Case plan;
+    BuiltCase built;
+    std::size_t driven = 0;
+    std::ptrdiff_t particle_count = 0;
+    // What matters at the least [J]: the weight sunk by a cell, or all bodies strained by 1e-4.
+    double least_energy = 0.0;
+    bool due = true;
+    Ended how = Ended::not_yet;
+    RunState state_now;
+};
+
+}  // namespace grit::mpm

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/mpm/time_function.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace grit::mpm {
+
+double TimeTable::at(double t) const {
+    if (!(t > time.front())) return value.front();
+    if (t >= time.back()) return value.back();
+    const auto i =
+        static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), t) - time.begin());
+    const double share = (t - time[i - 1]) / (time[i] - time[i - 1]);
+    return value[i - 1] + share * (value[i] - value[i - 1]);
+}
+
+int PulseTrain::blow(double t) const {
+    if (t < start) return 0;
+    return static_cast<int>(
+        std::min(std::floor((t - start) / interval) + 1.0, static_cast<double>(count)));
+}
+
+double PulseTrain::at(double t) const {
+    const int number = blow(t);
+    if (number == 0) return 0.0;
+    const double since = t - start - (number - 1) * interval;
+    if (since >= duration) return 0.0;
+    if (form == PulseForm::half_sine) return peak * std::sin(std::numbers::pi * since / duration);
+    return since < peak_time ? peak * since / peak_time
+                             : peak * (duration - since) / (duration - peak_time);
+}
+
+double value_at(const TimeFunction& function, double t) {
+    return std::visit([t](const auto& f) { return f.at(t); }, function);
+}
+
+}  // namespace grit::mpm

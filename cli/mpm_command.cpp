@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/mpm_command.hpp"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "cli/abnormal_end.hpp"
+#include "cli/mpm_case_file.hpp"
+#include "cli/mpm_run.hpp"
+#include "cli/outputs.hpp"
+
+namespace cli {
+namespace {
+
+using namespace grit::mpm;
+
+void check_outputs(const MpmRequest& request, const MpmCaseFile& file,
+                   const MpmRunOptions& options) {
+    Outputs outputs;
+    const std::string who = fmt::format("case {} ({})", file.plan.name, request.file.string());
+    outputs.add(options.history, who);
+    outputs.add(options.checkpoint, who);
+    if (options.shown) outputs.add(options.fields.string() + ".pvd", who);
+    outputs.spare(file.inputs);
+}
+
+Runner prepare(const MpmRequest& request, const Case& plan) {
+    try {
+        return Runner(plan);
+    } catch (const std::invalid_argument& error) {
+        throw BadInput(fmt::format("{}: {}", request.file.string(), error.what()));
+    }
+}
+
+}  // namespace
+
+ExitCode run_mpm(const MpmRequest& request) {
+    MpmCaseFile file = read_mpm_case(request.file);
+    const Case& plan = file.plan;
+    if (request.threads) file.plan.settings.threads = *request.threads;
+    const MpmRunOptions options{request.out / (plan.name + ".csv"),
+                                request.out / (plan.name + ".checkpoint"),
+                                request.out / plan.name,
+                                file.fields,
+                                request.checkpoint_minutes,
+                                request.restart,
+                                request.quiet};
+    check_outputs(request, file, options);
+    Runner runner = prepare(request, plan);
+    make_output_folder(request.out);
+    const RunGuard guard(plan.name + ": Grit");
+    MpmRun run(options, runner);
+    const std::string failure = run.go();
+    if (!failure.empty()) fmt::print(stderr, "grit: {}: {}\n", plan.name, failure);
+    if (!request.quiet)
+        fmt::print("{}: {} particles, {} steps, t = {:.4g} s, {:.1f} s of computing -> {}\n",
+                   plan.name, runner.particles(), runner.simulation().steps(),
+                   runner.simulation().time(), run.seconds(), options.history.string());
+    return failure.empty() ? ok : failed_computation;
+}
+
+}  // namespace cli

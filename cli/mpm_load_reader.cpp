@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/mpm_load_reader.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <grit/contact.h>
+#include <grit/contact_distance.h>
+#include <grit/contact_normals.h>
+
+#include "cli/mpm_body_reader.hpp"
+#include "cli/mpm_grid_reader.hpp"
+
+namespace cli {
+namespace {
+
+using namespace grit::mpm;
+
+constexpr double kPa = 1e3;  // [Pa]
+
+template <class Plans> std::vector<std::string> names_of(const Plans& plans) {
+    std::vector<std::string> out;
+    for (const auto& plan : plans) out.push_back(plan.name);
+    return out;
+}
+
+void read_range(TomlTable& table, const std::string& key, double (&range)[2]) {
+    const auto given = table.numbers_if(key, 2);
+    if (!given) return;
+    if (!((*given)[0] < (*given)[1]))
+        table.fail(key, fmt::format("{} must ascend, got [{:g}, {:g}]", table.full(key),
+                                    (*given)[0], (*given)[1]));
+    range[0] = (*given)[0];
+    range[1] = (*given)[1];
+}
+
+PulseTrain read_pulses(TomlTable table) {
+    PulseTrain out;
+    out.peak = kPa * table.number("peak_kPa");
+    if (table.has("form") && table.choice("form", {"half_sine", "triangle"}) == "triangle")
+        out.form = PulseForm::triangle;
+    table.number("duration_s");
+    out.duration = table.positive_or("duration_s", 1.0);
+    out.peak_time = table.positive_or("peak_time_s", 0.5 * out.duration);
+    if (out.form == PulseForm::half_sine && table.has("peak_time_s") &&
+        out.peak_time != 0.5 * out.duration)
+        table.fail("peak_time_s",
+                   fmt::format("{}: a half sine has its peak at {:g} s, got {:g}",
+                               table.full("peak_time_s"), 0.5 * out.duration, out.peak_time));
+    if (!(out.peak_time < out.duration))
+        table.fail("peak_time_s",
+                   fmt::format("{} must be below duration_s, {:g}, got {:g}",
+                               table.full("peak_time_s"), out.duration, out.peak_time));
+    out.interval = table.positive_or("interval_s", out.duration);
+    if (!(out.interval >= out.duration))
+        table.fail("interval_s",
+                   fmt::format("{} must be no shorter than duration_s, {:g}, got {:g}",
+                               table.full("interval_s"), out.duration, out.interval));
+    out.count = table.integer_or("count", 1, 1, 1000000);
+    out.start = number_within(table, "start_s", 0.0, 0.0, 1e9);
+    table.finish();
+    return out;
+}
+
+Vector direction_of(TomlTable& table, Edge edge) {
+    const auto given = table.numbers_if("direction", 2);
+    if (!given) {
+        if (edge == Edge::top) return {0.0, -1.0};
+        if (edge == Edge::bottom) return {0.0, 1.0};
+        return {edge == Edge::right ? -1.0 : 1.0, 0.0};
+    }
+    const double length = std::hypot((*given)[0], (*given)[1]);
+    if (!(length > 0.0)) table.fail("direction", table.full("direction") + " must not be 0");
+    return {(*given)[0] / length, (*given)[1] / length};
+}
+
+}  // namespace
+
+std::string body_name(TomlTable& table, const std::string& key, const Case& plan) {
+    return table.choice(key, names_of(plan.bodies));
+}
+
+std::string stage_name(TomlTable& table, const std::string& key, const Case& plan) {
+    return table.choice(key, names_of(plan.stages));
+}
+
+TractionPlan read_traction(TomlTable table, const Case& plan) {
+    TractionPlan out;
+    out.body = body_name(table, "body", plan);
+    if (plan.bodies[plan.body(out.body)].rigid())
+        table.fail("body", fmt::format("{}: \"{}\" is rigid, no load moves it", table.full("body"),
+                                       out.body));
+    const std::string edge = table.choice("edge", {"bottom", "right", "top", "left"});
+    out.edge = edge == "bottom"  ? Edge::bottom
+               : edge == "right" ? Edge::right
+               : edge == "top"   ? Edge::top
+                                 : Edge::left;
+    read_range(table, "r_m", out.r);
+    read_range(table, "z_m", out.z);
+    out.direction = direction_of(table, out.edge);
+    if (table.one_of({"stress_kPa", "pulses"}) == "pulses") {
+        out.stress = read_pulses(table.table("pulses"));
+        if (table.has("time_s"))
+            table.fail("time_s", table.full("time_s") + " belongs to stress_kPa, not to pulses");
+    } else {
+        out.stress = read_time_table(table, "stress_kPa", kPa);
+    }
+    if (table.has("from_stage")) out.from_stage = stage_name(table, "from_stage", plan);
+    table.finish();
+    return out;
+}
+
+ContactPlan read_contact(TomlTable table, const Case& plan) {
+    ContactPlan out;
+    out.stiff = body_name(table, "stiff", plan);
+    out.soft = body_name(table, "soft", plan);
+    if (out.stiff == out.soft)
+        table.fail("soft", fmt::format("{} must be another body than stiff", table.full("soft")));
+    if (plan.bodies[plan.body(out.stiff)].rigid() && plan.bodies[plan.body(out.soft)].rigid())
+        table.fail("soft", fmt::format("{}: both bodies are rigid", table.full("soft")));
+    out.law = table.choice("law", {"geo", "frictional"}) == "geo" ? GRIT_CONTACT_GEO
+                                                                  : GRIT_CONTACT_FRICTIONAL;
+    out.friction_coefficient = number_within(table, "friction_coefficient", 0.0, 0.0, 100.0);
+    out.penalty_power = number_within(table, "penalty_power", 6.0, 1e-6, 1e6);
+    if (table.has("normal")) {
+        const std::string word = table.choice("normal", {"stiff", "soft", "average"});
+        out.normal = word == "stiff"  ? GRIT_CONTACT_NORMAL_OF_A
+                     : word == "soft" ? GRIT_CONTACT_NORMAL_OF_B
+                                      : GRIT_CONTACT_NORMAL_AVERAGE;
+    }
+    if (table.has("distance")) {
+        const std::string word = table.choice("distance", {"support", "edge", "nearest_centre"});
+        out.measure = word == "support" ? GRIT_CONTACT_SUPPORT
+                      : word == "edge"  ? GRIT_CONTACT_EDGE
+                                        : GRIT_CONTACT_NEAREST_CENTRE;
+    }
+    out.gated = table.boolean_or("gated", true);
+    table.finish();
+    return out;
+}
+
+}  // namespace cli

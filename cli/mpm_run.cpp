@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/mpm_run.hpp"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "cli/abnormal_end.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/mpm_checkpoint.hpp"
+#include "cli/mpm_history.hpp"
+
+namespace cli {
+
+using namespace grit::mpm;
+
+MpmRun::MpmRun(const MpmRunOptions& wanted, Runner& work)
+    : options(wanted), runner(work), progress(wanted.quiet), fields(work.simulation()),
+      saved(Clock::now()) {
+    if (options.shown) field_files.emplace(options.fields, options.shown->variables, fields);
+    if (options.restart) resume();
+    history.emplace(options.history, history_comments(runner), history_columns());
+    const std::size_t columns = history_columns().size();
+    for (auto row = done.history.begin(); row != done.history.end();) {
+        const auto end = row + static_cast<std::ptrdiff_t>(columns);
+        history->row({row, end});
+        row = end;
+    }
+}
+
+void MpmRun::resume() {
+    try {
+        const MpmCheckpoint checkpoint(options.checkpoint);
+        done = saved_run_of(checkpoint.runner(), runner.description().stages.size(),
+                            history_columns().size());
+        runner.resume(done.state);
+        checkpoint.restore(runner.simulation());
+        if (field_files) field_files->resume(done.frames);
+    } catch (const std::runtime_error& error) {
+        throw BadInput(error.what());
+    }
+}
+
+std::string MpmRun::go() {
+    std::string failure;
+    bool interrupted = false;
+    try {
+        if (runner.row_is_due()) {
+            row();
+            frame();
+        }
+        while (!runner.finished() && !interrupted) {
+            step();
+            interrupted = RunGuard::interrupted();
+        }
+    } catch (const std::runtime_error& error) {
+        failure = error.what() + here();
+    }
+    progress.finish();
+    if (interrupted && !runner.finished()) {
+        failure = "interrupted" + here();
+        save();
+    }
+    for (const std::string& text : done.ends) history->comment(text);
+    if (!failure.empty()) history->comment("STOPPED EARLY: " + failure);
+    history->complete();
+    // What it was kept for is done.
+    if (failure.empty()) std::filesystem::remove(options.checkpoint);
+    return failure;
+}
+
+std::string MpmRun::here() {
+    const Simulation& simulation = runner.simulation();
+    return fmt::format(" (after step {}, t = {:.6g} s)", simulation.steps(), simulation.time());
+}
+
+void MpmRun::row() {
+    const std::vector<double> values = history_values(runner.row());
+    history->row(values);
+    done.history.insert(done.history.end(), values.begin(), values.end());
+}
+
+void MpmRun::frame() {
+    if (!field_files) return;
+    field_files->write();
+    done.frames = field_files->times();
+    while (options.shown->interval > 0.0 && done.next_frame <= runner.simulation().time())
+        done.next_frame += options.shown->interval;
+}
+
+void MpmRun::step() {
+    const int stage = runner.state().stage;
+    runner.step();
+    RunGuard::done(stage + 1, static_cast<int>(runner.simulation().steps()));
+    if (runner.row_is_due()) row();
+    const bool ended = runner.state().stage != stage;
+    if (ended) stage_ended(stage);
+    const bool frame_due = options.shown && options.shown->interval > 0.0 &&
+                           runner.simulation().time() >= done.next_frame;
+    if (ended || frame_due) frame();
+    if (progress(runner)) history->flush();
+    const std::chrono::duration<double, std::ratio<60>> since = Clock::now() - saved;
+    if (options.checkpoint_minutes > 0.0 && since.count() >= options.checkpoint_minutes) save();
+}
+
+void MpmRun::stage_ended(int stage) {
+    constexpr const char* words[] = {"nothing", "its time", "its depth", "its blows", "rest"};
+    const Case& plan = runner.description();
+    done.ends.push_back(fmt::format("stage {} ended by {}{}",
+                                    plan.stages.at(static_cast<std::size_t>(stage)).name,
+                                    words[static_cast<int>(runner.ended())], here()));
+    progress.finish();
+    if (!options.quiet) fmt::print(stderr, "{}: {}\n", plan.name, done.ends.back());
+}
+
+void MpmRun::save() {
+    done.state = runner.state();
+    write_mpm_checkpoint(options.checkpoint, runner.simulation(), bytes_of(done));
+    saved = Clock::now();
+}
+
+}  // namespace cli

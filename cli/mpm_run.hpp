@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A material-point case computed: history, checkpoints, progress.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <adapters/mpm/run.hpp>
+
+#include "cli/mpm_case_file.hpp"
+#include "cli/mpm_field_files.hpp"
+#include "cli/mpm_progress.hpp"
+#include "cli/mpm_saved_run.hpp"
+#include "cli/table_file.hpp"
+
+namespace cli {
+
+struct MpmRunOptions {
+    std::filesystem::path history, checkpoint;  // files
+    std::filesystem::path fields;               // stem of files
+    std::optional<FieldsPlan> shown;
+    double checkpoint_minutes = 0.0;  // 0: when it is interrupted, only
+    bool restart = false;             // from the checkpoint
+    bool quiet = false;
+};
+
+class MpmRun {
+  public:
+    // Throws BadInput for a checkpoint that cannot be used.
+    MpmRun(const MpmRunOptions& options, grit::mpm::Runner& runner);
+
+    // Why it stopped early; empty: it did not.
+    std::string go();
+    double seconds() const { return progress.seconds(); }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    void resume();
+    void step();
+    void row();
+    void frame();
+    void stage_ended(int stage);
+    void save();
+    std::string here();
+
+    const MpmRunOptions& options;
+    grit::mpm::Runner& runner;
+    MpmProgress progress;
+    MpmFields fields;  // count displacements from the start
+    std::optional<MpmFieldFiles> field_files;
+    SavedRun done;  // ends, history and frames
+    std::optional<TableFile> history;
+    Clock::time_point saved;
+};
+
+}  // namespace cli

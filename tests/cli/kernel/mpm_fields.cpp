@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/mpm_fields.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <element/aside_file.hpp>
+
+#include "cli/mpm_field_files.hpp"
+#include "support/no_room.hpp"
+#include "support/sand_box.hpp"
+#include "support/workplace.hpp"
+#include "support/xml.hpp"
+
+namespace {
+
+using namespace cli_test;
+namespace c = grit::mpm::column;
+using cli::mpm_field;
+
+class Fields : public testing::Test {
+  protected:
+    Fields() { simulation->energy(); }  // finds the place of each id
+    std::size_t at(std::size_t body, int id) const {
+        return static_cast<std::size_t>(simulation->find(body, id));
+    }
+    double& value(std::size_t body, int id, int column) {
+        return simulation->body(body).particles.view()[column][at(body, id)];
+    }
+
+    Workplace here;
+    std::unique_ptr<grit::mpm::Simulation> simulation = sand_box();
+    cli::MpmFields fields{*simulation};
+};
+
+TEST_F(Fields, HaveDifferentNamesAndAreAllOfSomeBody) {
+    std::set<std::string> names;
+    for (const cli::MpmField& field : cli::mpm_fields()) {
+        EXPECT_TRUE(names.insert(field.name).second) << field.name;
+        ASSERT_TRUE(fields.has(0, field)) << field.name;
+        const std::vector<double> values = fields.values(0, field);
+        EXPECT_EQ(values.size(), 100u * static_cast<std::size_t>(field.components));
+        for (const double x : values) EXPECT_TRUE(std::isfinite(x)) << field.name;
+    }
+    EXPECT_FALSE(fields.has(1, mpm_field("void_ratio")));
+    EXPECT_TRUE(fields.has(1, mpm_field("q")));
+    EXPECT_THROW(fields.values(1, mpm_field("void_ratio")), std::invalid_argument);
+}
+
+TEST_F(Fields, OfAnUnknownNameAreRefusedWithTheNearest) {
+    try {
+        mpm_field("viod_ratio");
+        FAIL() << "no error";
+    } catch (const std::invalid_argument& error) {
+        EXPECT_STREQ(error.what(), "no variable \"viod_ratio\"; nearest: void_ratio");
+    }
+}
+
+TEST_F(Fields, AreOfTheParticleWithThatNumberAfterManySorts) {
+    for (int i = 0; i < 400; ++i) simulation->step();
+    const int* ids = simulation->body(0).particles.ids();
+    EXPECT_FALSE(std::is_sorted(ids, ids + 100));
+    const std::vector<double> id = fields.values(0, mpm_field("id"));
+    const std::vector<double> u = fields.values(0, mpm_field("displacement"));
+    for (int i = 0; i < 100; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        EXPECT_EQ(id[k], i);
+        EXPECT_NEAR(u[2 * k], value(0, i, c::r) - (i % 10 + 0.5) * 0.05, 1e-12);
+        EXPECT_NEAR(u[2 * k + 1], value(0, i, c::z) - (i / 10 + 0.5) * 0.05, 1e-12);
+    }
+}
+
+TEST_F(Fields, AreInTheirUnits) {
+    simulation->step();
+    for (const std::size_t body : {0u, 1u}) {
+        value(body, 7, c::S_rr) = -100e3;
+        value(body, 7, c::S_zz) = -300e3;
+        value(body, 7, c::S_tt) = -110e3;
+        value(body, 7, c::S_rz) = 20e3;
+        const auto of = [&](const char* name) { return fields.values(body, mpm_field(name))[7]; };
+        EXPECT_DOUBLE_EQ(of("stress_zz"), -300.0);
+        EXPECT_DOUBLE_EQ(of("stress_rz"), 20.0);
+        EXPECT_NEAR(of("p"), 170.0, 1e-12);
+        // Deviator -70, 130, -60 and 20 twice.
+        EXPECT_NEAR(of("q"), std::sqrt(1.5 * (4900 + 16900 + 3600 + 800)), 1e-10);
+    }
+    // Principal stresses 200 -+ sqrt(100^2 + 20^2) and 110, the middle one.
+    const double radius = std::hypot(100.0, 20.0);
+    EXPECT_NEAR(fields.values(0, mpm_field("friction_angle"))[7],
+                std::asin(radius / 200.0) * 180.0 / std::numbers::pi, 1e-9);
+    const double volume = std::numbers::pi * 0.05 * (std::pow(0.4, 2) - std::pow(0.35, 2));
+    EXPECT_NEAR(fields.values(0, mpm_field("mass"))[7], 1700.0 * volume, 1e-10);
+}
+
+cli::MpmFieldFiles files_of(const Workplace& here, const cli::MpmFields& fields) {
+    return {here.path("push"),
+            {mpm_field("velocity"), mpm_field("void_ratio"), mpm_field("p")},
+            fields};
+}
+
+TEST_F(Fields, AreWrittenAsQuadrilateralsThatShear) {
+    value(0, 0, c::F_rz) = 0.5;
+    value(0, 0, c::F_zz) = 1.2;
+    value(1, 3, c::v_z) = -2.0;
+    files_of(here, fields).write();
+    EXPECT_EQ(here.files(), (std::set<std::string>{"push.pvd", "push_000000_hammer.vtu",
+                                                   "push_000000_sand.vtu"}));
+    const Element sand = read_xml(here.text("push_000000_sand.vtu"));
+    EXPECT_EQ(sand.attributes.at("header_type"), "UInt64");
+    const Element& piece = sand.first("Piece");
+    EXPECT_EQ(piece.attributes.at("NumberOfPoints"), "400");
+    EXPECT_EQ(piece.attributes.at("NumberOfCells"), "100");
+    const auto corner = sand.array<double>("corners");
+    ASSERT_EQ(corner.size(), 1200u);
+    // Centre (0.025, 0.025), half sides 0.025: (0.025, 0) along r, (0.0125, 0.03) along z.
+    const double expected[] = {-0.0125, -0.005, 0.0, 0.0375, -0.005, 0.0,
+                               0.0625,  0.055,  0.0, 0.0125, 0.055,  0.0};
+    for (std::size_t i = 0; i < 12; ++i) EXPECT_NEAR(corner[i], expected[i], 1e-15) << i;
+    const auto offsets = sand.array<long>("offsets"), points = sand.array<long>("connectivity");
+    ASSERT_EQ(points.size(), 400u);
+    ASSERT_EQ(offsets.size(), 100u);
+    for (std::size_t i = 0; i < 400; ++i) EXPECT_EQ(points[i], static_cast<long>(i));
+    for (std::size_t i = 0; i < 100; ++i) EXPECT_EQ(offsets[i], static_cast<long>(4 * i + 4));
+    EXPECT_EQ(sand.array<unsigned char>("types"), std::vector<unsigned char>(100, 9));
+    EXPECT_EQ(sand.array<double>("void_ratio [-]"), std::vector<double>(100, 0.65));
+    EXPECT_NEAR(sand.array<double>("p [kPa]")[99], 5.0, 1e-12);
+    EXPECT_EQ(sand.array<double>("TimeValue"), std::vector<double>{0.0});
+
+    const Element hammer = read_xml(here.text("push_000000_hammer.vtu"));
+    EXPECT_EQ(hammer.array<double>("velocity [m/s]").size(), 48u);
+    EXPECT_EQ(hammer.array<double>("velocity [m/s]")[10], -2.0);
+    EXPECT_THROW(hammer.array<double>("void_ratio [-]"), std::runtime_error);
+}
+
+TEST_F(Fields, AreListedWithTheirTimesAlsoByARunThatGoesOn) {
+    cli::MpmFieldFiles first = files_of(here, fields);
+    first.write();
+    simulation->step();
+    first.write();
+    cli::MpmFieldFiles second = files_of(here, fields);
+    second.resume(first.times());
+    simulation->step();
+    second.write();
+    const Element list = read_xml(here.text("push.pvd"));
+    const auto entries = list.all("DataSet");
+    ASSERT_EQ(entries.size(), 6u);
+    for (const Element* entry : entries)
+        EXPECT_TRUE(here.files().contains(entry->attributes.at("file")));
+    EXPECT_EQ(entries[5]->attributes.at("file"), "push_000002_hammer.vtu");
+    EXPECT_EQ(std::stod(entries[5]->attributes.at("timestep")), simulation->time());
+    EXPECT_EQ(entries[5]->attributes.at("part"), "1");
+}
+
+TEST_F(Fields, OfBodiesWhoseNamesMakeNoFileNamesGetOthers) {
+    simulation->body(0).name = simulation->body(1).name = "a/b";
+    files_of(here, fields).write();
+    EXPECT_EQ(here.files(), (std::set<std::string>{"push.pvd", "push_000000_a_b.vtu",
+                                                   "push_000000_a_bbody1.vtu"}));
+}
+
+TEST_F(Fields, ThatFindNoRoomLeaveNoHalfWrittenFile) {
+    cli::MpmFieldFiles files = files_of(here, fields);
+    files.write();
+    const std::string list = here.text("push.pvd");
+    simulation->step();
+    const NoRoom full(10000);
+    EXPECT_THROW(files.write(), element::CannotWrite);
+    EXPECT_EQ(here.text("push.pvd"), list);
+    EXPECT_EQ(here.files().size(), 3u);
+    EXPECT_EQ(files.times().size(), 1u);
+}
+
+}  // namespace

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// grit mpm as people call it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "support/workplace.hpp"
+
+namespace {
+
+using Names = std::set<std::string>;
+
+const std::string cases = GRIT_MPM_CASES;
+
+// A column in a tube for so many seconds.
+std::string column(const std::string& seconds, const std::string& numerics = "") {
+    return "[grid]\ngeometry = \"axisymmetric\"\n[[grid.r]]\nto_m = 0.2\ncells = 4\n"
+           "[[grid.z]]\nto_m = 1.2\ncells = 24\n"
+           "[boundary]\nright = \"roller\"\nbottom = \"roller\"\n[numerics]\n" +
+           numerics +
+           "[[body]]\nname = \"column\"\ndensity_kg_per_m3 = 1000\n[[body.box]]\n"
+           "r_m = [0, 0.2]\nz_m = [0, 1]\n"
+           "[body.elastic]\nyoungs_modulus_kPa = 1000\npoissons_ratio = 0.3\n"
+           "[[stage]]\nname = \"stand\"\n[stage.until]\ntime_s = " +
+           seconds + "\n[history]\ninterval_s = 0.01\n";
+}
+
+TEST(MaterialPointCommand, RunsTheFileThatExplainsEveryKey) {
+    const Workplace here;
+    const Answer answer = here.grit("mpm " + cases + "/every_key.toml --out out");
+    EXPECT_EQ(answer.status, 0) << answer.text;
+    EXPECT_TRUE(answer.says("stage rest ended by its time")) << answer.text;
+    const std::map<std::string, Values> history = here.result("every_key");
+    EXPECT_EQ(history.size(), 23U);
+    EXPECT_EQ(history.at("blow").back(), 2.0);
+    EXPECT_GT(history.at("depth").back(), 0.0);
+    EXPECT_EQ(history.at("stage").back(), 2.0);
+    EXPECT_NE(here.text("out/every_key.csv").find("# stage drive ended by its blows"),
+              std::string::npos);
+}
+
+TEST(MaterialPointCommand, RunsACaseThatSaysInWhatItDiffersFromAnother) {
+    const Workplace here;
+    EXPECT_EQ(here.grit("mpm " + cases + "/every_key_override.toml --out out --quiet").status, 0);
+    const Names files = here.files("out");
+    EXPECT_TRUE(files.contains("every_key_override.csv"));
+    EXPECT_TRUE(files.contains("every_key_override.pvd"));
+    EXPECT_TRUE(files.contains("every_key_override_000000_soil.vtu"));
+    for (const std::string& file : files)
+        EXPECT_TRUE(file.starts_with("every_key_override")) << file;
+    const std::map<std::string, Values> history = here.result("every_key_override");
+    const Values& t = history.at("t");
+    const Values& stage = history.at("stage");
+    const auto second = std::find(stage.begin(), stage.end(), 2.0) - stage.begin();
+    EXPECT_NEAR(t.at(static_cast<std::size_t>(second)), 0.002, 3e-4);
+}
+
+TEST(MaterialPointCommand, OverridesElementsOfListsByNameAndByNumber) {
+    const Workplace here;
+    here.write("x.toml", column("0.1"));
+    here.write("y.toml", "base = \"x.toml\"\n[override]\n\"stage.1.until.time_s\" = 0.02\n"
+                         "\"grid.z.1.cells\" = 12\n\"body.column.box.1.z_m\" = [0, 0.5]\n");
+    EXPECT_EQ(here.grit("mpm --quiet --out out y.toml").text, "");
+    EXPECT_NEAR(here.result("y").at("t").back(), 0.02, 2e-3);
+    EXPECT_NE(here.text("out/y.csv").find("# 80 particles"), std::string::npos);
+}
+
+TEST(MaterialPointCommand, GivesTheSameHistoryForAnyNumberOfThreads) {
+    const Workplace here;
+    here.write("x.toml", column("0.05"));
+    EXPECT_EQ(here.grit("mpm x.toml --quiet --out one").text, "");
+    EXPECT_EQ(here.grit("mpm x.toml --quiet --out two --threads 2").text, "");
+    EXPECT_NE(here.text("one/x.csv"), "");
+    EXPECT_EQ(here.text("one/x.csv"), here.text("two/x.csv"));
+}
+
+TEST(MaterialPointCommand, EndsAfterTheStepWhenItIsInterrupted) {
+    const Workplace here;
+    here.write("x.toml", column("1000"));
+    for (const char* signal : {"INT", "TERM"}) {
+        const Answer answer = here.grit(std::string("mpm --out out x.toml & sleep 0.2; kill -") +
+                                        signal + " $!; wait $!; exit $?");
+        EXPECT_EQ(answer.status, 1) << answer.text;
+        EXPECT_TRUE(answer.says("grit: x: interrupted (after step ")) << answer.text;
+        EXPECT_EQ(here.files("out"), (Names{"x.checkpoint", "x.csv"}));
+        EXPECT_NE(here.text("out/x.csv").find("# STOPPED EARLY: interrupted"), std::string::npos);
+        EXPECT_GT(here.result("x").at("t").size(), 2U);
+    }
+}
+
+// Ended by signals at any moment, it goes on to the same bits.
+TEST(MaterialPointCommand, GoesOnFromACheckpointToTheHistoryOfARunThatNeverStopped) {
+    const Workplace here;
+    here.write("x.toml", column("12") + "[fields]\ninterval_s = 2\nvariables = \"q\"\n");
+    ASSERT_EQ(here.grit("mpm --quiet --out whole x.toml").status, 0);
+    const std::string run = "mpm --quiet --checkpoint-minutes 1e-3 --out parts x.toml";
+    const auto killed = [&](const std::string& arguments, const std::string& signal) {
+        here.grit(arguments +
+                  " & sleep 0.1; until [ -e parts/x.checkpoint ]; do sleep 0.02; done; "
+                  "kill -" +
+                  signal + " $!; wait $!");
+        EXPECT_TRUE(here.files("parts").contains("x.checkpoint"));
+    };
+    killed(run, "KILL");
+    killed(run + " --restart", "TERM");
+    EXPECT_NE(here.text("parts/x.csv").find("STOPPED EARLY: interrupted"), std::string::npos);
+    const Answer answer = here.grit(run + " --restart");
+    EXPECT_EQ(answer.status, 0) << answer.text;
+    EXPECT_NE(here.text("whole/x.csv"), "");
+    EXPECT_EQ(here.files("whole"), here.files("parts"));
+    EXPECT_GE(here.files("whole").size(), 8U);
+    for (const std::string& file : here.files("whole"))
+        EXPECT_EQ(here.text("whole/" + file), here.text("parts/" + file)) << file;
+    EXPECT_FALSE(here.files("parts").contains("x.checkpoint"));
+}
+
+TEST(MaterialPointCommand, RefusesACheckpointThatIsMissingOrOfAnotherCase) {
+    const Workplace here;
+    here.write("x.toml", column("1000"));
+    Answer answer = here.grit("mpm --quiet --restart --out out x.toml");
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_TRUE(answer.says("x.checkpoint: cannot read this checkpoint")) << answer.text;
+    here.grit("mpm --quiet --out out x.toml & sleep 0.2; kill -TERM $!; wait $!");
+    here.write("x.toml", column("1000", "fixed_point = true\n"));
+    answer = here.grit("mpm --quiet --restart --out out x.toml");
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_TRUE(answer.says("fixed point")) << answer.text;
+    EXPECT_TRUE(here.files("out").contains("x.checkpoint"));
+}
+
+TEST(MaterialPointCommand, StopsAnUnstableRunWithOneClearLine) {
+    const Workplace here;
+    here.write("x.toml", column("1", "energy_residual_limit = 1e-6\n"));
+    const Answer answer = here.grit("mpm --quiet --out out x.toml");
+    EXPECT_EQ(answer.status, 1);
+    EXPECT_TRUE(answer.says("grit: x: the energy balance is broken at t = ")) << answer.text;
+    EXPECT_TRUE(answer.says("the limit is 0.0001 %")) << answer.text;
+    EXPECT_EQ(std::count(answer.text.begin(), answer.text.end(), '\n'), 1);
+    EXPECT_EQ(here.files("out"), Names{"x.csv"});
+}
+
+TEST(MaterialPointCommand, NeverOverwritesItsCaseOrTheBaseOfIt) {
+    const Workplace here;
+    here.write("x.csv", column("0.01"));
+    here.write("y.toml", "base = \"x.csv\"\nname = \"x\"\n");
+    const Answer answer = here.grit("mpm y.toml");
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_TRUE(answer.says("would overwrite this file")) << answer.text;
+    EXPECT_EQ(here.text("x.csv"), column("0.01"));
+}
+
+TEST(MaterialPointCommand, SaysWhereParticlesLeftTheGrid) {
+    const Workplace here;
+    here.write("x.toml", column("1") + "[[body]]\nname = \"ball\"\ndensity_kg_per_m3 = 1000\n"
+                                       "velocity_m_per_s = [0, 20]\n"
+                                       "[[body.box]]\nr_m = [0, 0.1]\nz_m = [1.05, 1.15]\n"
+                                       "[body.elastic]\nyoungs_modulus_kPa = 1000\n"
+                                       "poissons_ratio = 0.3\n");
+    const Answer answer = here.grit("mpm --quiet --out out x.toml");
+    EXPECT_EQ(answer.status, 1);
+    EXPECT_TRUE(answer.says("particles left the grid at t = ")) << answer.text;
+}
+
+}  // namespace

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// An elastic block thrown on sand and pushed by a traction, next to a rigid ring that leaves: everything
+// that a simulation keeps from step to step.
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include <adapters/mpm/kernel/sand.hpp>
+#include <grit/sand_catalogue.h>
+
+#include "support/box.hpp"
+
+namespace mpm_test {
+
+inline grit_sand lausitz_sand() {
+    grit_sand_parameters parameters;
+    grit_sand_parameters_init(&parameters, sizeof parameters);
+    grit_sand_record_parameters(grit_sand_record_find("lausitz"), 1000.0, &parameters);
+    grit_sand sand{};
+    if (grit_sand_prepare(&parameters, &sand, nullptr) != GRIT_OK) std::abort();
+    return sand;
+}
+
+inline grit_sand_options coarse_options() {
+    grit_sand_options out;
+    grit_sand_options_init(&out, sizeof out);
+    out.tolerance = 1e-3;
+    return out;
+}
+
+struct PressedSand {
+    Settings settings{.pic_rate = 20.0, .local_damping = 0.02, .gravity_z = -9.81};
+    int cells_z = 24;
+    bool ring = true;
+    double block_density = 2500.0;
+
+    std::unique_ptr<Simulation> build() const {
+        auto out = std::make_unique<Simulation>(
+            Axis::uniform(0.0, 0.4, 8), Axis::uniform(0.0, 0.05 * cells_z, cells_z), settings);
+        Body block = make_box({0.0, 0.2, 0.51, 0.71, 8, 8, block_density}, true,
+                              std::make_unique<LinearElastic>(1e7, 0.2));
+        block.name = "block";
+        const ParticleView v = block.particles.view();
+        for (std::ptrdiff_t p = 0; p < block.particles.size(); ++p) v[column::v_z][p] = -10.0;
+        out->add_body(std::move(block));
+        out->add_body(sand());
+        if (ring) {
+            Body rigid = make_box({0.25, 0.3, 0.55, 0.65, 2, 4, 1000.0}, true, nullptr);
+            rigid.name = "ring";
+            rigid.prescribed_velocity = [](double t) { return Vector{0.0, 4.0 + 100.0 * t}; };
+            out->add_body(std::move(rigid));
+        }
+        for (int id = 56; id < 64; ++id)
+            out->add_traction({0, id, Edge::top, [](double t) {
+                                   return Vector{0.0, -1e5 * std::sin(500.0 * t)};
+                               }});
+        out->add_contact(contact_law(GRIT_CONTACT_GEO, 0.3));
+        out->fix_below(1, 0.0);
+        out->fix_above(0, 0.4);
+        return out;
+    }
+
+  private:
+    static Body sand() {
+        Body body = make_box({0.0, 0.4, 0.0, 0.5, 16, 20, 1700.0}, true,
+                             std::make_unique<Sand>(lausitz_sand(), coarse_options()));
+        body.name = "sand";
+        const ParticleView q = body.particles.view();
+        for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p) {
+            for (const int c : {column::S_rr, column::S_zz, column::S_tt})
+                q[c][p] = -1000.0 - 17000.0 * (0.5 - q[column::z][p]);
+            q[Sand::state + GRIT_SAND_VOID_RATIO][p] = 0.65;
+        }
+        return body;
+    }
+};
+
+}  // namespace mpm_test
