@@ -46,6 +46,8 @@ class ContactPair {
   private:
     bool find_active(const ContactBody& a, const ContactBody& b);
     void find_normals(const ContactBody& a, const ContactBody& b);
+    void find_normals(const ContactBody& a, const ContactBody& b, int source,
+                      const std::vector<std::ptrdiff_t>& nodes);
     void measure(const GridView& grid, const ContactBody& body, int which);
     void find_surfaces(const GridView& grid, const ContactBody& a, const ContactBody& b,
                        Exchange& exchange);
@@ -58,7 +60,7 @@ class ContactPair {
     std::vector<int> fixed_bits;
     std::vector<double> position, spacing, normal, surface, near_surface, centre, distance, gap;
     std::vector<char> is_active;
-    std::vector<std::ptrdiff_t> active;
+    std::vector<std::ptrdiff_t> active, undefined;
     grit_contact_sums sums;
     grit_contact_totals step_totals;
 };

@@ -4,7 +4,8 @@
 //   when                        what                                            bytes
 //   after a scatter, per body   sum of node records, or of integers             64 a halo node
 //   after MUSL's second one     sum of node records                             64 a halo node
-//   contact with distances      minima of surfaces and centres, two each        32 a halo node
+//   contact with distances      minima of surfaces, of those beside the node,   48 a halo node
+//                               and of centres, two each
 //   fixed point, per scatter    maxima of contributions, eight a body           8 each
 //   each step                   maxima: v + c, way along z; counts of lost      8 each
 //   each step                   sums of the energy balance                      8 each
