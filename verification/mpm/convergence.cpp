@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Prints the order of convergence of the material-point driver: manufactured solution, confined bar, rolling
-// disk; and Hertz on two grids.
+// disk; and Hertz on three grids.
 #include <cmath>
 #include <cstdio>
 #include <vector>
@@ -43,10 +43,10 @@ int main() {
           [&](int cells) { return Manufactured::run(cells, manufactured).axis; });
     print("confined bar, velocity [-]", {16, 32, 64},
           [](int cells) { return vibrate(cells, true).velocity; });
-    print("rolling disk, way [-]", {4, 8, 16, 32},
+    print("rolling disk, way [-]", {4, 8, 16},
           [](int cells) { return std::fabs(RollingDisk().run(cells).way - 1.0); });
     std::printf("\n| Hertz, cells in a | radius | pressure |\n|---|---|---|\n");
-    for (const int cells : {7, 11, 16}) {
+    for (const int cells : {7, 11, 14}) {
         Hertz hertz;
         hertz.cells = cells;
         const Hertz::Result result = hertz.run();

@@ -102,16 +102,6 @@ struct Hertz {
             pressure[i] /= area;
         }
         const double force = simulation.contact(0).totals().force_on_b[1];
-        for (std::size_t i = 0; i < n && r[i] < 1.7 * a; ++i) {
-            printf("%.2f %8.0f :", r[i] / a, pressure[i]);
-            for (int j = 0; j < 7; ++j) {
-                auto node = j * n + i;
-                printf(" %9.2e", (simulation.records(0)[node][record::m] > 0.0)
-                                     ? -simulation.records(1)[node][record::f_z]
-                                     : 0.0);
-            }
-            printf("\n");
-        }
         Result out = fit(r, pressure);
         out.force = 2.0 * std::numbers::pi * force;
         const double stiffness = E / (1.0 - nu * nu);
