@@ -53,6 +53,7 @@ ContactPair::ContactPair(const ContactLaw& law, bool is_axisymmetric, const Grid
     active.reserve(n);
     reports.resize(n);
     step_faces.largest_gap = NAN;
+    undefined.reserve(n);
     step_totals.struct_size = sizeof step_totals;
 }
 
@@ -67,17 +68,36 @@ bool ContactPair::find_active(const ContactBody& a, const ContactBody& b) {
 }
 
 void ContactPair::find_normals(const ContactBody& a, const ContactBody& b) {
+    find_normals(a, b, pair_law.normal, active);
+    // A node inside the one body whose surface was asked for may be at the surface of the other.
+    undefined.clear();
+    for (const std::ptrdiff_t node : active) {
+        const double* n = &normal[2 * static_cast<std::size_t>(node)];
+        if (n[0] == 0.0 && n[1] == 0.0) undefined.push_back(node);
+    }
+    const bool of_b = pair_law.normal == GRIT_CONTACT_NORMAL_OF_B;
+    find_normals(a, b, of_b ? GRIT_CONTACT_NORMAL_OF_A : GRIT_CONTACT_NORMAL_OF_B, undefined);
+}
+
+void ContactPair::find_normals(const ContactBody& a, const ContactBody& b, int source,
+                               const std::vector<std::ptrdiff_t>& nodes) {
+    const auto view = [](const ContactBody& body, int column) {
+        return grit_view_of(&reinterpret_cast<const double*>(body.records)[column], record::size,
+                            1);
+    };
     grit_contact_gradients q{};
     q.struct_size = sizeof q;
     q.components = 2;
-    q.source = pair_law.normal;
-    q.index = active.data();
-    q.gradient_a = grit_view_of(&reinterpret_cast<const double*>(a.records)[record::g_r], 8, 1);
-    q.gradient_b = grit_view_of(&reinterpret_cast<const double*>(b.records)[record::g_r], 8, 1);
+    q.source = source;
+    q.index = nodes.data();
+    q.gradient_a = view(a, record::g_r);
+    q.gradient_b = view(b, record::g_r);
+    if (source != GRIT_CONTACT_NORMAL_AVERAGE)
+        q.scale = view(source == GRIT_CONTACT_NORMAL_OF_A ? a : b, record::g_scale);
     q.fixed = fixed_bits.data();
     q.normal = grit_mutable_view_of(normal.data(), 2, 1);
     grit_error error;
-    require(grit_contact_normals_from_gradients(static_cast<std::ptrdiff_t>(active.size()), &q,
+    require(grit_contact_normals_from_gradients(static_cast<std::ptrdiff_t>(nodes.size()), &q,
                                                 nullptr, &error),
             error);
 }
@@ -112,25 +132,27 @@ void ContactPair::measure(const GridView& grid, const ContactBody& body, int whi
         const double x[2] = {place.r, place.z};
         const double side[4] = {place.domain.r1r, place.domain.r1z, place.domain.r2r,
                                 place.domain.r2z};
-        std::ptrdiff_t nodes[16], beside[4];
+        double corner[4][2];
+        std::ptrdiff_t nodes[16], beside[16];
         int count = 0;
         for (int k = 0; k < 4; ++k) {
             const double e1 = k == 1 || k == 2 ? 1.0 : -1.0, e2 = k < 2 ? -1.0 : 1.0;
-            const double corner[2] = {x[0] + e1 * side[0] + e2 * side[2],
-                                      x[1] + e1 * side[1] + e2 * side[3]};
-            const int i = grid.r.cell_of(corner[0]), j = grid.z.cell_of(corner[1]);
+            const double r = corner[k][0] = x[0] + e1 * side[0] + e2 * side[2];
+            const double z = corner[k][1] = x[1] + e1 * side[1] + e2 * side[3];
+            const int i = grid.r.cell_of(r), j = grid.z.cell_of(z);
             // A corner on a grid line has no weight beyond it.
-            const int last_i = corner[0] == grid.r.node[i] ? i : i + 1;
-            const int last_j = corner[1] == grid.z.node[j] ? j : j + 1;
-            int count_beside = 0;
+            const int last_i = r == grid.r.node[i] ? i : i + 1;
+            const int last_j = z == grid.z.node[j] ? j : j + 1;
             for (int n_z = j; n_z <= last_j; ++n_z)
                 for (int n = i; n <= last_i; ++n) {
                     const std::ptrdiff_t node = n_z * n_r + n;
-                    if (!is_active[static_cast<std::size_t>(node)]) continue;
-                    nodes[count++] = node;
-                    if (is_beside(corner, node)) beside[count_beside++] = node;
+                    if (is_active[static_cast<std::size_t>(node)]) nodes[count++] = node;
                 }
-            add(near, which, corner, nullptr, beside, count_beside);
+        }
+        for (const auto& at : corner) {
+            const auto is_at = [&](std::ptrdiff_t node) { return is_beside(at, node); };
+            const auto* end = std::copy_if(nodes, nodes + count, beside, is_at);
+            add(near, which, at, nullptr, beside, static_cast<int>(end - beside));
         }
         add(all, which, x, side, nodes, count);
     }

@@ -54,6 +54,8 @@ class ContactPair {
     friend struct CheckpointMembers;
     bool find_active(const ContactBody& a, const ContactBody& b);
     void find_normals(const ContactBody& a, const ContactBody& b);
+    void find_normals(const ContactBody& a, const ContactBody& b, int source,
+                      const std::vector<std::ptrdiff_t>& nodes);
     template <bool axi> void measure(const GridView& grid, const ContactBody& body, int which);
     void find_surfaces(const GridView& grid, const ContactBody& a, const ContactBody& b,
                        Exchange& exchange);
@@ -68,7 +70,7 @@ class ContactPair {
     std::vector<int> fixed_bits;
     std::vector<double> position, spacing, normal, surface, near_surface, centre, distance, gap;
     std::vector<char> is_active;
-    std::vector<std::ptrdiff_t> active;
+    std::vector<std::ptrdiff_t> active, undefined;
     grit_contact_sums sums;
     std::vector<grit_contact_report> reports;
     grit_contact_totals step_totals;

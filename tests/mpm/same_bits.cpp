@@ -114,7 +114,7 @@ TEST(Exchange, SeesEverySumOfAStep) {
     simulation.add_contact(contact_law(GRIT_CONTACT_GEO, 0.3));
     simulation.step();
     EXPECT_EQ(exchange.sums, 2);    // of each body
-    EXPECT_EQ(exchange.minima, 3);  // of surfaces, surfaces beside the node, and centres
+    EXPECT_EQ(exchange.minima, 3);  // surfaces, those beside a node, centres
     EXPECT_EQ(exchange.maxima, 2);  // at the start and at the end
 }
 

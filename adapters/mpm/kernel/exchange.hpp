@@ -5,7 +5,8 @@
 //   after a scatter, per body   sum of node records, or of integers             64 a halo node
 //   mean volumetric strains     sum of cells                                    16 a halo cell
 //   after MUSL's second one     sum of node records                             64 a halo node
-//   contact with distances      minima of three distances, two each             48 a halo node
+//   contact with distances      minima of surfaces, of those beside the node,   48 a halo node
+//                               and of centres, two each
 //   fixed point, per scatter    maxima of contributions, eight a body           8 each
 //   each step                   maxima: v + c, way along z; counts of lost      8 each
 //   each step                   sums of the energy balance                      8 each

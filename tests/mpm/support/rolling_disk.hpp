@@ -9,7 +9,7 @@ namespace mpm_test {
 struct RollingDisk {
     static constexpr double g = 9.81, R = 0.5, rho = 1000.0;
     double angle = std::numbers::pi / 6.0, friction = 0.5;
-    double E = 1e6;  // [Pa]
+    double E = 4e6;  // [Pa]
     int law = GRIT_CONTACT_GEO;
     Scheme scheme = Scheme::usl;
     double cfl = 0.6, run_time = 1.0;  // [-], [s]

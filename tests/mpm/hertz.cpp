@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "support/hertz.hpp"
+
+namespace {
+
+using namespace mpm_test;
+
+void is_that_of_hertz(const Hertz& hertz) {
+    const Hertz::Result result = hertz.run();
+    EXPECT_GT(result.radius, 10.0 * Hertz::a / hertz.cells);
+    EXPECT_NEAR(result.radius_error, 0.0, 0.03);
+    EXPECT_NEAR(result.pressure_error, 0.0, 0.03);
+    EXPECT_NEAR(result.sum_error, 0.0, 0.005);
+}
+
+TEST(PressedParaboloid, HasThePressureOfHertzByGeoContactOnAGridLine) {
+    is_that_of_hertz({.cells = 11, .law = GRIT_CONTACT_GEO});
+}
+
+TEST(PressedParaboloid, HasThePressureOfHertzByFrictionalContactBetweenGridLines) {
+    is_that_of_hertz({.cells = 11, .beyond = 0.5, .law = GRIT_CONTACT_FRICTIONAL});
+}
+
+}  // namespace

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "support/rolling_disk.hpp"
+
+namespace {
+
+using namespace mpm_test;
+
+// Fine grids: verification/mpm/convergence.cpp.
+TEST(DiskOnASlope, RollsAsARigidOneWithAnErrorThatFallsWithTheCellSize) {
+    const RollingDisk disk;
+    const RollingDisk::Result at_4 = disk.run(4), at_8 = disk.run(8), at_16 = disk.run(16);
+    EXPECT_NEAR(at_16.way, 1.0, 0.02);
+    EXPECT_GT(std::log2((1.0 - at_4.way) / (1.0 - at_8.way)), 1.3);
+    EXPECT_GT(std::log2((1.0 - at_8.way) / (1.0 - at_16.way)), 1.3);
+    EXPECT_NEAR(at_16.residual, 0.0, 0.01);
+}
+
+}  // namespace
