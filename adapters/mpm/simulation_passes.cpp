@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "adapters/mpm/kernel/material_failure.hpp"
 #include "adapters/mpm/simulation.hpp"
 
 namespace grit::mpm {
@@ -169,6 +170,15 @@ void Simulation::gather(unsigned tasks, double by) {
                [&, this](Part& part, int strip) { gather_strip(part, strip, tasks, by); });
 }
 
+void Simulation::update(const Part& part, const Range& range, const Increments& increments) const {
+    try {
+        part.body.material->update(range, increments);
+    } catch (const MaterialFailure& failure) {
+        throw failure.of(static_cast<std::size_t>(&part - parts.data()), part.body.name,
+                         part.body.particles.ids()[failure.place()], t);
+    }
+}
+
 void Simulation::gather_strip(Part& part, int strip, unsigned tasks, double by) {
     const auto s = static_cast<std::size_t>(strip);
     GatherSums& strip_sums = part.gather_sums[s];
@@ -189,7 +199,7 @@ void Simulation::gather_strip(Part& part, int strip, unsigned tasks, double by) 
         kernels().gather(settings.shape, settings.axisymmetric, call, increments, strip_sums);
         const Range range{q, begin, stop};
         if (deforms) {
-            material->update(range, increments);
+            update(part, range, increments);
             double moduli[Increments::capacity];
             material->wave_moduli(range, moduli);
             for (std::ptrdiff_t p = begin; p < stop; ++p) {
