@@ -69,6 +69,10 @@ void read_numerics(TomlTable table, CaseFile& file) {
         table.fail("stress_tolerance",
                    fmt::format("{} must be in [1e-14, 0.01], got {:g}",
                                table.full("stress_tolerance"), file.stress_tolerance));
+    file.smallest_part = table.positive_or("smallest_part", file.smallest_part);
+    if (!(file.smallest_part <= 1.0))
+        table.fail("smallest_part", fmt::format("{} must be in (0, 1], got {:g}",
+                                                table.full("smallest_part"), file.smallest_part));
     file.iteration_limit = table.integer_or("iteration_limit", file.iteration_limit, 1, 1000);
     file.options.evaluation_limit =
         table.integer_or("evaluation_limit", file.options.evaluation_limit, 2, 1000000);

@@ -53,6 +53,7 @@ struct CaseFile {
     element::MaterialPoint point;               // to start from
     std::vector<CaseStage> stages;
     double stress_tolerance = 1e-9;  // of the prescribed stress, relative
+    double smallest_part = 1e-6;     // of an increment that is cut back; 1: none is
     int iteration_limit = 25;
     Limits limits;
     Reference reference;

@@ -21,6 +21,10 @@ void check_outputs(const MpmRequest& request, const MpmCaseFile& file,
     const std::string who = fmt::format("case {} ({})", file.plan.name, request.file.string());
     outputs.add(options.history, who);
     outputs.add(options.checkpoint, who);
+    outputs.add(options.failure, who);
+    if (!request.no_plot)
+        for (const char* ending : {".svg", ".png"})
+            outputs.add(options.fields.string() + ending, who);
     if (options.shown) outputs.add(options.fields.string() + ".pvd", who);
     outputs.spare(file.inputs);
 }
@@ -42,6 +46,7 @@ ExitCode run_mpm(const MpmRequest& request) {
     const MpmRunOptions options{request.out / (plan.name + ".csv"),
                                 request.out / (plan.name + ".checkpoint"),
                                 request.out / plan.name,
+                                request.out / (plan.name + "_failure.toml"),
                                 file.fields,
                                 request.checkpoint_minutes,
                                 request.restart,
@@ -52,6 +57,7 @@ ExitCode run_mpm(const MpmRequest& request) {
     const RunGuard guard(plan.name + ": Grit");
     MpmRun run(options, runner);
     const std::string failure = run.go();
+    if (!request.no_plot) run.draw();
     if (!failure.empty()) fmt::print(stderr, "grit: {}: {}\n", plan.name, failure);
     if (!request.quiet)
         fmt::print("{}: {} particles, {} steps, t = {:.4g} s, {:.1f} s of computing -> {}\n",

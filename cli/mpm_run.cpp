@@ -9,6 +9,9 @@
 #include "cli/exit_code.hpp"
 #include "cli/mpm_checkpoint.hpp"
 #include "cli/mpm_history.hpp"
+#include "cli/mpm_pictures.hpp"
+#include "cli/picture_maker.hpp"
+#include "cli/replay_case.hpp"
 
 namespace cli {
 
@@ -53,6 +56,10 @@ std::string MpmRun::go() {
             step();
             interrupted = RunGuard::interrupted();
         }
+    } catch (const MaterialFailure& error) {
+        write_replay_case(options.failure, error, runner.simulation());
+        failure = fmt::format("{}; to be replayed by grit element {}", error.what(),
+                              options.failure.string());
     } catch (const std::runtime_error& error) {
         failure = error.what() + here();
     }
@@ -67,6 +74,29 @@ std::string MpmRun::go() {
     // What it was kept for is done.
     if (failure.empty()) std::filesystem::remove(options.checkpoint);
     return failure;
+}
+
+void MpmRun::draw() {
+    const Case& plan = runner.description();
+    Table table{history_columns()};
+    const std::size_t width = table.columns.size();
+    for (std::size_t i = 0; i < done.history.size(); ++i)
+        table.columns[i % width].values.push_back(done.history[i]);
+    PictureMaker maker(options.fields.parent_path(), options.quiet);
+    maker.draw(options.fields.filename().string(), picture_of_history(table, plan.title));
+    if (!options.shown) return;
+    for (const MpmField& field : options.shown->variables) {
+        const FieldPicture picture{
+            field,
+            fmt::format("{}, t = {:.4g} s", plan.title, runner.simulation().time()),
+            {0.0, 0.0, 0.0, 0.0},
+            plan.settings.axisymmetric};
+        const std::filesystem::path stem = options.fields.string() + "_" + field.name;
+        const std::string problem = draw_field(stem, picture, fields);
+        if (problem.empty()) continue;
+        fmt::print(stderr, "grit: no picture: {}\n", problem);
+        return;
+    }
 }
 
 std::string MpmRun::here() {

@@ -20,7 +20,8 @@ namespace cli {
 
 struct MpmRunOptions {
     std::filesystem::path history, checkpoint;  // files
-    std::filesystem::path fields;               // stem of files
+    std::filesystem::path fields;               // stem of files, of pictures too
+    std::filesystem::path failure;              // where a particle that fails is replayed
     std::optional<FieldsPlan> shown;
     double checkpoint_minutes = 0.0;  // 0: when it is interrupted, only
     bool restart = false;             // from the checkpoint
@@ -34,6 +35,8 @@ class MpmRun {
 
     // Why it stopped early; empty: it did not.
     std::string go();
+    // Curves of the history, and the fields of [fields] as they are now. They never fail a run.
+    void draw();
     double seconds() const { return progress.seconds(); }
 
   private:

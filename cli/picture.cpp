@@ -129,10 +129,15 @@ std::string panel_script(const Picture& picture, const Layout& layout, std::size
                                              gnuplot_quoted(panel.title));
     out += x_tics(panel, picture.labels_above);
     out += panel.y_from_zero ? "set yrange [0:*]\n" : "set yrange [*:*]\n";
-    out += number == 0 ? fmt::format("set key at screen 0.5,{:.4f} center top Left reverse samplen "
-                                     "1.6 noenhanced\n",
-                                     1.0 - Layout::part(30, layout.height))
-                       : "unset key\n";
+    if (panel.own_key)
+        out += "set key at graph 0.5,1.02 center bottom horizontal maxcols 3 Left reverse "
+               "samplen 1.2 noenhanced font ',10'\n";
+    else
+        out += number == 0
+                   ? fmt::format("set key at screen 0.5,{:.4f} center top Left reverse samplen "
+                                 "1.6 noenhanced\n",
+                                 1.0 - Layout::part(30, layout.height))
+                   : "unset key\n";
     return out + plots_of(panel, number);
 }
 

@@ -20,6 +20,7 @@ struct Panel {
     std::string x_label, y_label;
     bool log_x = false;
     bool y_from_zero = false;
+    bool own_key = false;  // above it, not above the picture
     std::vector<Series> series;
 };
 

@@ -44,7 +44,7 @@ class Simulation {
     void set_pic_rate(double rate) { settings.pic_rate = rate; }
     void set_cfl(double cfl);
 
-    // Throws std::runtime_error with the particle if one leaves the grid or its material fails.
+    // Throws std::runtime_error if particles leave the grid, MaterialFailure if the sand of one fails.
     void step();
     double time() const { return t; }
     double next_step() const { return dt; }
@@ -121,6 +121,7 @@ class Simulation {
     void gather_strip(Part& part, int strip, unsigned tasks, double by);
     void deform_strip(Part& part, int strip);
     double update(Part& part, int strip, const Range& range);
+    void update_stress(const Part& part, const Range& range, const Increments& increments) const;
     void remap();
     void account();
     double stored_energy() const;

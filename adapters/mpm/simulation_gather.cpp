@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "adapters/mpm/for_strips.hpp"
+#include "adapters/mpm/kernel/material_failure.hpp"
 #include "adapters/mpm/simulation.hpp"
 
 namespace grit::mpm {
@@ -78,12 +79,22 @@ void Simulation::deform_strip(Part& part, int strip) {
     part.speed[s] = std::sqrt(fastest);
 }
 
+void Simulation::update_stress(const Part& part, const Range& range,
+                               const Increments& increments) const {
+    try {
+        part.body.material->update(range, increments);
+    } catch (const MaterialFailure& failure) {
+        throw failure.of(static_cast<std::size_t>(&part - parts.data()), part.body.name,
+                         part.body.particles.ids()[failure.place()], t);
+    }
+}
+
 // Stress of a range, and the largest M / rho in it.
 double Simulation::update(Part& part, int strip, const Range& range) {
     const auto s = static_cast<std::size_t>(strip);
     const ParticleView& q = range.particles;
-    Material& material = *part.body.material;
-    material.update(range, part.increments[s]);
+    const Material& material = *part.body.material;
+    update_stress(part, range, part.increments[s]);
     double moduli[Increments::capacity], fastest = 0.0;
     material.wave_moduli(range, moduli);
     for (std::ptrdiff_t p = range.begin; p < range.end; ++p) {

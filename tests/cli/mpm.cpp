@@ -37,13 +37,17 @@ TEST(MaterialPointCommand, RunsTheFileThatExplainsEveryKey) {
     EXPECT_EQ(history.at("blow").back(), 2.0);
     EXPECT_GT(history.at("depth").back(), 0.0);
     EXPECT_EQ(history.at("stage").back(), 2.0);
+    for (const char* picture : {"every_key.svg", "every_key_void_ratio.png"})
+        EXPECT_TRUE(here.files("out").contains(picture)) << picture;
     EXPECT_NE(here.text("out/every_key.csv").find("# stage drive ended by its blows"),
               std::string::npos);
 }
 
 TEST(MaterialPointCommand, RunsACaseThatSaysInWhatItDiffersFromAnother) {
     const Workplace here;
-    EXPECT_EQ(here.grit("mpm " + cases + "/every_key_override.toml --out out --quiet").status, 0);
+    EXPECT_EQ(
+        here.grit("mpm " + cases + "/every_key_override.toml --no-plot --out out --quiet").status,
+        0);
     const Names files = here.files("out");
     EXPECT_TRUE(files.contains("every_key_override.csv"));
     EXPECT_TRUE(files.contains("every_key_override.pvd"));
@@ -62,7 +66,7 @@ TEST(MaterialPointCommand, OverridesElementsOfListsByNameAndByNumber) {
     here.write("x.toml", column("0.1"));
     here.write("y.toml", "base = \"x.toml\"\n[override]\n\"stage.1.until.time_s\" = 0.02\n"
                          "\"grid.z.1.cells\" = 12\n\"body.column.box.1.z_m\" = [0, 0.5]\n");
-    EXPECT_EQ(here.grit("mpm --quiet --out out y.toml").text, "");
+    EXPECT_EQ(here.grit("mpm --no-plot --quiet --out out y.toml").text, "");
     EXPECT_NEAR(here.result("y").at("t").back(), 0.02, 2e-3);
     EXPECT_NE(here.text("out/y.csv").find("# 80 particles"), std::string::npos);
 }
@@ -70,8 +74,8 @@ TEST(MaterialPointCommand, OverridesElementsOfListsByNameAndByNumber) {
 TEST(MaterialPointCommand, GivesTheSameHistoryForAnyNumberOfThreads) {
     const Workplace here;
     here.write("x.toml", column("0.05"));
-    EXPECT_EQ(here.grit("mpm x.toml --quiet --out one").text, "");
-    EXPECT_EQ(here.grit("mpm x.toml --quiet --out two --threads 2").text, "");
+    EXPECT_EQ(here.grit("mpm x.toml --no-plot --quiet --out one").text, "");
+    EXPECT_EQ(here.grit("mpm x.toml --no-plot --quiet --out two --threads 2").text, "");
     EXPECT_NE(here.text("one/x.csv"), "");
     EXPECT_EQ(here.text("one/x.csv"), here.text("two/x.csv"));
 }
@@ -80,8 +84,9 @@ TEST(MaterialPointCommand, EndsAfterTheStepWhenItIsInterrupted) {
     const Workplace here;
     here.write("x.toml", column("1000"));
     for (const char* signal : {"INT", "TERM"}) {
-        const Answer answer = here.grit(std::string("mpm --out out x.toml & sleep 0.2; kill -") +
-                                        signal + " $!; wait $!; exit $?");
+        const Answer answer =
+            here.grit(std::string("mpm --no-plot --out out x.toml & sleep 0.2; kill -") + signal +
+                      " $!; wait $!; exit $?");
         EXPECT_EQ(answer.status, 1) << answer.text;
         EXPECT_TRUE(answer.says("grit: x: interrupted (after step ")) << answer.text;
         EXPECT_EQ(here.files("out"), (Names{"x.checkpoint", "x.csv"}));
@@ -94,8 +99,8 @@ TEST(MaterialPointCommand, EndsAfterTheStepWhenItIsInterrupted) {
 TEST(MaterialPointCommand, GoesOnFromACheckpointToTheHistoryOfARunThatNeverStopped) {
     const Workplace here;
     here.write("x.toml", column("12") + "[fields]\ninterval_s = 2\nvariables = \"q\"\n");
-    ASSERT_EQ(here.grit("mpm --quiet --out whole x.toml").status, 0);
-    const std::string run = "mpm --quiet --checkpoint-minutes 1e-3 --out parts x.toml";
+    ASSERT_EQ(here.grit("mpm --no-plot --quiet --out whole x.toml").status, 0);
+    const std::string run = "mpm --no-plot --quiet --checkpoint-minutes 1e-3 --out parts x.toml";
     const auto killed = [&](const std::string& arguments, const std::string& signal) {
         here.grit(arguments +
                   " & sleep 0.1; until [ -e parts/x.checkpoint ]; do sleep 0.02; done; "
@@ -119,12 +124,12 @@ TEST(MaterialPointCommand, GoesOnFromACheckpointToTheHistoryOfARunThatNeverStopp
 TEST(MaterialPointCommand, RefusesACheckpointThatIsMissingOrOfAnotherCase) {
     const Workplace here;
     here.write("x.toml", column("1000"));
-    Answer answer = here.grit("mpm --quiet --restart --out out x.toml");
+    Answer answer = here.grit("mpm --no-plot --quiet --restart --out out x.toml");
     EXPECT_EQ(answer.status, 2);
     EXPECT_TRUE(answer.says("x.checkpoint: cannot read this checkpoint")) << answer.text;
-    here.grit("mpm --quiet --out out x.toml & sleep 0.2; kill -TERM $!; wait $!");
+    here.grit("mpm --no-plot --quiet --out out x.toml & sleep 0.2; kill -TERM $!; wait $!");
     here.write("x.toml", column("1000", "fixed_point = true\n"));
-    answer = here.grit("mpm --quiet --restart --out out x.toml");
+    answer = here.grit("mpm --no-plot --quiet --restart --out out x.toml");
     EXPECT_EQ(answer.status, 2);
     EXPECT_TRUE(answer.says("fixed point")) << answer.text;
     EXPECT_TRUE(here.files("out").contains("x.checkpoint"));
@@ -133,7 +138,7 @@ TEST(MaterialPointCommand, RefusesACheckpointThatIsMissingOrOfAnotherCase) {
 TEST(MaterialPointCommand, StopsAnUnstableRunWithOneClearLine) {
     const Workplace here;
     here.write("x.toml", column("1", "energy_residual_limit = 1e-6\n"));
-    const Answer answer = here.grit("mpm --quiet --out out x.toml");
+    const Answer answer = here.grit("mpm --no-plot --quiet --out out x.toml");
     EXPECT_EQ(answer.status, 1);
     EXPECT_TRUE(answer.says("grit: x: the energy balance is broken at t = ")) << answer.text;
     EXPECT_TRUE(answer.says("the limit is 0.0001 %")) << answer.text;
@@ -145,7 +150,7 @@ TEST(MaterialPointCommand, NeverOverwritesItsCaseOrTheBaseOfIt) {
     const Workplace here;
     here.write("x.csv", column("0.01"));
     here.write("y.toml", "base = \"x.csv\"\nname = \"x\"\n");
-    const Answer answer = here.grit("mpm y.toml");
+    const Answer answer = here.grit("mpm --no-plot y.toml");
     EXPECT_EQ(answer.status, 2);
     EXPECT_TRUE(answer.says("would overwrite this file")) << answer.text;
     EXPECT_EQ(here.text("x.csv"), column("0.01"));
@@ -158,7 +163,7 @@ TEST(MaterialPointCommand, SaysWhereParticlesLeftTheGrid) {
                                        "[[body.box]]\nr_m = [0, 0.1]\nz_m = [1.05, 1.15]\n"
                                        "[body.elastic]\nyoungs_modulus_kPa = 1000\n"
                                        "poissons_ratio = 0.3\n");
-    const Answer answer = here.grit("mpm --quiet --out out x.toml");
+    const Answer answer = here.grit("mpm --no-plot --quiet --out out x.toml");
     EXPECT_EQ(answer.status, 1);
     EXPECT_TRUE(answer.says("particles left the grid at t = ")) << answer.text;
 }

@@ -6,8 +6,35 @@
 
 #include <grit/sand_operators.h>
 
+#include "adapters/mpm/kernel/material_failure.hpp"
+
 namespace grit::mpm {
 namespace c = column;
+namespace {
+
+// The point that failed is as it was.
+SandUpdate asked_of(const Range& range, const Increments& d, std::ptrdiff_t i) {
+    const ParticleView& q = range.particles;
+    const std::ptrdiff_t p = range.begin + i;
+    SandUpdate out{};
+    for (int k = 0; k < 4; ++k) {
+        out.stress[k] = q[c::S_rr + k][p];
+        out.strain[k] = d.strain[k][i];
+    }
+    for (int k = 0; k < GRIT_SAND_STATE_SIZE; ++k) out.state[k] = q[Sand::state + k][p];
+    for (int k = 0; k < 9; ++k) out.rotation[k] = d.rotation[k][i];
+    return out;
+}
+
+[[noreturn]] void fail(const Range& range, const Increments& d, const grit_error& error) {
+    if (error.point < 0) throw std::runtime_error(std::string("sand: ") + error.message);
+    const std::string message = error.message,
+                      number = "point " + std::to_string(error.point) + ": ";
+    throw MaterialFailure(asked_of(range, d, error.point), range.begin + error.point,
+                          message.starts_with(number) ? message.substr(number.size()) : message);
+}
+
+}  // namespace
 
 Sand::Sand(const grit_sand& prepared, const grit_sand_options& given)
     : sand(prepared), options(given) {}
@@ -28,7 +55,7 @@ void Sand::update(const Range& range, const Increments& d) {
     points.state = grit_mutable_view_of(q[state] + range.begin, 1, q.stride);
     grit_error error;
     if (grit_sand_update(&sand, &options, n, &points, nullptr, &error) != GRIT_OK)
-        throw std::runtime_error(std::string("sand: ") + error.message);
+        fail(range, d, error);
 
     for (std::ptrdiff_t i = 0; i < n; ++i) {
         const std::ptrdiff_t p = range.begin + i;

@@ -67,9 +67,10 @@ TEST_F(Fields, AreOfTheParticleWithThatNumberAfterManySorts) {
     const std::vector<double> u = fields.values(0, mpm_field("displacement"));
     for (int i = 0; i < 100; ++i) {
         const auto k = static_cast<std::size_t>(i);
+        const int row = i / 10;
         EXPECT_EQ(id[k], i);
         EXPECT_NEAR(u[2 * k], value(0, i, c::r) - (i % 10 + 0.5) * 0.05, 1e-12);
-        EXPECT_NEAR(u[2 * k + 1], value(0, i, c::z) - (i / 10 + 0.5) * 0.05, 1e-12);
+        EXPECT_NEAR(u[2 * k + 1], value(0, i, c::z) - (row + 0.5) * 0.05, 1e-12);
     }
 }
 
