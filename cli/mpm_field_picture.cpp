@@ -143,9 +143,10 @@ struct Frame {
 std::string sheet(const FieldPicture& picture, const Window& w, const Frame& frame,
                   std::pair<double, double> colours, bool has_colour, bool has_grey) {
     std::string out = fmt::format(
-        "reset\nset encoding utf8\nset border 3 lw 1 lc rgb '#444444'\n"
+        "reset\nset encoding utf8\nset border 15 lw 1 lc rgb '#444444'\n"
         "set tics nomirror out scale 0.6 textcolor rgb '#222222' font ',11'\n"
-        "set title {} noenhanced font ',15'\nset xlabel 'r [m]'\nset ylabel 'z [m]'\n"
+        "set title {} noenhanced font ',15'\nset xtics offset 0,0.5\nset xlabel 'r [m]' offset "
+        "0,0.9\nset ylabel 'z [m]' offset 1.2,0\n"
         "set xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\nset cbrange [{:.9g}:{:.9g}]\n"
         "set cblabel {} noenhanced offset 1,0\nset format cb '%.4g'\nunset key\n{}{}",
         gnuplot_quoted(picture.title), w.r0, w.r1, w.z0, w.z1, colours.first, colours.second,
@@ -155,7 +156,7 @@ std::string sheet(const FieldPicture& picture, const Window& w, const Frame& fra
         palette, frame.margins());
     // Some four tics along the shorter side.
     if (frame.plot_width < 300)
-        out += fmt::format("set xtics {:g}\n", [](double x) {
+        out += fmt::format("set xtics {:g} offset 0,0.5\n", [](double x) {
             const double unit = std::pow(10.0, std::floor(std::log10(x)));
             return x / unit >= 5.0 ? 5.0 * unit : x / unit >= 2.0 ? 2.0 * unit : unit;
         }((w.r1 - w.r0) * 80.0 / frame.plot_width));

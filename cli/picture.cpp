@@ -106,17 +106,26 @@ struct Layout {
         : columns(std::min(picture.columns, static_cast<int>(picture.panels.size()))),
           rows((static_cast<int>(picture.panels.size()) + columns - 1) / columns),
           top(40 + 20 * labels_of(picture.panels.front())), width(columns * picture.width),
-          height(rows * picture.height + top), gap_x(picture.labels_above ? 62 : 104),
-          gap_y(picture.labels_above ? 52 : 76) {}
+          height(rows * picture.height + top),
+          keys(std::any_of(picture.panels.begin(), picture.panels.end(),
+                           [](const Panel& panel) { return panel.own_key; })),
+          left(keys ? 122 : 96), gap_x(picture.labels_above ? 62
+                                       : keys               ? 130
+                                                            : 104),
+          gap_y(picture.labels_above ? 52
+                : keys               ? 132
+                                     : 76) {}
 
     std::string margins() const {
         return fmt::format("margins {:.4f},{:.4f},{:.4f},{:.4f} spacing {:.4f},{:.4f}",
-                           part(96, width), 1.0 - part(26, width), part(70, height),
+                           part(left, width), 1.0 - part(26, width), part(70, height),
                            1.0 - part(top + 24, height), part(gap_x, width), part(gap_y, height));
     }
     static double part(int pixels, int whole) { return static_cast<double>(pixels) / whole; }
 
-    int columns, rows, top, width, height, gap_x, gap_y;
+    int columns, rows, top, width, height;
+    bool keys;  // of panels, above them
+    int left, gap_x, gap_y;
 };
 
 std::string panel_script(const Picture& picture, const Layout& layout, std::size_t number) {
