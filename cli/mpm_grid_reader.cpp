@@ -110,6 +110,7 @@ void read_mpm_numerics(TomlTable table, Case& plan) {
     out.largest_step = table.positive_or("largest_step_s", out.largest_step);
     out.pic_rate = number_within(table, "pic_rate_per_s", out.pic_rate, 0.0, 1e5);
     out.local_damping = number_within(table, "local_damping", out.local_damping, 0.0, 0.95);
+    out.cell_mean = table.boolean_or("cell_averaged_volume", out.cell_mean);
     out.fixed_point = table.boolean_or("fixed_point", out.fixed_point);
     out.threads = table.integer_or("threads", out.threads, 1, 1024);
     plan.residual_limit =

@@ -74,6 +74,38 @@ Vector direction_of(TomlTable& table, Edge edge) {
     return {(*given)[0] / length, (*given)[1] / length};
 }
 
+// A line in the grid; closed if its last point is its first.
+PenaltyLine read_line(TomlTable table, const Case& plan) {
+    PenaltyLine out;
+    const std::vector<double> r = table.numbers("r_m"), z = table.numbers("z_m", r.size());
+    for (std::size_t i = 0; i < r.size(); ++i) {
+        if (!(r[i] >= plan.r.from && r[i] <= plan.r.to() && z[i] >= plan.z.from &&
+              z[i] <= plan.z.to()))
+            table.fail("r_m", fmt::format("{} leaves the grid at ({:g}, {:g}) m", table.full(""),
+                                          r[i], z[i]));
+        out.points.push_back({r[i], z[i]});
+    }
+    out.closed = r.size() > 2 && r.front() == r.back() && z.front() == z.back();
+    if (out.closed) out.points.pop_back();
+    if (out.points.size() < 2)
+        table.fail("r_m", fmt::format("{} needs two points at least, got {}", table.full(""),
+                                      out.points.size()));
+    table.finish();
+    return out;
+}
+
+PenaltyPlan read_penalty(TomlTable& table, const Case& plan) {
+    PenaltyPlan out{};
+    out.modulus = kPa * table.number("modulus_kPa");
+    if (!(out.modulus > 0.0))
+        table.fail("modulus_kPa", fmt::format("{} must be positive, got {:g}",
+                                              table.full("modulus_kPa"), out.modulus / kPa));
+    out.stiffness_multiple = number_within(table, "stiffness_multiple", 1.0, 1e-6, 1e6);
+    out.stiff_line = read_line(table.table("stiff_line"), plan);
+    out.soft_line = read_line(table.table("soft_line"), plan);
+    return out;
+}
+
 }  // namespace
 
 std::string body_name(TomlTable& table, const std::string& key, const Case& plan) {
@@ -118,9 +150,14 @@ ContactPlan read_contact(TomlTable table, const Case& plan) {
         table.fail("soft", fmt::format("{} must be another body than stiff", table.full("soft")));
     if (plan.bodies[plan.body(out.stiff)].rigid() && plan.bodies[plan.body(out.soft)].rigid())
         table.fail("soft", fmt::format("{}: both bodies are rigid", table.full("soft")));
-    out.law = table.choice("law", {"geo", "frictional"}) == "geo" ? GRIT_CONTACT_GEO
-                                                                  : GRIT_CONTACT_FRICTIONAL;
+    const std::string law = table.choice("law", {"geo", "frictional", "penalty"});
+    out.law = law == "geo" ? GRIT_CONTACT_GEO : GRIT_CONTACT_FRICTIONAL;
     out.friction_coefficient = number_within(table, "friction_coefficient", 0.0, 0.0, 100.0);
+    if (law == "penalty") {
+        out.penalty = read_penalty(table, plan);
+        table.finish();
+        return out;
+    }
     out.penalty_power = number_within(table, "penalty_power", 6.0, 1e-6, 1e6);
     if (table.has("normal")) {
         const std::string word = table.choice("normal", {"stiff", "soft", "average"});

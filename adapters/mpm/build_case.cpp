@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/mpm/build_case.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -81,8 +82,24 @@ void add_tractions(const Case& plan, const Axis& r, const Axis& z, const BuiltCa
     }
 }
 
+void add_penalty_contact(const Case& plan, const ContactPlan& contact, Simulation& simulation) {
+    const PenaltyPlan& given = *contact.penalty;
+    const double cell = std::min(simulation.axis_r().shortest(), simulation.axis_z().shortest());
+    PenaltyLaw law =
+        penalty_law(contact.friction_coefficient, given.stiffness_multiple, given.modulus, cell);
+    law.a = plan.body(contact.stiff);
+    law.b = plan.body(contact.soft);
+    law.line_a = given.stiff_line;
+    law.line_b = given.soft_line;
+    simulation.add_contact(law);
+}
+
 void add_contacts(const Case& plan, Simulation& simulation) {
     for (const ContactPlan& contact : plan.contacts) {
+        if (contact.penalty) {
+            add_penalty_contact(plan, contact, simulation);
+            continue;
+        }
         ContactLaw law =
             contact_law(contact.law, contact.friction_coefficient, contact.penalty_power);
         law.a = plan.body(contact.stiff);

@@ -11,6 +11,7 @@
 #include <grit/sand.h>
 
 #include "adapters/mpm/graded_axis.hpp"
+#include "adapters/mpm/penalty_pair.hpp"
 #include "adapters/mpm/settings.hpp"
 #include "adapters/mpm/time_function.hpp"
 #include "adapters/mpm/traction.hpp"
@@ -82,12 +83,20 @@ struct TractionPlan {
     std::string from_stage = {};  // nothing before, and time counts from there; empty: always
 };
 
+// Penalty contact: the lines that may touch, with their bodies on the left.
+struct PenaltyPlan {
+    double modulus;                   // P-wave modulus of the softer body [Pa]
+    double stiffness_multiple = 1.0;  // of modulus / shortest cell
+    PenaltyLine stiff_line, soft_line;
+};
+
 struct ContactPlan {
     std::string stiff, soft;  // bodies
     int law = 0;              // GRIT_CONTACT_...
     double friction_coefficient = 0.0, penalty_power = 6.0;
     int normal = 0, measure = 0;  // GRIT_CONTACT_...
     bool gated = true;
+    std::optional<PenaltyPlan> penalty = {};  // in place of a nodal law
 };
 
 // What ends a stage: whichever comes first.

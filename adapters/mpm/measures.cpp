@@ -84,6 +84,15 @@ ContactForces contact_forces(const Simulation& simulation, std::size_t body) {
         out.shaft.z += sign * faces.along_r.z;
         out.largest_gap = std::fmax(out.largest_gap, faces.largest_gap);
     }
+    for (std::size_t i = 0; i < simulation.penalty_contact_count(); ++i) {
+        const PenaltyPair& pair = simulation.penalty_contact(i);
+        if (pair.law().a != body && pair.law().b != body) continue;
+        const PenaltyPair::Faces faces = pair.faces(pair.law().b == body ? 1 : 0);
+        out.tip.r += faces.along_z.r;
+        out.tip.z += faces.along_z.z;
+        out.shaft.r += faces.along_r.r;
+        out.shaft.z += faces.along_r.z;
+    }
     return out;
 }
 

@@ -89,6 +89,7 @@ void PenaltyPair::push(const GridView& grid, const PenaltyBody& a, const Penalty
     require(grit_penalty_forces(&pair_law.options, &line_a, &line_b, workspace.data(), bytes,
                                 &step_totals, &error),
             error);
+    for (const int k : {0, 1}) step_faces[k] = faces_of(lines[k]);
     scatter(grid, lines[0], a, mass[0], stiffness[0]);
     scatter(grid, lines[1], b, mass[1], stiffness[1]);
     const auto view = [](const std::vector<double>& x) { return grit_view_of(x.data(), 1, 1); };
@@ -98,6 +99,17 @@ void PenaltyPair::push(const GridView& grid, const PenaltyBody& a, const Penalty
                                      static_cast<std::ptrdiff_t>(mass[1].size()), &m_b, &k_b, &step,
                                      &error),
             error);
+}
+
+PenaltyPair::Faces PenaltyPair::faces_of(const Line& line) {
+    Faces out;
+    for (std::size_t v = 0; v < line.force.size(); v += 2) {
+        const double f_r = line.force[v], f_z = line.force[v + 1];
+        Vector& face = std::fabs(f_r) > std::fabs(f_z) ? out.along_r : out.along_z;
+        face.r += f_r;
+        face.z += f_z;
+    }
+    return out;
 }
 
 // Forces to the nodes; mass and stiffness of those that any vertex in contact touches.

@@ -50,6 +50,11 @@ class PenaltyPair {
     // dissipates and springs hold, and what the areas of vertices lose or give as they change [J].
     double energy_taken() const { return taken; }
     double stable_step() const { return step; }  // (S5) [s]
+    // Forces on the body of line 0 or 1 in the last push, apart by the component that is larger at a vertex.
+    struct Faces {
+        Vector along_r{0.0, 0.0}, along_z{0.0, 0.0};
+    };
+    const Faces& faces(int line) const { return step_faces[line]; }
     // Vertices of line 0 or 1, two coordinates each.
     const std::vector<double>& vertices(int line) const { return lines[line].position; }
 
@@ -64,6 +69,7 @@ class PenaltyPair {
     void scatter(const GridView& grid, const Line& line, const PenaltyBody& body,
                  std::vector<double>& touched_mass, std::vector<double>& touched);
     double advance(const GridView& grid, const PenaltyBody& body, double dt, Line& line) const;
+    static Faces faces_of(const Line& line);
     void remesh(Line& line);
 
     PenaltyLaw pair_law;
@@ -71,6 +77,7 @@ class PenaltyPair {
     std::vector<double> nodal_stiffness, mass[2], stiffness[2], weight;
     std::vector<std::ptrdiff_t> parents;
     std::vector<std::uint64_t> workspace;
+    Faces step_faces[2];
     grit_penalty_totals step_totals;
     double taken = 0.0, dt_before = 0.0;
     double step = std::numeric_limits<double>::infinity();

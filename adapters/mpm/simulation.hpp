@@ -58,6 +58,7 @@ class Simulation {
     const ContactPair& contact(std::size_t i) const { return contacts[i]; }
     const PenaltyPair& penalty_contact(std::size_t i) const { return penalties[i]; }
     std::size_t contact_count() const { return contacts.size(); }
+    std::size_t penalty_contact_count() const { return penalties.size(); }
     // Of all tractions on a body in the last step [N].
     Vector traction_force(std::size_t body) const;
     // Least mass of a node of a body that moves [kg].

@@ -44,6 +44,10 @@ std::string seen(Simulation& simulation, std::size_t bodies) {
     const grit_contact_totals& totals = simulation.contact(0).totals();
     append(out, totals.impulse_on_a, 2);
     append(out, &totals.dissipation_normal, 1);
+    for (std::size_t b = 0; b < bodies; ++b) {
+        const Vector force = simulation.traction_force(b);
+        append(out, &force, 1);
+    }
     return out;
 }
 
@@ -119,6 +123,63 @@ TEST_P(Checkpoint, ShowsWhatTheSimulationShowed) {
 INSTANTIATE_TEST_SUITE_P(Schemes, Checkpoint,
                          testing::Combine(testing::Values(Scheme::usl, Scheme::musl, Scheme::usf),
                                           testing::Bool()));
+
+// Two blocks in penalty contact that slide and stretch, so that their lines are split.
+std::unique_ptr<Simulation> sliding_blocks() {
+    Settings settings{.axisymmetric = false, .cfl = 0.2};
+    auto out = std::make_unique<Simulation>(Axis::uniform(0.0, 4.0, 40),
+                                            Axis::uniform(0.0, 1.0, 10), settings);
+    for (const int k : {0, 1}) {
+        Body block = make_box({0.5, 1.5, 0.2 + 0.3 * k, 0.5 + 0.3 * k, 20, 6, 1000.0}, false,
+                              std::make_unique<NeoHooke>(1e5, 0.2));
+        const ParticleView q = block.particles.view();
+        for (std::ptrdiff_t p = 0; p < block.particles.size(); ++p) {
+            q[column::v_r][p] = 4.0 * (q[column::r][p] - 1.0) + (k == 0 ? 0.5 : -0.5);
+            q[column::v_z][p] = k == 0 ? 0.5 : -0.5;
+        }
+        out->add_body(std::move(block));
+    }
+    PenaltyLaw law = penalty_law(0.3, 1.0, 1e5, 0.1);
+    law.line_a.points = {{1.5, 0.2}, {1.5, 0.5}, {0.5, 0.5}, {0.5, 0.2}};
+    law.line_b = {{{0.5, 0.5}, {1.5, 0.5}, {1.5, 0.8}, {0.5, 0.8}}, true};
+    out->add_contact(law);
+    return out;
+}
+
+// Where its particles and vertices are, and what it has cost.
+std::string slid(Simulation& simulation) {
+    std::string out;
+    const Energy energy = simulation.energy();
+    append(out, &energy, 1);
+    for (const std::size_t b : {0u, 1u}) {
+        Particles& q = simulation.body(b).particles;
+        for (int c = 0; c < column::own; ++c)
+            append(out, q.view()[c], static_cast<std::size_t>(q.size()));
+        const std::vector<double>& x = simulation.penalty_contact(0).vertices(static_cast<int>(b));
+        append(out, x.data(), x.size());
+    }
+    return out;
+}
+
+TEST(CheckpointOfPenaltyContact, GoesOnWithLinesThatHaveBeenSplit) {
+    const auto uninterrupted = sliding_blocks();
+    const std::size_t vertices = uninterrupted->penalty_contact(0).vertices(1).size();
+    for (int i = 0; i < 60; ++i) uninterrupted->step();
+    EXPECT_GT(uninterrupted->penalty_contact(0).vertices(1).size(), vertices);
+    EXPECT_GT(uninterrupted->penalty_contact(0).totals().contacts_a, 0);
+    const std::string file = saved(*uninterrupted);
+    for (int i = 0; i < 40; ++i) uninterrupted->step();
+    const auto restored = sliding_blocks();
+    restore_from(file, *restored);
+    for (int i = 0; i < 40; ++i) restored->step();
+    EXPECT_TRUE(slid(*restored) == slid(*uninterrupted));
+
+    const auto untouched = sliding_blocks();
+    const std::string before = slid(*untouched);
+    for (std::size_t part = 1; part < 64; ++part)
+        EXPECT_NE(refusal(file.substr(0, file.size() * part / 64), *untouched), "accepted");
+    EXPECT_TRUE(slid(*untouched) == before);
+}
 
 // One number of the header changed, as another program would have written it.
 std::string with_header(std::string file, std::size_t at, std::int32_t number) {
