@@ -6,11 +6,9 @@
 #include <map>
 #include <random>
 
-#include <adapters/mpm/kernel/sand.hpp>
-#include <grit/sand_catalogue.h>
 #include <grit/sand_operators.h>
 
-#include "support/box.hpp"
+#include "support/lausitz.hpp"
 
 namespace {
 
@@ -119,24 +117,12 @@ TEST(CellMean, UnlocksACylinderThatKeepsItsVolume) {
     EXPECT_LT(free.stress_error, 0.06);
 }
 
-grit_sand lausitz() {
-    grit_sand_parameters parameters;
-    grit_sand_parameters_init(&parameters, sizeof parameters);
-    grit_sand_record_parameters(grit_sand_record_find("lausitz"), 1000.0, &parameters);
-    grit_sand sand;
-    EXPECT_EQ(grit_sand_prepare(&parameters, &sand, nullptr), GRIT_OK);
-    return sand;
-}
-
 TEST(SeparatedSand, OpensToItsCapAndBearsAgainOnlyOnceItHasClosed) {
     const grit_sand sand = lausitz();
-    grit_sand_options options;
-    grit_sand_options_init(&options, sizeof options);
-    const auto material = std::make_unique<Sand>(sand, options);
     Settings settings{.axisymmetric = false, .cfl = 0.1, .largest_step = 1e-3};
     Simulation simulation(Axis::uniform(0.0, 0.2, 2), Axis::uniform(0.0, 2.0, 20), settings);
-    Body body =
-        make_box({0.0, 0.2, 0.0, 0.5, 4, 10, 1700.0}, false, std::make_unique<Sand>(sand, options));
+    Body body = make_box({0.0, 0.2, 0.0, 0.5, 4, 10, 1700.0}, false,
+                         std::make_unique<Sand>(sand, sand_options()));
     ParticleView q = body.particles.view();
     double void_ratios[3];
     grit_sand_void_ratios(&sand, 0.0, void_ratios);

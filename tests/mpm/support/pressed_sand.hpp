@@ -7,28 +7,9 @@
 #include <memory>
 #include <utility>
 
-#include <adapters/mpm/kernel/sand.hpp>
-#include <grit/sand_catalogue.h>
-
-#include "support/box.hpp"
+#include "support/lausitz.hpp"
 
 namespace mpm_test {
-
-inline grit_sand lausitz_sand() {
-    grit_sand_parameters parameters;
-    grit_sand_parameters_init(&parameters, sizeof parameters);
-    grit_sand_record_parameters(grit_sand_record_find("lausitz"), 1000.0, &parameters);
-    grit_sand sand{};
-    if (grit_sand_prepare(&parameters, &sand, nullptr) != GRIT_OK) std::abort();
-    return sand;
-}
-
-inline grit_sand_options coarse_options() {
-    grit_sand_options out;
-    grit_sand_options_init(&out, sizeof out);
-    out.tolerance = 1e-3;
-    return out;
-}
 
 struct PressedSand {
     Settings settings{.pic_rate = 20.0, .local_damping = 0.02, .gravity_z = -9.81};
@@ -65,7 +46,7 @@ struct PressedSand {
   private:
     static Body sand() {
         Body body = make_box({0.0, 0.4, 0.0, 0.5, 16, 20, 1700.0}, true,
-                             std::make_unique<Sand>(lausitz_sand(), coarse_options()));
+                             std::make_unique<Sand>(lausitz(), sand_options()));
         body.name = "sand";
         const ParticleView q = body.particles.view();
         for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p) {
