@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/mpm_grid_reader.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace cli {
@@ -81,14 +83,24 @@ void read_boundary(TomlTable table, Case& plan) {
     constexpr const char* sides[] = {"left", "right", "bottom", "top"};
     for (std::size_t i = 0; i < 4; ++i) {
         if (!table.has(sides[i])) continue;
-        const std::string word = table.choice(sides[i], {"free", "roller", "fixed"});
-        plan.boundary[i] = word == "fixed"    ? Boundary::fixed
-                           : word == "roller" ? Boundary::roller
-                                              : Boundary::free;
+        const std::string word = table.choice(sides[i], {"free", "roller", "fixed", "absorbing"});
+        plan.boundary[i] = word == "fixed"       ? Boundary::fixed
+                           : word == "roller"    ? Boundary::roller
+                           : word == "absorbing" ? Boundary::absorbing
+                                                 : Boundary::free;
     }
     if (plan.settings.axisymmetric && plan.r.from == 0.0 && table.has("left") &&
         plan.boundary[0] != Boundary::roller)
         table.fail("left", table.full("left") + " is the axis r = 0: roller");
+    const bool absorbs =
+        std::find(plan.boundary, plan.boundary + 4, Boundary::absorbing) != plan.boundary + 4;
+    const auto speed = [&](const char* key) {
+        const double value = table.positive_or(key, 0.0);
+        if (absorbs && value == 0.0)
+            table.fail("", fmt::format("{} is missing: a side is absorbing", table.full(key)));
+        return value;
+    };
+    plan.absorbing = {speed("p_wave_m_per_s"), speed("s_wave_m_per_s")};
     table.finish();
 }
 
@@ -110,6 +122,10 @@ void read_mpm_numerics(TomlTable table, Case& plan) {
     out.largest_step = table.positive_or("largest_step_s", out.largest_step);
     out.pic_rate = number_within(table, "pic_rate_per_s", out.pic_rate, 0.0, 1e5);
     out.local_damping = number_within(table, "local_damping", out.local_damping, 0.0, 0.95);
+    out.linear_viscosity =
+        number_within(table, "bulk_viscosity_linear", out.linear_viscosity, 0.0, 10.0);
+    out.quadratic_viscosity =
+        number_within(table, "bulk_viscosity_quadratic", out.quadratic_viscosity, 0.0, 10.0);
     out.cell_mean = table.boolean_or("cell_averaged_volume", out.cell_mean);
     out.fixed_point = table.boolean_or("fixed_point", out.fixed_point);
     out.threads = table.integer_or("threads", out.threads, 1, 1024);

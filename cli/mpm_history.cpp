@@ -35,6 +35,8 @@ constexpr HistoryColumn columns[] = {
     {"rigid_work", "J", [](const HistoryRow& r) { return r.energy.rigid_work; }},
     {"contact_loss", "J", [](const HistoryRow& r) { return r.energy.contact; }},
     {"damping_loss", "J", [](const HistoryRow& r) { return r.energy.damping; }},
+    {"viscosity_loss", "J", [](const HistoryRow& r) { return r.energy.viscosity; }},
+    {"absorbed", "J", [](const HistoryRow& r) { return r.energy.absorbed; }},
     {"transfer_loss", "J", [](const HistoryRow& r) { return r.energy.transfer; }},
     {"pic_loss", "J", [](const HistoryRow& r) { return r.energy.pic; }},
     {"energy_residual", "J", [](const HistoryRow& r) { return r.energy.residual(); }},
@@ -75,14 +77,12 @@ std::vector<std::string> history_comments(const grit::mpm::Runner& runner) {
             "hammer: tractions on it, downwards; base: reaction of the grid's bottom, upwards",
             whole),
         "stored_energy is the work that stresses took since the start; losses count down from the "
-        "work "
-        "done; energy_residual = kinetic (less that of the start) + stored + contact + damping + "
-        "transfer - external - rigid; transfer includes pic; residual_share: of the largest of "
-        "them",
-        "unbalanced_share: largest |m dv/dt| at a node / largest nodal force, of the body "
-        "largest_gap: "
-        "nan "
-        "where no distance is measured",
+        "work done; energy_residual = kinetic (less that of the start) + stored + contact + "
+        "damping + viscosity + absorbed + transfer - external - rigid; transfer includes pic; "
+        "residual_share: "
+        "of the largest of them",
+        "unbalanced_share: largest |m dv/dt| at a node / largest nodal force of its body; "
+        "largest_gap: nan where no distance is measured",
         "how the run ended stands below the last row"};
 }
 

@@ -115,6 +115,13 @@ void add_boundary(const Case& plan, Simulation& simulation) {
     for (const Side side : {Side::left, Side::right, Side::bottom, Side::top}) {
         const Boundary boundary = plan.boundary[static_cast<int>(side)];
         if (boundary == Boundary::free) continue;
+        if (boundary == Boundary::absorbing) {
+            const int direction = side == Side::left || side == Side::right ? 0 : 1;
+            if (side == Side::left || side == Side::bottom)
+                simulation.absorb_first(direction, plan.absorbing);
+            else simulation.absorb_last(direction, plan.absorbing);
+            continue;
+        }
         const Hold hold = boundary == Boundary::fixed ? Hold::both : Hold::across;
         if (side == Side::left) simulation.fix_below(0, plan.r.from, hold);
         if (side == Side::right) simulation.fix_above(0, plan.r.to(), hold);

@@ -10,6 +10,7 @@
 
 #include <grit/sand.h>
 
+#include "adapters/mpm/absorbing.hpp"
 #include "adapters/mpm/graded_axis.hpp"
 #include "adapters/mpm/penalty_pair.hpp"
 #include "adapters/mpm/settings.hpp"
@@ -69,9 +70,10 @@ struct BodyPlan {
 // Sides of the grid.
 enum class Side { left, right, bottom, top };
 enum class Boundary {
-    free,    // nothing: particles that reach it are lost
-    roller,  // no velocity across
-    fixed    // none at all
+    free,      // nothing: particles that reach it are lost
+    roller,    // no velocity across
+    fixed,     // none at all
+    absorbing  // dashpots, besides what holds the bodies at the start
 };
 
 struct TractionPlan {
@@ -130,6 +132,7 @@ struct Case {
     double gravity = 9.81;         // downwards [m/s2]
     double residual_limit = 0.05;  // share of the energy turned over
     Boundary boundary[4] = {};     // by Side
+    WaveSpeeds absorbing;          // of sides that are
     std::vector<BodyPlan> bodies;
     std::vector<TractionPlan> tractions;
     std::vector<ContactPlan> contacts;

@@ -43,6 +43,10 @@ struct CheckpointMembers {
             take(part.motions.data(), part.motions.size());
         }
         take(s.loads.data(), s.loads.size());
+        for (auto& body : s.absorbing_sides.bodies) {
+            take(body.forces.data(), body.forces.size());
+            take(&body.balanced, 1);
+        }
         for (auto& contact : s.contacts) take(&contact.step_totals, 1);
         for (auto& pair : s.penalties) {
             take(&pair.step_totals, 1);
@@ -81,6 +85,7 @@ struct CheckpointMembers {
     static void grid_words(const Simulation& s, std::ostream& out);
     static void body_words(const Simulation& s, std::ostream& out);
     static void contact_words(const Simulation& s, std::ostream& out);
+    static std::uint64_t rates_checksum(const Simulation& s);
     static std::vector<double> masses_by_id(const Particles& particles);
     static void check(const Simulation& s, const std::string& bytes);
     static void find_places(Simulation& s) {
@@ -122,10 +127,19 @@ void CheckpointMembers::grid_words(const Simulation& s, std::ostream& out) {
         << std::count_if(s.fixed_nodes.begin(), s.fixed_nodes.end(),
                          [](int bits) { return bits != fixed::none; })
         << ", checksum " << checksum(s.fixed_nodes.data(), s.fixed_nodes.size()) << '\n'
+        << "absorbing nodes: " << s.absorbing_sides.nodes.size() << ", checksum "
+        << rates_checksum(s) << '\n'
         << "shape functions: " << name_of(s.settings.shape) << '\n'
         << "scheme: " << name_of(s.settings.scheme) << '\n'
         << "volumetric strain: " << (s.settings.cell_mean ? "mean of the cell" : "own") << '\n'
         << "sums: " << (s.settings.fixed_point ? "fixed point" : "floating point") << '\n';
+}
+
+std::uint64_t CheckpointMembers::rates_checksum(const Simulation& s) {
+    std::vector<double> numbers;
+    for (const auto& node : s.absorbing_sides.nodes)
+        numbers.insert(numbers.end(), {static_cast<double>(node.node), node.rate[0], node.rate[1]});
+    return checksum(numbers.data(), numbers.size() * sizeof(double));
 }
 
 std::vector<double> CheckpointMembers::masses_by_id(const Particles& particles) {

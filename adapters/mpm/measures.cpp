@@ -43,6 +43,9 @@ double base_reaction(const Simulation& simulation) {
             if (!(simulation.constraints()[i] & fixed::z)) continue;
             sum -= nodes[node][record::f_z] + g * nodes[node][record::m];
         }
+        sum += simulation.absorbing()
+                   .force(body, 0, static_cast<std::size_t>(simulation.axis_r().nodes()))
+                   .z;
     }
     return sum;
 }
@@ -99,7 +102,8 @@ ContactForces contact_forces(const Simulation& simulation, std::size_t body) {
 double turned_over(const Energy& e, double least) {
     return std::max({least, e.kinetic, e.kinetic_0, std::abs(e.stored - e.stored_0),
                      std::abs(e.external_work), std::abs(e.rigid_work), std::abs(e.contact),
-                     std::abs(e.damping), std::abs(e.transfer)});
+                     std::abs(e.damping), std::abs(e.viscosity), std::abs(e.absorbed),
+                     std::abs(e.transfer)});
 }
 
 }  // namespace grit::mpm

@@ -26,8 +26,8 @@ std::string text(double value) {
 Energy times(const Energy& e, double factor) {
     return {factor * e.kinetic,  factor * e.stored,        factor * e.kinetic_0,
             factor * e.stored_0, factor * e.external_work, factor * e.rigid_work,
-            factor * e.contact,  factor * e.damping,       factor * e.transfer,
-            factor * e.pic};
+            factor * e.contact,  factor * e.damping,       factor * e.viscosity,
+            factor * e.absorbed, factor * e.transfer,      factor * e.pic};
 }
 
 }  // namespace

@@ -25,6 +25,8 @@ struct Settings {
     double pic_rate = 0.0;                                          // 1 - FLIP = pic_rate dt [1/s]
     double local_damping = 0.0;                                     // share of the nodal force [-]
     double gravity_r = 0.0, gravity_z = 0.0;                        // [m/s2]
+    // Bulk viscosity: rho l (linear c |rate| + quadratic l rate^2) in compression [-].
+    double linear_viscosity = 0.0, quadratic_viscosity = 0.0;
     bool cell_mean = false;  // of the volumetric strain of a step, against locking
     // Nodal sums in 64-bit integers: no order of particles, threads or processes changes a bit.
     bool fixed_point = false;
@@ -44,16 +46,18 @@ struct Body {
 struct Energy {
     double kinetic = 0.0, stored = 0.0;      // now
     double kinetic_0 = 0.0, stored_0 = 0.0;  // at the start
-    double external_work = 0.0;              // tractions, body forces
-    double rigid_work = 0.0;                 // of bodies with prescribed motion, by contact
-    double contact = 0.0;                    // taken in contact, leapfrog value
-    double damping = 0.0;                    // local damping
-    double transfer = 0.0;                   // lost between nodes and particles, PIC share included
-    double pic = 0.0;                        // that share alone
+    double external_work = 0.0;  // tractions, body forces, held forces of absorbing sides
+    double rigid_work = 0.0;     // of bodies with prescribed motion, by contact
+    double contact = 0.0;        // taken in contact, leapfrog value
+    double damping = 0.0;        // local damping
+    double viscosity = 0.0;      // bulk viscosity
+    double absorbed = 0.0;       // taken by absorbing sides
+    double transfer = 0.0;       // lost between nodes and particles, PIC share included
+    double pic = 0.0;            // that share alone
 
     double residual() const {
-        return kinetic - kinetic_0 + stored - stored_0 + contact + damping + transfer -
-               external_work - rigid_work;
+        return kinetic - kinetic_0 + stored - stored_0 + contact + damping + viscosity + absorbed +
+               transfer - external_work - rigid_work;
     }
 };
 

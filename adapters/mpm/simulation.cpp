@@ -34,6 +34,25 @@ void Simulation::fix_above(int direction, double at, Hold hold) {
     fix(direction, hold, [at](double x) { return x >= at; });
 }
 
+void Simulation::absorb(int direction, int line, double cell, const WaveSpeeds& speeds) {
+    const int along = direction == 0 ? z_axis.nodes() : r_axis.nodes();
+    for (int i = 0; i < along; ++i)
+        absorbing_sides.add(static_cast<std::size_t>(direction == 0 ? i * r_axis.nodes() + line
+                                                                    : line * r_axis.nodes() + i),
+                            direction, cell, speeds);
+}
+
+void Simulation::absorb_first(int direction, const WaveSpeeds& speeds) {
+    const Axis& axis = direction == 0 ? r_axis : z_axis;
+    absorb(direction, 0, axis[1] - axis[0], speeds);
+}
+
+void Simulation::absorb_last(int direction, const WaveSpeeds& speeds) {
+    const Axis& axis = direction == 0 ? r_axis : z_axis;
+    const int last = axis.nodes() - 1;
+    absorb(direction, last, axis[last] - axis[last - 1], speeds);
+}
+
 void Simulation::set_gravity(Vector gravity) {
     settings.gravity_r = gravity.r;
     settings.gravity_z = gravity.z;
@@ -68,6 +87,7 @@ std::size_t Simulation::add_body(Body body) {
     part.slot.resize(static_cast<std::size_t>(part.body.particles.size()));
     part.gather_sums.resize(strips);
     part.speed.resize(strips);
+    part.viscous_loss.resize(strips);
     part.node_sums.resize(strips);
     part.increments.resize(strips);
     for (Increments& d : part.increments) {
@@ -89,6 +109,7 @@ std::size_t Simulation::add_body(Body body) {
         exchange.max(&largest, 1);
         part.mean.per_volume = 1.0 / largest;
     }
+    absorbing_sides.add_body();
     parts.push_back(std::move(part));
     return parts.size() - 1;
 }
@@ -131,6 +152,7 @@ void Simulation::step() {
     load();
     push_contacts();
     advance();
+    push_absorbing();
     correct_contacts();
     close();
     move_contacts();

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "adapters/mpm/absorbing.hpp"
 #include "adapters/mpm/contact_pair.hpp"
 #include "adapters/mpm/kernel/exchange.hpp"
 #include "adapters/mpm/kernel/nodes.hpp"
@@ -33,6 +34,9 @@ class Simulation {
     // No velocity across nodes at r or z = at, and beyond; or none at all.
     void fix_below(int direction, double at, Hold hold = Hold::across);
     void fix_above(int direction, double at, Hold hold = Hold::across);
+    // The first or the last nodes along a direction take up waves; the first step finds balance there.
+    void absorb_first(int direction, const WaveSpeeds& speeds);
+    void absorb_last(int direction, const WaveSpeeds& speeds);
     // Fills the columns b_r, b_z, an acceleration besides gravity, for time t.
     using BodyForce =
         std::function<void(ParticleView, std::ptrdiff_t begin, std::ptrdiff_t end, double t)>;
@@ -64,6 +68,7 @@ class Simulation {
     // Least mass of a node of a body that moves [kg].
     double least_mass(std::size_t body) const { return parts[body].least_mass; }
     const std::uint8_t* constraints() const { return fixed_nodes.data(); }
+    const AbsorbingSides& absorbing() const { return absorbing_sides; }
     const Axis& axis_r() const { return r_axis; }
     const Axis& axis_z() const { return z_axis; }
     const Settings& current_settings() const { return settings; }
@@ -92,6 +97,7 @@ class Simulation {
         double least_mass = 0.0;
         std::vector<GatherSums> gather_sums = {};  // of each strip
         std::vector<double> speed = {};            // largest v + c of each strip [m/s]
+        std::vector<double> viscous_loss = {};     // of each strip in this step [J]
         std::vector<NodeSums> node_sums = {};      // of each strip's rows
         std::vector<Increments> increments = {};   // of each strip
     };
@@ -103,6 +109,7 @@ class Simulation {
     Rows nodes_of(int strip) const;
     NodeCall node_call(Part& part, int strip) const;
     void fix(int direction, Hold hold, const std::function<bool(double)>& where);
+    void absorb(int direction, int line, double cell, const WaveSpeeds& speeds);
     void start();
     void sort();
     static void find_places(Part& part);
@@ -114,6 +121,7 @@ class Simulation {
     void load();
     void advance();
     void push_contacts();
+    void push_absorbing();
     void correct_contacts();
     void move_contacts();
     PenaltyBody penalty_body(std::size_t body);
@@ -122,6 +130,7 @@ class Simulation {
     void gather_strip(Part& part, int strip, unsigned tasks, double by);
     void deform_strip(Part& part, int strip);
     double update(Part& part, int strip, const Range& range);
+    double update_viscosity(Part& part, int strip, const Range& range, const double* moduli);
     void update_stress(const Part& part, const Range& range, const Increments& increments) const;
     void remap();
     void account();
@@ -137,6 +146,7 @@ class Simulation {
     std::vector<EdgeForces> loads;
     std::vector<ContactPair> contacts;
     std::vector<PenaltyPair> penalties;
+    AbsorbingSides absorbing_sides;
     BodyForce body_force;
     Exchange alone;
     Exchange& exchange;

@@ -102,7 +102,19 @@ void Simulation::advance() {
     });
 }
 
+// Few nodes: one after the other.
+void Simulation::push_absorbing() {
+    if (!absorbing_sides.any()) return;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (!parts[i].body.rigid()) absorbing_sides.push(i, node_call(parts[i], 0));
+}
+
 void Simulation::close() {
+    for (std::size_t i = 0; i < parts.size() && absorbing_sides.any(); ++i) {
+        const AbsorbingSides::Work work = absorbing_sides.work(i, node_call(parts[i], 0));
+        sums.absorbed += work.taken;
+        sums.external_work += work.held;
+    }
     for_strips(pool, parts, [this](Part& part, int strip) {
         if (!part.body.rigid())
             close_nodes(node_call(part, strip), part.node_sums[static_cast<std::size_t>(strip)]);
@@ -148,7 +160,7 @@ void Simulation::measure_speed() {
 // Sums of all strips in their order, and the next step.
 void Simulation::account() {
     double largest[2] = {0.0, 0.0};  // v + c, way along z
-    enum { lost, external_work, damping, pic, transfer, count };
+    enum { lost, external_work, damping, viscosity, pic, transfer, count };
     double step[count] = {};
     for (Part& part : parts)
         for (std::size_t s = 0; s < part.speed.size(); ++s) {
@@ -159,6 +171,7 @@ void Simulation::account() {
             step[lost] += g.outside;
             step[external_work] += g.body_work + n.gravity_work;
             step[damping] += n.damping_work;
+            step[viscosity] += part.viscous_loss[s];
             step[pic] += g.pic_loss;
             step[transfer] += n.change - g.kept + g.pic_loss + n.mapped_away;
         }
@@ -166,6 +179,7 @@ void Simulation::account() {
     exchange.sum(step, count);
     sums.external_work += step[external_work];
     sums.damping += step[damping];
+    sums.viscosity += step[viscosity];
     sums.pic += step[pic];
     sums.transfer += step[transfer];
     if (step[lost] > 0.0)

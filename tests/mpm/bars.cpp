@@ -103,4 +103,49 @@ TEST(SteppedBar, MovesWithPressureOverImpedanceBehindAFrontOfTheWaveSpeed) {
     }
 }
 
+// The same at once on a bar of neo-Hooke material: how much faster than behind the front anything is, and
+// what has become of the energy.
+struct Shock {
+    double overshoot, viscosity, residual;  // [-], [J] as shares of the work of the pressure
+};
+
+Shock shock(double linear, double quadratic) {
+    constexpr double E = 1e7, rho = 1000.0, L = 1.0, pressure = 1e6;
+    Settings settings{.axisymmetric = true,
+                      .cfl = 0.2,
+                      .linear_viscosity = linear,
+                      .quadratic_viscosity = quadratic};
+    Simulation simulation(Axis::uniform(0.0, 0.04, 4), Axis::uniform(0.0, 1.1, 110), settings);
+    simulation.add_body(
+        make_box({0.0, 0.04, 0.0, L, 4, 200, rho}, true, std::make_unique<NeoHooke>(E, 0.0)));
+    for (int i = 0; i < 4; ++i)
+        simulation.add_traction({0, 199 * 4 + i, Edge::top, [](double) {
+                                     return Vector{0.0, -pressure};
+                                 }});
+    simulation.fix_above(0, 0.04);
+    simulation.fix_below(0, 0.0);
+    while (simulation.time() < 0.6 * L / std::sqrt(E / rho)) simulation.step();
+    const Particles& q = simulation.body(0).particles;
+    double fastest = 0.0, behind = 0.0, count = 0.0;
+    for (std::ptrdiff_t p = 0; p < q.size(); ++p) {
+        fastest = std::max(fastest, -q(column::v_z, p));
+        if (q(column::z, p) < 0.6 * L || q(column::z, p) > 0.8 * L) continue;
+        behind -= q(column::v_z, p);
+        count += 1.0;
+    }
+    const Energy energy = simulation.energy();
+    return {fastest * count / behind - 1.0, energy.viscosity / energy.external_work,
+            energy.residual() / energy.external_work};
+}
+
+TEST(BulkViscosity, SmoothsAShockAndAccountsForWhatItTakes) {
+    const Shock rough = shock(0.0, 0.0), smooth = shock(0.2, 1.5);
+    EXPECT_EQ(rough.viscosity, 0.0);
+    EXPECT_GT(rough.overshoot, 2.0 * smooth.overshoot);
+    EXPECT_LT(smooth.overshoot, 0.07);
+    EXPECT_GT(smooth.viscosity, 0.03);
+    EXPECT_NEAR(rough.residual, 0.0, 0.003);
+    EXPECT_NEAR(smooth.residual, 0.0, 1e-4);
+}
+
 }  // namespace

@@ -78,6 +78,7 @@ class Checkpoint : public testing::TestWithParam<std::tuple<Scheme, bool>> {
         PressedSand out;
         out.settings.scheme = std::get<0>(GetParam());
         out.settings.fixed_point = std::get<1>(GetParam());
+        out.settings.linear_viscosity = 0.1;
         return out;
     }
 };

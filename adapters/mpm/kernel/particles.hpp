@@ -29,6 +29,7 @@ enum : int {
     S_rz,  // Cauchy stress [Pa], in the order of the library
     b_r,
     b_z,  // body acceleration [m/s2]
+    q,    // bulk viscous pressure, compression positive [Pa]
     own   // first column of the material
 };
 }  // namespace column

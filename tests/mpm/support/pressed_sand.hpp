@@ -39,7 +39,7 @@ struct PressedSand {
                                }});
         out->add_contact(contact_law(GRIT_CONTACT_GEO, 0.3));
         out->fix_below(1, 0.0);
-        out->fix_above(0, 0.4);
+        out->absorb_last(0, {200.0, 100.0});
         return out;
     }
 

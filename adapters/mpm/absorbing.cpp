@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/mpm/absorbing.hpp"
+
+#include <algorithm>
+
+namespace grit::mpm {
+
+AbsorbingSides::Node& AbsorbingSides::find(std::size_t node) {
+    const auto at = std::find_if(nodes.begin(), nodes.end(),
+                                 [node](const Node& other) { return other.node == node; });
+    if (at != nodes.end()) return *at;
+    for (OfBody& body : bodies) body.forces.emplace_back();
+    return nodes.emplace_back(Node{node, {0.0, 0.0}, {false, false}});
+}
+
+// The node's mass is that of half a cell behind it: area by mass is 2 / (rho cell).
+void AbsorbingSides::add(std::size_t node, int across, double cell, const WaveSpeeds& speeds) {
+    Node& found = find(node);
+    found.rate[across] += 2.0 * speeds.p / cell;
+    found.rate[1 - across] += 2.0 * speeds.s / cell;
+    found.across[across] = true;
+}
+
+void AbsorbingSides::push(std::size_t body, const NodeCall& call) {
+    std::vector<Force>& forces = bodies[body].forces;
+    const bool first = !bodies[body].balanced;
+    bodies[body].balanced = true;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const Node& n = nodes[i];
+        const NodeRecord& record = call.records[n.node];
+        NodeMotion& v = call.motions[n.node];
+        const double m = record[record::m], g[] = {call.gravity.r, call.gravity.z};
+        for (const int k : {0, 1}) {
+            forces[i].dashpot[k] = 0.0;
+            const bool is_fixed = call.fixed[n.node] & (k == 0 ? fixed::r : fixed::z);
+            if (is_fixed || !(m > call.least_mass)) continue;
+            if (first && n.across[k]) forces[i].held[k] = -(record[record::f_r + k] + m * g[k]);
+            double& v_k = v[motion::v_r + k];
+            v_k = (v_k + call.dt * forces[i].held[k] / m) / (1.0 + call.dt * n.rate[k]);
+            forces[i].dashpot[k] = -m * n.rate[k] * v_k;
+        }
+    }
+}
+
+AbsorbingSides::Work AbsorbingSides::work(std::size_t body, const NodeCall& call) const {
+    Work sum;
+    for (std::size_t i = 0; i < bodies[body].forces.size(); ++i) {
+        const Force& force = bodies[body].forces[i];
+        const NodeMotion& v = call.motions[nodes[i].node];
+        for (const int k : {0, 1}) {
+            const double way = 0.5 * call.dt * (v[motion::v_r + k] + v[motion::other_r + k]);
+            sum.taken -= force.dashpot[k] * way;
+            sum.held += force.held[k] * way;
+        }
+    }
+    return sum;
+}
+
+Vector AbsorbingSides::force(std::size_t body, std::size_t begin, std::size_t end) const {
+    Vector sum{0.0, 0.0};
+    for (std::size_t i = 0; i < bodies[body].forces.size(); ++i) {
+        if (nodes[i].node < begin || nodes[i].node >= end) continue;
+        const Force& force = bodies[body].forces[i];
+        sum.r += force.held[0] + force.dashpot[0];
+        sum.z += force.held[1] + force.dashpot[1];
+    }
+    return sum;
+}
+
+}  // namespace grit::mpm

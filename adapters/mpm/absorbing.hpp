@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sides of the grid that take up waves: dashpots of Lysmer & Kuhlemeyer (1969), doi 10.1061/JMCEA3.0001144,
+// rho c_p v across and rho c_s v along the side, and what held the bodies there at the start.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "adapters/mpm/kernel/nodes.hpp"
+
+namespace grit::mpm {
+
+struct WaveSpeeds {
+    double p = 0.0, s = 0.0;  // [m/s]
+};
+
+class AbsorbingSides {
+  public:
+    // A node at the end of a cell of this length; across: 0 for r, 1 for z.
+    void add(std::size_t node, int across, double cell, const WaveSpeeds& speeds);
+    void add_body() { bodies.push_back({std::vector<Force>(nodes.size())}); }
+    bool any() const { return !nodes.empty(); }
+
+    // Velocities of a body, ahead without these forces, become those with them. The first call of a body
+    // finds it at rest: what its nodal forces across the side want for balance is held from then on.
+    void push(std::size_t body, const NodeCall& call);
+    // Work that the dashpots take and that the held forces do, on the velocities after contact [J].
+    struct Work {
+        double taken = 0.0, held = 0.0;
+    };
+    Work work(std::size_t body, const NodeCall& call) const;
+    // On a body at nodes [begin, end) in the last step [N].
+    Vector force(std::size_t body, std::size_t begin, std::size_t end) const;
+
+  private:
+    friend struct CheckpointMembers;
+    struct Node {
+        std::size_t node;
+        double rate[2];  // dashpot by mass, along r and z [1/s]
+        bool across[2];
+    };
+    struct Force {
+        double held[2] = {0.0, 0.0}, dashpot[2] = {0.0, 0.0};  // [N]
+    };
+    struct OfBody {
+        std::vector<Force> forces;  // [nodes]
+        bool balanced = false;      // once: held forces are known
+    };
+    Node& find(std::size_t node);
+    std::vector<Node> nodes;
+    std::vector<OfBody> bodies;
+};
+
+}  // namespace grit::mpm
