@@ -47,7 +47,10 @@ struct CheckpointMembers {
             take(body.forces.data(), body.forces.size());
             take(&body.balanced, 1);
         }
-        for (auto& contact : s.contacts) take(&contact.step_totals, 1);
+        for (auto& contact : s.contacts) {
+            take(&contact.step_totals, 1);
+            take(contact.touched.data(), contact.touched.size());
+        }
         for (auto& pair : s.penalties) {
             take(&pair.step_totals, 1);
             take(&pair.step, 1);

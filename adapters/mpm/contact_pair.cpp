@@ -49,6 +49,8 @@ ContactPair::ContactPair(const ContactLaw& law, bool is_axisymmetric, const Grid
     centre.resize(2 * n);
     distance.resize(n);
     gap.resize(n);
+    gate_gap.resize(n);
+    touched.resize(n);
     is_active.resize(n);
     active.reserve(n);
     reports.resize(n);
@@ -195,12 +197,29 @@ void ContactPair::find_surfaces(const GridView& grid, const ContactBody& a, cons
         if (std::isfinite(near_surface[i])) surface[i] = near_surface[i];
 }
 
+// What is beside a node changes from one corner to the next, and with it the gap by a jump. A node that
+// pressed in the step before is therefore left to the velocities alone, unless the gap is half a cell.
+void ContactPair::find_gates() {
+    for (const std::ptrdiff_t node : active) {
+        const auto i = static_cast<std::size_t>(node);
+        const double *n = &normal[2 * i], *cell = &spacing[2 * i];
+        const bool near = gap[i] * std::hypot(n[0] / cell[0], n[1] / cell[1]) < 0.5;
+        gate_gap[i] = touched[i] && near ? std::fmin(gap[i], 0.0) : gap[i];
+    }
+}
+
+void ContactPair::remember() {
+    std::fill(touched.begin(), touched.end(), 0);
+    for (std::size_t i = 0; i < active.size(); ++i)
+        touched[static_cast<std::size_t>(active[i])] = reports[i].penalty_factor > 0.0;
+}
+
 void ContactPair::correct(const GridView& grid, const ContactBody& a, const ContactBody& b,
                           double dt, Exchange& exchange) {
     step_totals = {};
     step_totals.struct_size = sizeof step_totals;
     step_faces = {.largest_gap = NAN};
-    if (!find_active(a, b)) return;
+    if (!find_active(a, b)) return remember();
     const auto n = static_cast<std::ptrdiff_t>(active.size());
     std::fill(normal.begin(), normal.end(), 0.0);
     find_normals(a, b);
@@ -218,6 +237,7 @@ void ContactPair::correct(const GridView& grid, const ContactBody& a, const Cont
         wanted.distance = grit_mutable_view_of(distance.data(), 1, 1);
         wanted.gap = grit_mutable_view_of(gap.data(), 1, 1);
         require(grit_contact_surfaces_finish(&s, n, &wanted, &error), error);
+        find_gates();
     }
 
     grit_contact_options options = pair_law.options;
@@ -237,7 +257,7 @@ void ContactPair::correct(const GridView& grid, const ContactBody& a, const Cont
         q.distance = grit_view_of(distance.data(), 1, 1);
         q.spacing = grit_view_of(spacing.data(), 2, 1);
     }
-    if (pair_law.gated) q.gap = grit_view_of(gap.data(), 1, 1);
+    if (pair_law.gated) q.gap = grit_view_of(gate_gap.data(), 1, 1);
     q.velocity_a = grit_mutable_view_of(motions_a + motion::v_r, motion::size, 1);
     q.velocity_b = grit_mutable_view_of(motions_b + motion::v_r, motion::size, 1);
     q.previous_velocity_a = grit_view_of(motions_a + motion::other_r, motion::size, 1);
@@ -246,6 +266,7 @@ void ContactPair::correct(const GridView& grid, const ContactBody& a, const Cont
     sums = {};
     require(grit_contact_correct(&options, n, &q, reports.data(), &sums, &error), error);
     require(grit_contact_sums_read(&sums, &step_totals), error);
+    remember();
     sum_faces(geo || pair_law.gated);
 }
 

@@ -63,13 +63,16 @@ class ContactPair {
     void add(const grit_contact_surfaces& to, int which, const double* x, const double* side,
              const std::ptrdiff_t* nodes, int count);
     grit_contact_surfaces surfaces(std::vector<double>& of);
+    void find_gates();
+    void remember();
     void sum_faces(bool measured);
 
     ContactLaw pair_law;
     bool axisymmetric;
     std::vector<int> fixed_bits;
-    std::vector<double> position, spacing, normal, surface, near_surface, centre, distance, gap;
-    std::vector<char> is_active;
+    std::vector<double> position, spacing, normal, surface, near_surface, centre, distance, gap,
+        gate_gap;
+    std::vector<char> is_active, touched;  // touched: pressed in the step before
     std::vector<std::ptrdiff_t> active, undefined;
     grit_contact_sums sums;
     std::vector<grit_contact_report> reports;

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// When a node may press: two square particles, one above the other, and the node between them.
+#include <gtest/gtest.h>
+
+#include "support/box.hpp"
+
+namespace {
+
+using namespace mpm_test;
+
+class GateAtANode : public testing::Test {
+  protected:
+    static constexpr double half = 0.45;  // of a particle's side; cells are 1 m
+    static constexpr int node = 2 * 5 + 2;
+
+    // What the velocities along z, equal and opposite, become where the particles are so far apart.
+    double after(double gap, double approach) {
+        Body below =
+            make_box({2.0 - half, 2.0 + half, 1.0, 1.0 + 2.0 * half, 1, 1, 1000.0}, false, nullptr);
+        Body above = make_box(
+            {2.0 - half, 2.0 + half, 1.0 + 2.0 * half + gap, 1.0 + 4.0 * half + gap, 1, 1, 1000.0},
+            false, nullptr);
+        std::vector<NodeRecord> a(25), b(25);
+        std::vector<NodeMotion> v_a(25), v_b(25);
+        a[node][record::m] = b[node][record::m] = 1.0;
+        a[node][record::g_z] = a[node][record::g_scale] = 1.0;
+        b[node][record::g_z] = -1.0;
+        b[node][record::g_scale] = 1.0;
+        v_a[node][motion::v_z] = approach;
+        v_b[node][motion::v_z] = -approach;
+        const GridView grid{axis.view(), axis.view()};
+        pair.correct(grid, {a.data(), v_a.data(), below.particles.view(), 1, false},
+                     {b.data(), v_b.data(), above.particles.view(), 1, false}, 1e-3, alone);
+        return v_a[node][motion::v_z];
+    }
+
+    Axis axis = Axis::uniform(0.0, 4.0, 4);
+    Exchange alone;
+    ContactPair pair{contact_law(GRIT_CONTACT_FRICTIONAL, 0.0), false,
+                     GridView{axis.view(), axis.view()}, std::vector<std::uint8_t>(25)};
+};
+
+TEST_F(GateAtANode, LetsBodiesComeUntilTheyMeet) {
+    EXPECT_EQ(after(0.1, 1.0), 1.0);
+    EXPECT_NEAR(after(-0.01, 1.0), 0.0, 1e-15);
+}
+
+TEST_F(GateAtANode, StaysClosedThroughAJumpOfTheGapWhilePressed) {
+    after(-0.01, 1.0);
+    EXPECT_NEAR(after(0.4, 1.0), 0.0, 1e-15);
+    EXPECT_NEAR(after(0.4, 1.0), 0.0, 1e-15);
+}
+
+TEST_F(GateAtANode, OpensByVelocityOrByHalfACell) {
+    after(-0.01, 1.0);
+    EXPECT_EQ(after(0.6, 1.0), 1.0);
+    EXPECT_EQ(after(0.1, 1.0), 1.0);
+    after(-0.01, 1.0);
+    EXPECT_EQ(after(-0.01, -1.0), -1.0);
+    EXPECT_EQ(after(0.1, 1.0), 1.0);
+}
+
+}  // namespace
