@@ -6,16 +6,11 @@
 #include <stdexcept>
 #include <string>
 
-#include "adapters/mpm/kernel/place.hpp"
-
 namespace grit::mpm {
-namespace {
 
-void require(grit_status status, const grit_error& error) {
+void ContactPair::require(grit_status status, const grit_error& error) {
     if (status != GRIT_OK) throw std::runtime_error(std::string("contact: ") + error.message);
 }
-
-}  // namespace
 
 ContactLaw contact_law(int law, double friction_coefficient, double penalty_power) {
     ContactLaw out;
@@ -52,6 +47,7 @@ ContactPair::ContactPair(const ContactLaw& law, bool is_axisymmetric, const Grid
     gate_gap.resize(n);
     touched.resize(n);
     is_active.resize(n);
+    is_near.resize(static_cast<std::size_t>(grid.r.cells) * static_cast<std::size_t>(grid.z.cells));
     active.reserve(n);
     reports.resize(n);
     step_faces.largest_gap = NAN;
@@ -59,12 +55,22 @@ ContactPair::ContactPair(const ContactLaw& law, bool is_axisymmetric, const Grid
     step_totals.struct_size = sizeof step_totals;
 }
 
-bool ContactPair::find_active(const ContactBody& a, const ContactBody& b) {
+bool ContactPair::find_active(const GridView& grid, const ContactBody& a, const ContactBody& b) {
     active.clear();
     for (std::size_t i = 0; i < is_active.size(); ++i) {
         const double m_a = a.records[i][record::m], m_b = b.records[i][record::m];
         is_active[i] = m_a > 0.0 && m_b > 0.0;
         if (is_active[i]) active.push_back(static_cast<std::ptrdiff_t>(i));
+    }
+    // A domain reaches into the neighbouring cells and to their nodes.
+    std::fill(is_near.begin(), is_near.end(), 0);
+    for (const std::ptrdiff_t node : active) {
+        const std::ptrdiff_t i = node % grid.nodes_r(), j = node / grid.nodes_r();
+        const auto first_r = std::max<std::ptrdiff_t>(i - 2, 0);
+        const auto last_r = std::min<std::ptrdiff_t>(i + 1, grid.r.cells - 1);
+        for (auto z = std::max<std::ptrdiff_t>(j - 2, 0);
+             z <= std::min<std::ptrdiff_t>(j + 1, grid.z.cells - 1); ++z)
+            std::fill_n(is_near.begin() + z * grid.r.cells + first_r, last_r - first_r + 1, 1);
     }
     return !active.empty();
 }
@@ -104,99 +110,6 @@ void ContactPair::find_normals(const ContactBody& a, const ContactBody& b, int s
             error);
 }
 
-grit_contact_surfaces ContactPair::surfaces(std::vector<double>& of) {
-    grit_contact_surfaces s{};
-    s.struct_size = sizeof s;
-    s.components = 2;
-    s.nodes = static_cast<std::ptrdiff_t>(is_active.size());
-    s.position = grit_view_of(position.data(), 2, 1);
-    s.normal = grit_view_of(normal.data(), 2, 1);
-    s.surface = grit_mutable_view_of(of.data(), 2, 1);
-    return s;
-}
-
-// Whether x is no more than half a cell off the node, across the normal.
-bool ContactPair::is_beside(const double* x, std::ptrdiff_t node) const {
-    const double *at = &position[2 * node], *n = &normal[2 * node], *cell = &spacing[2 * node];
-    const double across = n[0] * (x[1] - at[1]) - n[1] * (x[0] - at[0]);
-    return std::fabs(across) * std::hypot(n[1] / cell[0], n[0] / cell[1]) <= 0.5 + 1e-6;
-}
-
-// Adds the particles that have weight at an active node, and their corners beside one.
-template <bool axi>
-void ContactPair::measure(const GridView& grid, const ContactBody& body, int which) {
-    const grit_contact_surfaces near = surfaces(near_surface);
-    grit_contact_surfaces all = surfaces(surface);
-    all.centre = grit_mutable_view_of(centre.data(), 2, 1);
-    const std::ptrdiff_t n_r = grid.nodes_r();
-    for (std::ptrdiff_t p = 0; p < body.count; ++p) {
-        const auto place = baseline::place_of<axi>(grid, body.particles, p);
-        const double x[2] = {place.r, place.z};
-        const double side[4] = {place.domain.r1r, place.domain.r1z, place.domain.r2r,
-                                place.domain.r2z};
-        double corner[4][2];
-        std::ptrdiff_t nodes[16], beside[16];
-        int count = 0;
-        for (int k = 0; k < 4; ++k) {
-            const double e1 = k == 1 || k == 2 ? 1.0 : -1.0, e2 = k < 2 ? -1.0 : 1.0;
-            const double r = corner[k][0] = x[0] + e1 * side[0] + e2 * side[2];
-            const double z = corner[k][1] = x[1] + e1 * side[1] + e2 * side[3];
-            const int i = grid.r.cell_of(r), j = grid.z.cell_of(z);
-            // A corner on a grid line has no weight beyond it.
-            const int last_i = r == grid.r.node[i] ? i : i + 1;
-            const int last_j = z == grid.z.node[j] ? j : j + 1;
-            for (int n_z = j; n_z <= last_j; ++n_z)
-                for (int n = i; n <= last_i; ++n) {
-                    const std::ptrdiff_t node = n_z * n_r + n;
-                    if (is_active[static_cast<std::size_t>(node)]) nodes[count++] = node;
-                }
-        }
-        for (const auto& at : corner) {
-            const auto is_at = [&](std::ptrdiff_t node) { return is_beside(at, node); };
-            const auto* end = std::copy_if(nodes, nodes + count, beside, is_at);
-            add(near, which, at, nullptr, beside, static_cast<int>(end - beside));
-        }
-        add(all, which, x, side, nodes, count);
-    }
-}
-
-// A parallelogram, or a point where side is null.
-void ContactPair::add(const grit_contact_surfaces& to, int which, const double* x,
-                      const double* side, const std::ptrdiff_t* nodes, int count) {
-    if (count == 0) return;
-    grit_contact_domains d{};
-    d.struct_size = sizeof d;
-    d.body = which;
-    d.nodes_each = count;
-    d.node = nodes;
-    d.position = grit_view_of(x, 2, 1);
-    if (side) {
-        d.sides = 2;
-        d.side = grit_matrix_view_of(side, 4, 2, 1);
-    }
-    grit_error error;
-    require(grit_contact_surfaces_add(&to, 1, &d, &error), error);
-}
-
-// The surface beside a node, where a corner is, and not the nearest of all within a cell of it: on a
-// curved surface that one is a cell off, and neighbouring nodes would wait for the same corner.
-void ContactPair::find_surfaces(const GridView& grid, const ContactBody& a, const ContactBody& b,
-                                Exchange& exchange) {
-    grit_error error;
-    grit_contact_surfaces all = surfaces(surface);
-    all.centre = grit_mutable_view_of(centre.data(), 2, 1);
-    const grit_contact_surfaces near = surfaces(near_surface);
-    require(grit_contact_surfaces_reset(&all, &error), error);
-    require(grit_contact_surfaces_reset(&near, &error), error);
-    for (const int which : {0, 1})
-        axisymmetric ? measure<true>(grid, which == 0 ? a : b, which)
-                     : measure<false>(grid, which == 0 ? a : b, which);
-    for (std::vector<double>* minima : {&surface, &near_surface, &centre})
-        exchange.min_nodes(minima->data(), all.nodes, 2);
-    for (std::size_t i = 0; i < surface.size(); ++i)
-        if (std::isfinite(near_surface[i])) surface[i] = near_surface[i];
-}
-
 // What is beside a node changes from one corner to the next, and with it the gap by a jump. A node that
 // pressed in the step before is therefore left to the velocities alone, unless the gap is half a cell.
 void ContactPair::find_gates() {
@@ -219,7 +132,7 @@ void ContactPair::correct(const GridView& grid, const ContactBody& a, const Cont
     step_totals = {};
     step_totals.struct_size = sizeof step_totals;
     step_faces = {.largest_gap = NAN};
-    if (!find_active(a, b)) return remember();
+    if (!find_active(grid, a, b)) return remember();
     const auto n = static_cast<std::ptrdiff_t>(active.size());
     std::fill(normal.begin(), normal.end(), 0.0);
     find_normals(a, b);

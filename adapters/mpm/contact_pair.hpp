@@ -52,7 +52,8 @@ class ContactPair {
 
   private:
     friend struct CheckpointMembers;
-    bool find_active(const ContactBody& a, const ContactBody& b);
+    static void require(grit_status status, const grit_error& error);
+    bool find_active(const GridView& grid, const ContactBody& a, const ContactBody& b);
     void find_normals(const ContactBody& a, const ContactBody& b);
     void find_normals(const ContactBody& a, const ContactBody& b, int source,
                       const std::vector<std::ptrdiff_t>& nodes);
@@ -73,6 +74,7 @@ class ContactPair {
     std::vector<double> position, spacing, normal, surface, near_surface, centre, distance, gap,
         gate_gap;
     std::vector<char> is_active, touched;  // touched: pressed in the step before
+    std::vector<char> is_near;             // cells from which a domain may reach an active node
     std::vector<std::ptrdiff_t> active, undefined;
     grit_contact_sums sums;
     std::vector<grit_contact_report> reports;
