@@ -88,6 +88,7 @@ std::size_t Simulation::add_body(Body body) {
     part.gather_sums.resize(strips);
     part.speed.resize(strips);
     part.viscous_loss.resize(strips);
+    part.most_stress.resize(strips);
     part.node_sums.resize(strips);
     part.increments.resize(strips);
     for (Increments& d : part.increments) {

@@ -98,6 +98,7 @@ class Simulation {
         std::vector<GatherSums> gather_sums = {};  // of each strip
         std::vector<double> speed = {};            // largest v + c of each strip [m/s]
         std::vector<double> viscous_loss = {};     // of each strip in this step [J]
+        std::vector<double> most_stress = {};      // largest mean stress of each strip [Pa]
         std::vector<NodeSums> node_sums = {};      // of each strip's rows
         std::vector<Increments> increments = {};   // of each strip
     };
@@ -113,6 +114,7 @@ class Simulation {
     void start();
     void sort();
     static void find_places(Part& part);
+    void find_mean_stresses();
     void scatter(unsigned parts_wanted);
     void scatter_strips(unsigned parts_wanted);
     void scatter_fixed(unsigned parts_wanted);

@@ -54,7 +54,32 @@ void Simulation::clear() {
     });
 }
 
+// Of the cells, where their mean strains are used. The largest of a body gives the integers their scale.
+void Simulation::find_mean_stresses() {
+    const auto go = [this](Part& part, int strip, const CellMean& mean) {
+        if (part.cells.empty()) return;
+        part.most_stress[static_cast<std::size_t>(strip)] = kernels().add_mean_stresses(
+            settings.axisymmetric, {grid(), part.body.particles.view(), part.strips.begin(strip),
+                                    part.strips.begin(strip + 1), mean, part.separation});
+    };
+    for_strips(pool, parts, [&](Part& part, int strip) { go(part, strip, {}); });
+    for (Part& part : parts) {
+        std::fill(part.cells.begin(), part.cells.end(), CellIntegers{});
+        double largest = *std::max_element(part.most_stress.begin(), part.most_stress.end());
+        exchange.max(&largest, 1);
+        part.mean.cells = part.cells.empty() ? nullptr : part.cells.data();
+        part.mean.per_stress = largest > 0.0 ? 1.0 / largest : 1.0;
+    }
+    for (const int colour : {0, 1})  // neighbours may add to the same cell
+        for_strips(pool, parts, [&](Part& part, int strip) {
+            if (strip % 2 == colour) go(part, strip, part.mean);
+        });
+    for (Part& part : parts)
+        exchange.sum_cells(part.cells.data(), static_cast<std::ptrdiff_t>(part.cells.size()));
+}
+
 void Simulation::scatter_strips(unsigned parts_wanted) {
+    const bool means = settings.cell_mean && (parts_wanted & part::force);
     for (const int colour : {0, 1})
         for_strips(pool, parts, [&, this](Part& part, int strip) {
             if (strip % 2 != colour) return;
@@ -66,7 +91,9 @@ void Simulation::scatter_strips(unsigned parts_wanted) {
                                    parts_wanted,
                                    settings.fixed_point
                                        ? &part.fixed_points[static_cast<std::size_t>(strip)]
-                                       : nullptr};
+                                       : nullptr,
+                                   means ? part.mean : CellMean{},
+                                   part.separation};
             if (body_force && (parts_wanted & part::force))
                 body_force(call.particles, call.begin, call.end, t);
             kernels().scatter(settings.shape, settings.axisymmetric, call);
@@ -74,6 +101,7 @@ void Simulation::scatter_strips(unsigned parts_wanted) {
 }
 
 void Simulation::scatter(unsigned parts_wanted) {
+    if (settings.cell_mean && (parts_wanted & part::force)) find_mean_stresses();
     if (settings.fixed_point) return scatter_fixed(parts_wanted);
     scatter_strips(parts_wanted);
     for (Part& part : parts)

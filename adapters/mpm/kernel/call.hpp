@@ -66,36 +66,16 @@ struct FixedPoint {
     double largest[record::size];  // out: |contribution| times scale
 };
 
-struct ScatterCall {
-    GridView grid;
-    ParticleView particles;
-    std::ptrdiff_t begin, end;
-    NodeRecord* nodes;  // added to
-    unsigned parts;
-    FixedPoint* fixed_point = nullptr;  // in place of nodes
-};
-
-// What a gather does. In its default it does all, with the velocity v.
-namespace task {
-enum : unsigned {
-    velocity = 1,         // v_p += S (v - other), then the PIC share
-    position = 2,         // x_p += dt U v
-    deformation = 4,      // F and the increments, by v ...
-    deform_by_other = 8,  // ... or by other
-    all = 7
-};
-}  // namespace task
-
 // Displacement gradient of the step against its start [-]; tt is the hoop.
 struct Gradient {
     double rr, rz, zr, zz, tt;
     __attribute__((always_inline)) double trace() const { return rr + zz + tt; }
 };
 
-// Volume and volume times volumetric strain of a cell, in fixed point: no order changes a bit.
+// Volume of a cell, and volume times what is averaged, in fixed point: no order changes a bit.
 struct CellIntegers {
     static constexpr double scale = 0x1p50;  // of volumes, to reference; a cell has room for 2^13
-    std::int64_t volume, strain;
+    std::int64_t volume, weighted;
 };
 
 // Deformation of a particle that waits for the mean of its cell; cell -1: it wants none.
@@ -110,6 +90,7 @@ struct CellMean {
     CellIntegers* cells = nullptr;  // added to; null: each particle has its own
     Deferred* deferred = nullptr;   // [particles] out
     double per_volume = 0.0;        // 1 / volume of the largest particle [1/m3]
+    double per_stress = 0.0;        // 1 / largest mean stress of the body [1/Pa]
 };
 
 // A particle without any stress is separated: it no longer opens once its void ratio is at the cap.
@@ -117,6 +98,37 @@ struct Separation {
     int void_ratio = -1;  // column; -1: nothing separates
     double cap = 0.0;     // [-]
 };
+
+struct ScatterCall {
+    GridView grid;
+    ParticleView particles;
+    std::ptrdiff_t begin, end;
+    NodeRecord* nodes;  // added to
+    unsigned parts;
+    FixedPoint* fixed_point = nullptr;  // in place of nodes
+    CellMean mean = {};                 // with cells, of the mean stress
+    Separation separation = {};
+};
+
+// Mean stress and volume of the cells.
+struct MeanStressCall {
+    GridView grid;
+    ParticleView particles;
+    std::ptrdiff_t begin, end;
+    CellMean mean;  // without cells, nothing is added
+    Separation separation;
+};
+
+// What a gather does. In its default it does all, with the velocity v.
+namespace task {
+enum : unsigned {
+    velocity = 1,         // v_p += S (v - other), then the PIC share
+    position = 2,         // x_p += dt U v
+    deformation = 4,      // F and the increments, by v ...
+    deform_by_other = 8,  // ... or by other
+    all = 7
+};
+}  // namespace task
 
 // Increments of at most so many particles: midpoint strain, engineering shear, 11 = rr, 22 = zz, 33 = tt,
 // 12 = rz, and the rotation Q, row-major, before it.
@@ -163,6 +175,8 @@ struct Kernels {
     void (*scatter)(Shape, bool axisymmetric, const ScatterCall&);
     void (*gather)(Shape, bool axisymmetric, const GatherCall&, Increments&, GatherSums&);
     void (*deform)(bool axisymmetric, const DeformCall&, Increments&);
+    // Returns the largest mean stress [Pa].
+    double (*add_mean_stresses)(bool axisymmetric, const MeanStressCall&);
 };
 
 // The best that this processor has, and those of any.

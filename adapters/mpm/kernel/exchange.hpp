@@ -3,7 +3,8 @@
 //
 //   when                        what                                            bytes
 //   after a scatter, per body   sum of node records, or of integers             64 a halo node
-//   mean volumetric strains     sum of cells                                    16 a halo cell
+//   means of cells, per body    sum of cells, of strains and of stresses        16 a halo cell each
+//   ... of mean stresses        maximum                                         8
 //   after MUSL's second one     sum of node records                             64 a halo node
 //   contact with distances      minima of surfaces, of those beside the node,   48 a halo node
 //                               and of centres, two each

@@ -3,6 +3,7 @@
 // increments that a material wants, all in one pass.
 #pragma once
 
+#include "adapters/mpm/kernel/cell_mean.hpp"
 #include "adapters/mpm/kernel/increment.hpp"
 #include "adapters/mpm/kernel/node_stencil.hpp"
 
@@ -73,23 +74,6 @@ MPM_INLINE void move_position(const GatherCall& call, const Gathered& g, std::pt
                       z <= a_z.node[a_z.cells]);
 }
 
-// Rounded towards zero; what is no number stays out.
-MPM_INLINE std::int64_t cell_share(double x) {
-    return x > -1.0 && x < 1.0 ? static_cast<std::int64_t>(x * CellIntegers::scale) : 0;
-}
-
-MPM_INLINE void defer(const GatherCall& call, const Place& place, std::ptrdiff_t p,
-                      const Gradient& L) {
-    const ParticleView& q = call.particles;
-    const bool alone = is_separated(q, p, call.separation);
-    const int cell = place.cell_z * call.grid.r.cells + place.cell_r;
-    call.mean.deferred[p] = {L, alone ? -1 : cell};
-    if (alone) return;
-    const double V = q[column::V0][p] * q.J(p) * call.mean.per_volume;
-    call.mean.cells[cell].volume += cell_share(0.125 * V);
-    call.mean.cells[cell].strain += cell_share(0.125 * V * L.trace());
-}
-
 template <Shape shape, bool axisymmetric, bool all, bool mean>
 void gather_by(const GatherCall& call, Increments& increments, GatherSums& sums) {
     using Stencil = typename StencilOf<shape, axisymmetric>::type;
@@ -134,25 +118,6 @@ void gather(Shape shape, bool axisymmetric, const GatherCall& call, Increments& 
             GatherSums& sums) {
     axisymmetric ? gather_in<true>(shape, call, increments, sums)
                  : gather_in<false>(shape, call, increments, sums);
-}
-
-// Each particle with the mean of its cell: its volumetric strain is replaced, along all directions that
-// may strain.
-void deform_by_mean(bool axisymmetric, const DeformCall& call, Increments& increments) {
-    const double share = axisymmetric ? 1.0 / 3.0 : 0.5;
-    for (std::ptrdiff_t p = call.begin; p < call.end; ++p) {
-        Gradient L = call.deferred[p].L;
-        const int cell = call.deferred[p].cell;
-        if (cell >= 0 && call.cells[cell].volume > 0) {
-            const double mean = static_cast<double>(call.cells[cell].strain) /
-                                static_cast<double>(call.cells[cell].volume);
-            const double change = share * (mean - L.trace());
-            L.rr += change;
-            L.zz += change;
-            if (axisymmetric) L.tt += change;
-        }
-        deform(call.particles, p, L, call.separation, increments, p - call.begin);
-    }
 }
 
 MPM_KERNEL_END

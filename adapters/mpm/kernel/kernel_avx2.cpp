@@ -5,5 +5,6 @@
 
 namespace grit::mpm {
 extern const Kernels avx2_kernels;
-const Kernels avx2_kernels{avx2::scatter, avx2::gather, avx2::deform_by_mean};
+const Kernels avx2_kernels{avx2::scatter, avx2::gather, avx2::deform_by_mean,
+                           avx2::add_mean_stresses};
 }  // namespace grit::mpm

@@ -5,5 +5,6 @@
 
 namespace grit::mpm {
 extern const Kernels avx512_kernels;
-const Kernels avx512_kernels{avx512::scatter, avx512::gather, avx512::deform_by_mean};
+const Kernels avx512_kernels{avx512::scatter, avx512::gather, avx512::deform_by_mean,
+                             avx512::add_mean_stresses};
 }  // namespace grit::mpm

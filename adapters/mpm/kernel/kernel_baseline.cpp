@@ -5,5 +5,6 @@
 
 namespace grit::mpm {
 extern const Kernels baseline_kernels;
-const Kernels baseline_kernels{baseline::scatter, baseline::gather, baseline::deform_by_mean};
+const Kernels baseline_kernels{baseline::scatter, baseline::gather, baseline::deform_by_mean,
+                               baseline::add_mean_stresses};
 }  // namespace grit::mpm

@@ -2,6 +2,7 @@
 // From particles to nodes: mass, momentum, forces (A4) and gradients, all in one pass.
 #pragma once
 
+#include "adapters/mpm/kernel/cell_mean.hpp"
 #include "adapters/mpm/kernel/node_stencil.hpp"
 #include "adapters/mpm/kernel/sums.hpp"
 
@@ -31,9 +32,10 @@ MPM_INLINE void scatter_by(const ScatterCall& call, Sums& sums) {
             mass *= with_mass;
             area *= with_gradient;
         }
-        const double viscous = q[c::q][p];
-        const double rr = V_f * (viscous - q[c::S_rr][p]), zz = V_f * (viscous - q[c::S_zz][p]);
-        const double tt = V_f * (viscous - q[c::S_tt][p]), rz = -V_f * q[c::S_rz][p];
+        double pressure = q[c::q][p];  // besides that of the stresses
+        if (call.mean.cells) pressure -= to_mean_stress<axisymmetric>(call, place, p);
+        const double rr = V_f * (pressure - q[c::S_rr][p]), zz = V_f * (pressure - q[c::S_zz][p]);
+        const double tt = V_f * (pressure - q[c::S_tt][p]), rz = -V_f * q[c::S_rz][p];
         for (int k = 0; k < Stencil::points; ++k) {
             const double S = w.S[k], G_r = w.G_r[k], G_z = w.G_z[k];
             double f_r = rr * G_r + rz * G_z + S * m_b_r;  // (A4)
