@@ -30,14 +30,17 @@ void AbsorbingSides::push(std::size_t body, const NodeCall& call) {
         const NodeRecord& record = call.records[n.node];
         NodeMotion& v = call.motions[n.node];
         const double m = record[record::m], g[] = {call.gravity.r, call.gravity.z};
+        Force& force = forces[i];
+        if (first) force.mass = m;
         for (const int k : {0, 1}) {
-            forces[i].dashpot[k] = 0.0;
+            force.held[k] = force.dashpot[k] = 0.0;
             const bool is_fixed = call.fixed[n.node] & (k == 0 ? fixed::r : fixed::z);
             if (is_fixed || !(m > call.least_mass)) continue;
-            if (first && n.across[k]) forces[i].held[k] = -(record[record::f_r + k] + m * g[k]);
+            if (first && n.across[k]) force.first[k] = -(record[record::f_r + k] + m * g[k]);
+            if (force.mass > 0.0) force.held[k] = force.first[k] * std::min(1.0, m / force.mass);
             double& v_k = v[motion::v_r + k];
-            v_k = (v_k + call.dt * forces[i].held[k] / m) / (1.0 + call.dt * n.rate[k]);
-            forces[i].dashpot[k] = -m * n.rate[k] * v_k;
+            v_k = (v_k + call.dt * force.held[k] / m) / (1.0 + call.dt * n.rate[k]);
+            force.dashpot[k] = -m * n.rate[k] * v_k;
         }
     }
 }

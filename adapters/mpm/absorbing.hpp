@@ -22,7 +22,8 @@ class AbsorbingSides {
     bool any() const { return !nodes.empty(); }
 
     // Velocities of a body, ahead without these forces, become those with them. The first call of a body
-    // finds it at rest: what its nodal forces across the side want for balance is held from then on.
+    // finds it at rest: what its nodal forces across the side want for balance is held from then on, as
+    // long as the node's mass is there.
     void push(std::size_t body, const NodeCall& call);
     // Work that the dashpots take and that the held forces do, on the velocities after contact [J].
     struct Work {
@@ -40,7 +41,9 @@ class AbsorbingSides {
         bool across[2];
     };
     struct Force {
-        double held[2] = {0.0, 0.0}, dashpot[2] = {0.0, 0.0};  // [N]
+        double mass = 0.0;                                     // at the first call [kg]
+        double first[2] = {0.0, 0.0};                          // what balance wants there [N]
+        double held[2] = {0.0, 0.0}, dashpot[2] = {0.0, 0.0};  // in this step [N]
     };
     struct OfBody {
         std::vector<Force> forces;  // [nodes]

@@ -29,6 +29,7 @@ struct CheckpointMembers {
         take(&s.dt, 1);
         take(&s.dt_before, 1);
         take(&s.drift, 1);
+        take(&s.largest_speed, 1);
         take(&s.step_count, 1);
         take(&s.started, 1);
         take(&s.sums, 1);
@@ -41,6 +42,7 @@ struct CheckpointMembers {
             take(part.scale.data(), part.scale.size());
             take(part.records.data(), part.records.size());
             take(part.motions.data(), part.motions.size());
+            take(part.internal.data(), part.internal.size());
         }
         take(s.loads.data(), s.loads.size());
         for (auto& body : s.absorbing_sides.bodies) {

@@ -79,6 +79,7 @@ std::size_t Simulation::add_body(Body body) {
     const auto strips = static_cast<std::size_t>(part.strips.count());
     part.records.resize(fixed_nodes.size());
     part.motions.resize(fixed_nodes.size());
+    part.internal.resize(fixed_nodes.size());
     if (settings.fixed_point) {
         part.integers.resize(fixed_nodes.size());
         part.fixed_points.resize(strips);
@@ -144,14 +145,17 @@ void Simulation::step() {
     clear();
     if (settings.scheme == Scheme::usf) {
         scatter(part::mass | part::momentum | part::gradient);
-        advance();  // no force yet: v is the old velocity
+        start_velocities();
         gather(task::deformation, dt);
         scatter(part::force);
     } else {
         scatter(part::all);
     }
-    load();
     push_contacts();
+    keep_internal_forces();
+    load();
+    // What has just been touched is stiff already. With stress first, the step has begun.
+    if (settings.scheme != Scheme::usf) dt = std::min(dt, stable_step());
     advance();
     push_absorbing();
     correct_contacts();

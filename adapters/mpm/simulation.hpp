@@ -86,6 +86,7 @@ class Simulation {
         Strips strips;
         std::vector<NodeRecord> records = {};
         std::vector<NodeMotion> motions = {};
+        std::vector<Vector> internal = {};  // nodal forces of stresses and penalties [N]
         std::vector<NodeIntegers> integers = {};
         std::vector<FixedPoint> fixed_points = {};  // of each strip
         std::array<double, record::size> scale = {};
@@ -121,7 +122,10 @@ class Simulation {
     bool rescale();
     void clear();
     void load();
+    void start_velocities();
+    void keep_internal_forces();
     void advance();
+    double stable_step() const;
     void push_contacts();
     void push_absorbing();
     void correct_contacts();
@@ -155,6 +159,7 @@ class Simulation {
     ThreadPool pool;
     Energy sums;
     double t = 0.0, dt = 0.0, dt_before = 0.0, drift = 0.0;
+    double largest_speed = 0.0;  // v + c [m/s]
     long step_count = 0;
     bool started = false;
 };

@@ -52,7 +52,7 @@ void Simulation::gather_strip(Part& part, int strip, unsigned tasks, double by) 
                               stop,
                               part.motions.data(),
                               by,
-                              settings.pic_rate * by,
+                              std::min(settings.pic_rate * by, 1.0),
                               tasks,
                               part.separation,
                               part.mean};

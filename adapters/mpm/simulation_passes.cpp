@@ -22,6 +22,7 @@ NodeCall Simulation::node_call(Part& part, int strip) const {
     const Rows rows = nodes_of(strip);
     return {part.records.data(),
             part.motions.data(),
+            part.internal.data(),
             fixed_nodes.data(),
             rows.begin,
             rows.end,
@@ -30,6 +31,7 @@ NodeCall Simulation::node_call(Part& part, int strip) const {
             dt_before,
             {settings.gravity_r, settings.gravity_z},
             settings.scheme == Scheme::musl,
+            settings.scheme == Scheme::usf,
             settings.local_damping};
 }
 
@@ -112,16 +114,32 @@ void Simulation::load() {
     for (std::size_t i = 0; i < tractions.size(); ++i) {
         const Traction& traction = tractions[i];
         Part& part = parts[traction.body];
-        loads[i] = edge_forces(part.body.particles.view(), find(traction.body, traction.particle),
-                               traction.edge, traction.stress(t), settings.axisymmetric);
+        loads[i] =
+            edge_forces(grid(), part.body.particles.view(), find(traction.body, traction.particle),
+                        traction.edge, traction.stress(t), settings);
         add_edge_forces(grid(), loads[i], part.records.data());
     }
+}
+
+void Simulation::start_velocities() {
+    for_strips(pool, parts, [this](Part& part, int strip) {
+        if (part.body.rigid()) return;
+        NodeSums& node_sums = part.node_sums[static_cast<std::size_t>(strip)];
+        node_sums = {};
+        start_nodes(node_call(part, strip), node_sums);
+    });
+}
+
+void Simulation::keep_internal_forces() {
+    for_strips(pool, parts, [this](Part& part, int strip) {
+        if (!part.body.rigid()) keep_internal(node_call(part, strip));
+    });
 }
 
 void Simulation::advance() {
     for_strips(pool, parts, [this](Part& part, int strip) {
         NodeSums& node_sums = part.node_sums[static_cast<std::size_t>(strip)];
-        node_sums = {};
+        if (settings.scheme != Scheme::usf) node_sums = {};
         const NodeCall call = node_call(part, strip);
         if (!part.body.rigid()) return advance_nodes(call, node_sums);
         const Vector v = part.body.prescribed_velocity(t + dt);
@@ -215,12 +233,18 @@ void Simulation::account() {
                                  " particles left the grid at t = " + std::to_string(t) + " s");
     drift += largest[1];
     dt_before = dt;
+    largest_speed = largest[0];
+    dt = stable_step();
+    if (!(dt > 0.0) || !std::isfinite(dt))
+        throw std::runtime_error("no finite time step: is anything able to move?");
+}
+
+double Simulation::stable_step() const {
     const double shortest = std::min(r_axis.shortest(), z_axis.shortest());
-    double inverse2 = largest[0] * largest[0] / (shortest * shortest);
+    double inverse2 = largest_speed * largest_speed / (shortest * shortest);
     for (const PenaltyPair& pair : penalties)
         inverse2 += 1.0 / (pair.stable_step() * pair.stable_step());
-    dt = std::min(settings.cfl / std::sqrt(inverse2), settings.largest_step);
-    if (!(dt > 0.0)) throw std::runtime_error("no positive time step: is anything able to move?");
+    return std::min(settings.cfl / std::sqrt(inverse2), settings.largest_step);
 }
 
 }  // namespace grit::mpm

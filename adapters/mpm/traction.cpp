@@ -4,24 +4,32 @@
 #include <cmath>
 
 #include "adapters/mpm/grid_point.hpp"
+#include "adapters/mpm/kernel/place.hpp"
 
 namespace grit::mpm {
-EdgeForces edge_forces(const ParticleView& q, std::ptrdiff_t p, Edge edge, Vector stress,
-                       bool axisymmetric) {
+EdgeForces edge_forces(const GridView& grid, const ParticleView& q, std::ptrdiff_t p, Edge edge,
+                       Vector stress, const Settings& settings) {
     namespace c = column;
     constexpr double xi[4][2] = {{-1, 1}, {1, 1}, {1, -1}, {-1, -1}};
     constexpr double eta[4][2] = {{-1, -1}, {-1, 1}, {1, 1}, {1, -1}};
     const auto e = static_cast<int>(edge);
+    const auto place = settings.axisymmetric ? baseline::place_of<true>(grid, q, p)
+                                             : baseline::place_of<false>(grid, q, p);
+    const bool corners = settings.shape == Shape::cpdi || settings.shape == Shape::cpdi_published;
     EdgeForces out{};
+    double r[2], z[2];
     for (int k = 0; k < 2; ++k) {
-        const double a = xi[e][k] * q[c::l_r][p], b = eta[e][k] * q[c::l_z][p];
-        out.r[k] = q[c::r][p] + q[c::F_rr][p] * a + q[c::F_rz][p] * b;
-        out.z[k] = q[c::z][p] + q[c::F_zr][p] * a + q[c::F_zz][p] * b;
+        const double a = xi[e][k], b = eta[e][k], l_r = q[c::l_r][p], l_z = q[c::l_z][p];
+        r[k] = place.r + q[c::F_rr][p] * l_r * a + q[c::F_rz][p] * l_z * b;
+        z[k] = place.z + q[c::F_zr][p] * l_r * a + q[c::F_zz][p] * l_z * b;
+        const auto& d = place.domain;
+        out.r[k] = place.r + (corners ? d.r1r * a + d.r2r * b : 0.0);
+        out.z[k] = place.z + (corners ? d.r1z * a + d.r2z * b : 0.0);
     }
-    const double l = std::hypot(out.r[1] - out.r[0], out.z[1] - out.z[0]);
-    const double middle = 0.5 * (out.r[0] + out.r[1]), sixth = (out.r[1] - out.r[0]) / 6.0;
+    const double l = std::hypot(r[1] - r[0], z[1] - z[0]);
+    const double middle = 0.5 * (r[0] + r[1]), sixth = (r[1] - r[0]) / 6.0;
     for (int k = 0; k < 2; ++k) {
-        const double width = axisymmetric ? middle + (k == 0 ? -sixth : sixth) : 1.0;
+        const double width = settings.axisymmetric ? middle + (k == 0 ? -sixth : sixth) : 1.0;
         out.f_r[k] = 0.5 * l * width * stress.r;
         out.f_z[k] = 0.5 * l * width * stress.z;
     }

@@ -7,6 +7,7 @@
 
 #include "adapters/mpm/kernel/call.hpp"
 #include "adapters/mpm/kernel/nodes.hpp"
+#include "adapters/mpm/settings.hpp"
 
 namespace grit::mpm {
 
@@ -20,15 +21,16 @@ struct Traction {
     std::function<Vector(double)> stress;  // force per deformed area [Pa] over time [s]
 };
 
-// The forces of a traction at the two ends of its edge, and where they act.
+// The forces of a traction at the two ends of its edge, and where they act: as the particle's weights see
+// it, so that they meet mass. With shape functions that know no corners, at its centre.
 struct EdgeForces {
     double r[2], z[2];      // [m]
     double f_r[2], f_z[2];  // [N], per radian or per metre
 };
 
 // A linear edge, weighted with r in axisymmetry: each end has l/2 (r_mid -+ (r_d - r_c)/6) of it.
-EdgeForces edge_forces(const ParticleView& particles, std::ptrdiff_t p, Edge edge, Vector stress,
-                       bool axisymmetric);
+EdgeForces edge_forces(const GridView& grid, const ParticleView& particles, std::ptrdiff_t p,
+                       Edge edge, Vector stress, const Settings& settings);
 
 void add_edge_forces(const GridView& grid, const EdgeForces& forces, NodeRecord* nodes);
 // Work of a step [J]: forces on the mean of v and other.

@@ -103,6 +103,70 @@ TEST(SteppedBar, MovesWithPressureOverImpedanceBehindAFrontOfTheWaveSpeed) {
     }
 }
 
+// On its support, with the stress of its weight.
+TEST(Column, InEquilibriumRestsWhicheverComesFirst) {
+    constexpr double E = 1e7, rho = 1000.0, g = 9.81, L = 1.0;
+    for (const Scheme scheme : {Scheme::usl, Scheme::musl, Scheme::usf}) {
+        Simulation simulation(Axis::uniform(0.0, 0.1, 1), Axis::uniform(0.0, 1.2, 12),
+                              {.axisymmetric = true, .scheme = scheme, .gravity_z = -g});
+        Body body =
+            make_box({0.0, 0.1, 0.0, L, 2, 20, rho}, true, std::make_unique<LinearElastic>(E, 0.0));
+        const ParticleView q = body.particles.view();
+        for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p)
+            q[column::S_zz][p] = -rho * g * (L - q[column::z][p]);
+        simulation.add_body(std::move(body));
+        simulation.fix_above(0, 0.1);
+        simulation.fix_below(1, 0.0);
+        for (int i = 0; i < 300; ++i) simulation.step();
+        EXPECT_LT(simulation.energy().kinetic, 1e-25);
+    }
+}
+
+TEST(SteppedBar, ClosesItsBalanceWhicheverComesFirst) {
+    constexpr double E = 1e7, rho = 1000.0, L = 1.0, pressure = 3e5;
+    for (const Scheme scheme : {Scheme::usl, Scheme::musl, Scheme::usf}) {
+        Simulation simulation(Axis::uniform(0.0, 0.04, 4), Axis::uniform(0.0, 1.1, 110),
+                              {.axisymmetric = true, .scheme = scheme, .cfl = 0.4});
+        simulation.add_body(
+            make_box({0.0, 0.04, 0.0, L, 4, 200, rho}, true, std::make_unique<NeoHooke>(E, 0.0)));
+        for (int i = 0; i < 4; ++i)
+            simulation.add_traction({0, 199 * 4 + i, Edge::top, [](double) {
+                                         return Vector{0.0, -pressure};
+                                     }});
+        simulation.fix_above(0, 0.04);
+        simulation.fix_below(1, 0.0);
+        while (simulation.time() < 0.6 * L / std::sqrt(E / rho)) simulation.step();
+        const Energy energy = simulation.energy();
+        EXPECT_NEAR(energy.residual() / energy.external_work, 0.0, 0.005);
+    }
+}
+
+// The top of a block crosses grid lines while it is pushed down.
+TEST(Traction, GivesAllItsImpulseWhateverTheShapeFunctions) {
+    for (const Shape shape : {Shape::cpdi, Shape::ugimp, Shape::point}) {
+        Simulation simulation(Axis::uniform(0.0, 0.5, 5), Axis::uniform(0.0, 1.0, 10),
+                              {.axisymmetric = false, .shape = shape, .scheme = Scheme::musl});
+        simulation.add_body(make_box({0.1, 0.4, 0.53, 0.83, 6, 6, 1000.0}, false,
+                                     std::make_unique<LinearElastic>(1e6, 0.2)));
+        for (int i = 0; i < 6; ++i)
+            simulation.add_traction({0, 30 + i, Edge::top, [](double) {
+                                         return Vector{0.0, -1e3};
+                                     }});
+        while (simulation.time() < 0.2) simulation.step();
+        const Particles& q = simulation.body(0).particles;
+        double momentum = 0.0;
+        for (std::ptrdiff_t p = 0; p < q.size(); ++p)
+            momentum -= q(column::mass, p) * q(column::v_z, p);
+        EXPECT_NEAR(momentum, 1e3 * 0.3 * simulation.time(), 0.003 * momentum);
+    }
+}
+
+TEST(PicShare, IsNeverMoreThanAll) {
+    const ModeError error = vibrate(16, true, Scheme::usl, 1e6);
+    EXPECT_LE(error.energy, 0.0);
+    EXPECT_NEAR(error.residual, 0.0, 0.05);
+}
+
 // The same at once on a bar of neo-Hooke material: how much faster than behind the front anything is, and
 // what has become of the energy.
 struct Shock {

@@ -225,17 +225,24 @@ TEST(Axis, FindsTheCellOfEveryPointOnAGradedGrid) {
     EXPECT_THROW(Axis({0.0, 1.0, 1.0}), std::invalid_argument);
 }
 
+// In cells that are larger than the particle.
+EdgeForces load_of(Particles& particles, int i, Edge edge, Vector stress, bool axisymmetric) {
+    const Axis axis = Axis::uniform(0.0, 4.0, 4);
+    return edge_forces({axis.view(), axis.view()}, particles.view(), i, edge, stress,
+                       {.axisymmetric = axisymmetric});
+}
+
 // Four quarters make the whole: an edge's load is that of the ring it sweeps.
 TEST(EdgeLoad, OfARingIsPressureTimesItsAreaAndActsAtItsCentroid) {
     Particles particles;
     particles.add({0.3, 0.5, 0.1, 0.2, 1000.0}, true);
-    const EdgeForces top = edge_forces(particles.view(), 0, Edge::top, {0.0, -1000.0}, true);
+    const EdgeForces top = load_of(particles, 0, Edge::top, {0.0, -1000.0}, true);
     const double force = top.f_z[0] + top.f_z[1];
     EXPECT_NEAR(force, -1000.0 * 0.5 * (0.16 - 0.04), 1e-10);  // per radian
     const double moment = top.f_z[0] * top.r[0] + top.f_z[1] * top.r[1];
     EXPECT_NEAR(moment, -1000.0 * (0.064 - 0.008) / 3.0, 1e-10);
     EXPECT_EQ(top.z[0], 0.7);
-    const EdgeForces plane = edge_forces(particles.view(), 0, Edge::left, {5.0, 0.0}, false);
+    const EdgeForces plane = load_of(particles, 0, Edge::left, {5.0, 0.0}, false);
     EXPECT_NEAR(plane.f_r[0], 1.0, 1e-14);
     EXPECT_NEAR(plane.f_r[1], 1.0, 1e-14);
 }
@@ -246,7 +253,7 @@ TEST(EdgeLoad, OfTheHammerOnThePileIsThatOfThePaper) {
     for (int i = 0; i < n; ++i) pile.add({0.03 * (i + 0.5), 1.0, 0.015, 0.1, 8000.0}, true);
     double force = 0.0;
     for (int i = 0; i < n; ++i) {
-        const EdgeForces top = edge_forces(pile.view(), i, Edge::top, {0.0, -1e6}, true);
+        const EdgeForces top = load_of(pile, i, Edge::top, {0.0, -1e6}, true);
         force += top.f_z[0] + top.f_z[1];
     }
     EXPECT_NEAR(-2.0 * std::numbers::pi * force, 70.69e3, 10.0);

@@ -16,7 +16,42 @@ double damp(double& v, double old, double m, double without_contact, double damp
     return lag * (0.5 * m * (old + v) + 0.5 * (m * change - without_contact));
 }
 
+// p/m without the fixed components.
+Vector old_velocity(const NodeCall& call, std::ptrdiff_t i) {
+    const NodeRecord& n = call.records[i];
+    const double per_m = 1.0 / n[record::m];
+    return {call.fixed[i] & fixed::r ? 0.0 : n[record::p_r] * per_m,
+            call.fixed[i] & fixed::z ? 0.0 : n[record::p_z] * per_m};
+}
+
+// See NodeSums; none where the node is reached for the first time.
+double mapped_away(const NodeCall& call, std::ptrdiff_t i, const Vector& old) {
+    const NodeMotion& v = call.motions[i];
+    const int lane = call.by_other ? motion::other_r : motion::v_r;
+    if (v[lane] == 0.0 && v[lane + 1] == 0.0) return 0.0;
+    return 0.5 * (call.internal[i].r * (call.dt_before * v[lane] - call.dt * old.r) +
+                  call.internal[i].z * (call.dt_before * v[lane + 1] - call.dt * old.z));
+}
+
 }  // namespace
+
+void start_nodes(const NodeCall& call, NodeSums& sums) {
+    for (std::ptrdiff_t i = call.begin; i < call.end; ++i) {
+        NodeMotion& v = call.motions[i];
+        if (!(call.records[i][record::m] > call.least_mass)) {
+            v = NodeMotion{};
+            continue;
+        }
+        const Vector old = old_velocity(call, i);
+        sums.mapped_away -= mapped_away(call, i, old);
+        v = NodeMotion{old.r, old.z, old.r, old.z};
+    }
+}
+
+void keep_internal(const NodeCall& call) {
+    for (std::ptrdiff_t i = call.begin; i < call.end; ++i)
+        call.internal[i] = {call.records[i][record::f_r], call.records[i][record::f_z]};
+}
 
 void advance_nodes(const NodeCall& call, NodeSums& sums) {
     for (std::ptrdiff_t i = call.begin; i < call.end; ++i) {
@@ -29,19 +64,11 @@ void advance_nodes(const NodeCall& call, NodeSums& sums) {
         }
         const double free_r = call.fixed[i] & fixed::r ? 0.0 : 1.0;
         const double free_z = call.fixed[i] & fixed::z ? 0.0 : 1.0;
-        const double per_m = 1.0 / m;
-        const double old_r = free_r * n[record::p_r] * per_m;
-        const double old_z = free_z * n[record::p_z] * per_m;
-        const int lane = call.by_other ? motion::other_r : motion::v_r;
-        if (v[lane] != 0.0 || v[lane + 1] != 0.0)  // not reached for the first time
-            sums.mapped_away +=
-                0.5 * (n[record::f_r] * (call.dt_before * v[lane] - call.dt * old_r) +
-                       n[record::f_z] * (call.dt_before * v[lane + 1] - call.dt * old_z));
-        const double f_r = n[record::f_r] + m * call.gravity.r;
-        const double f_z = n[record::f_z] + m * call.gravity.z;
-        const double v_r = old_r + free_r * call.dt * f_r * per_m;
-        const double v_z = old_z + free_z * call.dt * f_z * per_m;
-        v = NodeMotion{v_r, v_z, old_r, old_z};
+        const Vector old = old_velocity(call, i);
+        if (!call.stress_first) sums.mapped_away += mapped_away(call, i, old);
+        const double v_r = old.r + free_r * call.dt * (n[record::f_r] / m + call.gravity.r);
+        const double v_z = old.z + free_z * call.dt * (n[record::f_z] / m + call.gravity.z);
+        v = NodeMotion{v_r, v_z, old.r, old.z};
     }
 }
 
@@ -77,8 +104,8 @@ void remap_nodes(const NodeCall& call, NodeSums& sums) {
         v[motion::other_r] = call.fixed[i] & fixed::r ? 0.0 : n[record::p_r] / m;
         v[motion::other_z] = call.fixed[i] & fixed::z ? 0.0 : n[record::p_z] / m;
         sums.mapped_away += 0.5 * call.dt *
-                            (n[record::f_r] * (v[motion::other_r] - v[motion::v_r]) +
-                             n[record::f_z] * (v[motion::other_z] - v[motion::v_z]));
+                            (call.internal[i].r * (v[motion::other_r] - v[motion::v_r]) +
+                             call.internal[i].z * (v[motion::other_z] - v[motion::v_z]));
     }
 }
 

@@ -18,14 +18,16 @@ struct NodeSums {
     double damping_work = 0.0;  // taken by local damping [J]
     double gravity_work = 0.0;  // [J]
     double change = 0.0;        // 1/2 m (v - v_old)^2 [J]
-    // Work of the nodal forces, half a step's, on the velocities that mapping took away: on those that
-    // strained the particles in the step before, less those that they handed back [J].
+    // Work of the internal nodal forces, half a step's, on the velocities that mapping took away: on
+    // those that strained the particles in the step before, less those that they handed back [J]. Where
+    // stress is updated first, the forces are those of the step before, and their work is gained.
     double mapped_away = 0.0;
 };
 
 struct NodeCall {
     const NodeRecord* records;
     NodeMotion* motions;
+    Vector* internal;  // nodal forces of stresses and of penalty contact [N]
     const std::uint8_t* fixed;
     std::ptrdiff_t begin, end;
     double least_mass;  // nodes with less are at rest [kg]
@@ -33,11 +35,16 @@ struct NodeCall {
     double dt_before;   // of the step before [s]
     Vector gravity;     // [m/s2]
     bool by_other;      // particles are strained by the other velocity (MUSL)
+    bool stress_first;  // (USF)
     double damping;     // local damping (Cundall), share of the force [-]
 };
 
-// motions, still of the step before, become v = v_old + dt (f/m + g) and v_old = p/m, without the fixed
-// components.
+// With stress first: motions, still of the step before like internal, become v = v_old = p/m.
+void start_nodes(const NodeCall& call, NodeSums& sums);
+// Of the forces in the records, before others are added.
+void keep_internal(const NodeCall& call);
+// motions, still of the step before, or as start_nodes leaves them, become v = v_old + dt (f/m + g) and
+// v_old = p/m, without the fixed components.
 void advance_nodes(const NodeCall& call, NodeSums& sums);
 // After contact: what is fixed stays so; local damping, of contact forces as well, or it would carry a share
 // of them; sums the change and the work of gravity.
