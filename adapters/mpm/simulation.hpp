@@ -140,6 +140,7 @@ class Simulation {
     void update_stress(const Part& part, const Range& range, const Increments& increments) const;
     void remap();
     void account();
+    [[noreturn]] void report_lost(long count) const;
     double stored_energy() const;
     double kinetic_energy() const;
     void measure_speed();

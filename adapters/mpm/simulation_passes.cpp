@@ -203,6 +203,25 @@ void Simulation::measure_speed() {
     });
 }
 
+// The first that is found; another process may have it.
+void Simulation::report_lost(long count) const {
+    std::string which;
+    for (const Part& part : parts) {
+        const Particles& q = part.body.particles;
+        for (std::ptrdiff_t p = 0; p < q.size() && which.empty(); ++p) {
+            const double r = q(column::r, p), z = q(column::z, p);
+            const bool is_inside = r >= r_axis[0] && r <= r_axis[r_axis.nodes() - 1] &&
+                                   z >= z_axis[0] && z <= z_axis[z_axis.nodes() - 1];
+            if (is_inside) continue;
+            which = ", among them particle " + std::to_string(q.ids()[p]) + " of body " +
+                    part.body.name + " at r = " + std::to_string(r) +
+                    " m, z = " + std::to_string(z) + " m";
+        }
+    }
+    throw std::runtime_error(std::to_string(count) +
+                             " particles left the grid at t = " + std::to_string(t) + " s" + which);
+}
+
 // Sums of all strips in their order, and the next step.
 void Simulation::account() {
     double largest[2] = {0.0, 0.0};  // v + c, way along z
@@ -228,9 +247,7 @@ void Simulation::account() {
     sums.viscosity += step[viscosity];
     sums.pic += step[pic];
     sums.transfer += step[transfer];
-    if (step[lost] > 0.0)
-        throw std::runtime_error(std::to_string(static_cast<long>(step[lost])) +
-                                 " particles left the grid at t = " + std::to_string(t) + " s");
+    if (step[lost] > 0.0) report_lost(static_cast<long>(step[lost]));
     drift += largest[1];
     dt_before = dt;
     largest_speed = largest[0];

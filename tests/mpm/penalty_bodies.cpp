@@ -27,6 +27,26 @@ TEST(PenaltyBars, PressWithTheirImpedanceFromTheTouchOnAndPartAfterTheWave) {
     }
 }
 
+// The step of the touch is short enough already.
+TEST(PenaltyBars, KeepTheirEnergyHoweverStiffTheSprings) {
+    for (const double multiple : {1.0, 20.0}) {
+        const MeetingBars bars{0.5 * MeetingBars::h, 0.0, 0.4};
+        const auto simulation = bars.build();
+        PenaltyLaw law = penalty_law(0.0, multiple, MeetingBars::E, MeetingBars::h);
+        law.line_a.points = {{MeetingBars::width, bars.top_of_lower()}, {0.0, bars.top_of_lower()}};
+        law.line_b.points = {{0.0, bars.bottom_of_upper()},
+                             {MeetingBars::width, bars.bottom_of_upper()}};
+        simulation->add_contact(law);
+        const double most = 1.1 * simulation->energy().kinetic_0;
+        while (simulation->time() < 3.0) {
+            simulation->step();
+            const Energy energy = simulation->energy();
+            ASSERT_LT(energy.kinetic + energy.stored, most) << multiple;
+            ASSERT_LT(std::fabs(energy.residual()), 0.05 * most) << multiple;
+        }
+    }
+}
+
 TEST(PenaltyBlockOnASlope, RestsBelowTheFrictionAngleAndSlidesAboveIt) {
     const auto slide_with = [](double angle, double mu) {
         const auto simulation = block_on_slope(angle);

@@ -17,13 +17,14 @@ struct MeetingBars {
     static constexpr double E = 1000.0, rho = 1000.0, L = 1.0, h = 0.05, v = 0.01, width = 2.0 * h;
     double gap;     // at the start [m]
     double offset;  // against the grid, in cells
+    double cfl = 0.1;
 
     double top_of_lower() const { return (8.0 + offset) * h + L; }
     double bottom_of_upper() const { return top_of_lower() + gap; }
     static double wave_speed() { return std::sqrt(E / rho); }
 
     std::unique_ptr<Simulation> build() const {
-        Settings settings{.axisymmetric = false, .cfl = 0.1};
+        Settings settings{.axisymmetric = false, .cfl = cfl};
         auto simulation = std::make_unique<Simulation>(Axis::uniform(0.0, width, 2),
                                                        Axis::uniform(0.0, 3.0, 60), settings);
         for (const int k : {0, 1}) {
