@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include "support/guarded.hpp"
 
@@ -44,6 +45,9 @@ struct UmatCall {
     // 11 22 33 12, or 11 22 33 alone: the rest of the arrays becomes out of bounds.
     void use_components(int n);
     void run();
+    void run(UmatFunction function);
+    // run() with a library that has said nothing yet: what it writes to stderr.
+    std::string complaint();
     bool in_bounds() const;
     void set_dstran(double e11, double e22, double e33, double g12 = 0, double g13 = 0,
                     double g23 = 0);
