@@ -18,4 +18,7 @@ struct Layout {
 
 extern const Layout layout;
 
+// Where the host of a UMAT has 11 22 33 12 13 23. STATEV is always in this order.
+extern const int host_order[6];
+
 }  // namespace grit::abaqus

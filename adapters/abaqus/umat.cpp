@@ -3,6 +3,7 @@
 #include <grit/sand.h>
 
 #include "adapters/abaqus/complaint.hpp"
+#include "adapters/abaqus/layout.hpp"
 #include "adapters/abaqus/point.hpp"
 #include "adapters/abaqus/sizes.hpp"
 #include "adapters/abaqus/umat_arguments.hpp"
@@ -36,8 +37,8 @@ grit_status check_call(const UmatArguments& call, grit_error& error) {
 Point read_point(const UmatArguments& call) {
     Point p{};
     for (int c = 0; c < *call.ntens; ++c) {
-        p.strain_increment[c] = call.dstran[c];
-        p.stress[c] = call.stress[c];
+        p.strain_increment[c] = call.dstran[host_order[c]];
+        p.stress[c] = call.stress[host_order[c]];
     }
     read_state({call.statev, 1, *call.nstatv}, *call.ntens - 3, p);
     return p;
@@ -77,9 +78,10 @@ grit_status update(const UmatArguments& call, const grit_sand& sand, Point& poin
 void write_stress(const UmatArguments& call, const Point& start, const Point& end) {
     double work = 0.0;  // of the total stress, trapezoidal
     for (int c = 0; c < *call.ntens; ++c) {
-        const double before = call.stress[c];
-        call.stress[c] = total_stress(start, end, c, before);
-        work += 0.5 * (before + call.stress[c]) * call.dstran[c];
+        double& stress = call.stress[host_order[c]];
+        const double before = stress;
+        stress = total_stress(start, end, c, before);
+        work += 0.5 * (before + stress) * start.strain_increment[c];
     }
     if (call.sse) *call.sse += work;
 }
@@ -88,7 +90,8 @@ void write_tangent(const UmatArguments& call, const double tangent[36], double K
     const int n = *call.ntens;
     for (int r = 0; r < n; ++r)
         for (int c = 0; c < n; ++c)
-            call.ddsdde[r + n * c] = tangent[6 * r + c] + (r < 3 && c < 3 ? K_w : 0.0);
+            call.ddsdde[host_order[r] + n * host_order[c]] =
+                tangent[6 * r + c] + (r < 3 && c < 3 ? K_w : 0.0);
 }
 
 grit_status run(const UmatArguments& call, grit_sand_report& report, grit_error& error) {

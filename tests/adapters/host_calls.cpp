@@ -30,8 +30,8 @@ using Six = std::array<double, 6>;
 const std::vector<double> props = {33.0, 0.0, 1e6, 0.25, 0.55, 0.95, 1.05, 0.25,
                                    1.5,  5.0, 2.0, 1e-4, 0.5,  6.0,  0.0,  10.70};
 
-UmatWithoutLength function(const char* name) {
-    return reinterpret_cast<UmatWithoutLength>(symbol_of(GRIT_UMAT_LIBRARY, name));
+UmatWithoutLength function(const char* name, const char* library = GRIT_UMAT_LIBRARY) {
+    return reinterpret_cast<UmatWithoutLength>(symbol_of(library, name));
 }
 
 // What an Abaqus-like host gets: increments from the start, one call each.
@@ -48,14 +48,18 @@ UmatCall usual(const Six& stress, const std::vector<Six>& increments) {
 
 constexpr Six k0 = {-100, -50, -50, 0, 0, 0};
 
-// Kratos: a small-strain law that keeps what was finalised, and goes back to it before every call. It
+// 11 22 33 12 13 23 in 11 22 33 12 23 13, and back.
+Six exchanged(const Six& x) { return {x[0], x[1], x[2], x[3], x[5], x[4]}; }
+
+// Kratos: a small-strain law in the order 11 22 33 12 23 13 that keeps what was finalised, and goes back to it before every call. It
 // calls once for the stress and once more for the matrix in each iteration.
 struct Kratos {
     Six finalised_stress{}, stress{}, finalised_strain{}, matrix[6] = {};
     std::vector<double> finalised = std::vector<double>(14, 0.0), statev;
     UmatWithoutLength umat;
 
-    explicit Kratos(bool fortran) : umat(function(fortran ? "umat_" : "umat")) {}
+    explicit Kratos(bool fortran, const char* library = GRIT_UMATK_LIBRARY)
+        : umat(function(fortran ? "umat_" : "umat", library)) {}
 
     void call(const Six& strain) {
         const int ndi = 3, nshr = 3, ntens = 6, nstatv = 14, nprops = 16, element = 0, point = 0,
@@ -80,10 +84,11 @@ struct Kratos {
     }
 };
 
-TEST(HostCalls, OfKratosGiveWhatTheUsualCallsGive) {
-    const std::vector<Six> increments = {{-2e-4, 5e-5, 0, 1e-4, 0, 0},
-                                         {1e-4, 0, 1e-5, -3e-5, 0, 0}};
+TEST(HostCalls, OfKratosGiveWhatTheUsualCallsGiveInItsOrder) {
+    const std::vector<Six> increments = {{-2e-4, 5e-5, 0, 1e-4, 3e-5, -7e-5},
+                                         {1e-4, 0, 1e-5, -3e-5, 0, 2e-5}};
     const UmatCall expected = usual(k0, increments);
+    constexpr std::size_t order[6] = {0, 1, 2, 3, 5, 4};
     for (const bool fortran : {true, false}) {
         Kratos kratos(fortran);
         kratos.call({});  // at zero stress, zero STATEV
@@ -93,33 +98,47 @@ TEST(HostCalls, OfKratosGiveWhatTheUsualCallsGive) {
         }
         kratos.finalised_stress = k0;  // then the initial stress arrives
         Six strain{};
-        for (const Six& d : increments) {
+        for (const Six& increment : increments) {
+            const Six d = exchanged(increment);
             Six end = strain, off = strain;
             for (std::size_t c = 0; c < 6; ++c) {
                 end[c] += d[c];
                 off[c] += 1.7 * d[c];
             }
-            kratos.call(off);  // an iteration that is not the last
-            kratos.call(off);
-            kratos.call(end);
-            kratos.call(end);
+            for (const Six& iteration : {off, end}) {
+                kratos.call(iteration);
+                kratos.call(iteration);
+            }
             kratos.finalise(end);
             strain = end;
         }
         for (int c = 0; c < 6; ++c) {
-            const auto at = static_cast<std::size_t>(c);
+            const std::size_t at = order[c];
             EXPECT_NEAR(kratos.stress[at], expected.stress[c], 1e-9) << c;
             for (int r = 0; r < 6; ++r)  // by columns
-                EXPECT_NEAR(kratos.matrix[at][static_cast<std::size_t>(r)], expected.tangent(r, c),
-                            1e-4);
+                EXPECT_NEAR(kratos.matrix[at][order[r]], expected.tangent(r, c), 1e-4);
+            EXPECT_NEAR(kratos.statev[static_cast<std::size_t>(c)], expected.statev[c], 1e-12);
         }
         EXPECT_NEAR(kratos.statev[6], expected.statev[6], 1e-14);
     }
 }
 
+// The same through the library of another order is another material: 13 and 23 change places.
+TEST(HostCalls, OfKratosNeedTheLibraryOfItsOrderInSpaceAndNotInThePlane) {
+    for (const bool plane : {true, false}) {
+        const Six d = {-2e-4, 5e-5, 0, 1e-4, plane ? 0.0 : 3e-5, plane ? 0.0 : -7e-5};
+        Kratos own(true), other(true, GRIT_UMAT_LIBRARY);
+        for (Kratos* kratos : {&own, &other}) {
+            kratos->finalised_stress = k0;
+            kratos->call(d);
+        }
+        EXPECT_EQ(own.stress[0] == other.stress[0], plane);
+    }
+}
+
 // Kratos has no PNEWDT: a failure is a line on stderr and an answer that has not moved.
 TEST(HostCalls, OfKratosAreToldOfAFailureOnStderr) {
-    unload(GRIT_UMAT_LIBRARY);
+    unload(GRIT_UMATK_LIBRARY);
     Kratos kratos(true);
     kratos.finalised_stress = k0;
     testing::internal::CaptureStderr();

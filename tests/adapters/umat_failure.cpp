@@ -61,7 +61,13 @@ TEST(UmatFailure, NamesTheParameterAndItsRange) {
 
 TEST(UmatFailure, NamesElementAndPoint) {
     const std::string said = refusal_of([](UmatCall& x) { x.props[3] = 2.0; });
-    EXPECT_EQ(said.rfind("Grit UMAT: element 1, point 1: ", 0), 0U) << said;
+    EXPECT_EQ(said.rfind("Grit UMAT: element 12, point 3: ", 0), 0U) << said;
+}
+
+// The library counts the points of its call from 0, and a UMAT has one.
+TEST(UmatFailure, LeavesTheLibrarysCountOfPointsOut) {
+    const std::string said = refusal_of([](UmatCall& x) { x.stress[1] = nan; });
+    EXPECT_EQ(said.rfind("Grit UMAT: element 12, point 3: stress", 0), 0U) << said;
 }
 
 TEST(UmatFailure, IsSaidOnceHoweverManyPointsFail) {

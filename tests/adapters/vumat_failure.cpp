@@ -113,6 +113,34 @@ TEST(VumatFailure, LeavesABadPointStandingAndDoesTheOthers) {
         }
 }
 
+// Points without a void ratio are not even handed to the library: the others keep their places.
+TEST(VumatFailure, FindsTheOthersWhereAPointHasNoVoidRatio) {
+    VumatCall good(70);
+    good.props[15] = 0.0;
+    for (int i = 0; i < 70; ++i) {
+        const double d[6] = {-1e-5 * i, 1e-4, 2e-5, 1e-4, -5e-5, 7e-5};
+        good.set_strain(i, d);
+        good.state_old(i, 6) = 0.7;
+    }
+    VumatCall block = good;
+    good.run();
+    for (const int bad : {5, 66}) block.state_old(bad, 6) = 0.0;
+    const std::string said = block.complaint();
+    EXPECT_EQ(said.rfind("Grit VUMAT: point 6 of a block of 70: no void ratio: STATEV(7)", 0), 0U)
+        << said;
+    for (int i = 0; i < 70; ++i) {
+        const bool bad = i == 5 || i == 66;
+        for (int c = 0; c < 6; ++c)
+            EXPECT_EQ(block.stress_new(i, c), bad ? block.stress_old(i, c) : good.stress_new(i, c));
+        if (bad) {
+            EXPECT_EQ(block.state_new(i, 9), -1.0);
+            continue;
+        }
+        for (int k = 0; k < 14; ++k)
+            EXPECT_EQ(block.state_new(i, k), good.state_new(i, k)) << i << ", " << k;
+    }
+}
+
 void expect_nothing_written(const std::function<void(VumatCall&)>& spoil, const char* word) {
     VumatCall block = loaded(4);
     spoil(block);

@@ -5,9 +5,9 @@
 #include <system_error>
 
 #include "element/errors.hpp"
+#include "element/library_law.hpp"
 #include "element/simulate.hpp"
 #include "element/text.hpp"
-#include "element/library_law.hpp"
 #include "incremental_driver/classic_law.hpp"
 #include "incremental_driver/initial_conditions.hpp"
 #include "incremental_driver/output_file.hpp"

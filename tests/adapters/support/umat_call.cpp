@@ -77,5 +77,5 @@ void UmatCall::run(UmatFunction function) {
     function(stress.data(), statev.data(), ddsdde.data(), &energy[0], &energy[1], &energy[2],
              unused, unused, unused, unused, zero, dstran.data(), time, &dtime, zero, zero, zero,
              zero, cmname, &ndi, &nshr, &ntens, &nstatv, props.data(), &nprops, zero, drot, &pnewdt,
-             zero, identity, identity, &one, &one, &one, &one, &one, &one, sizeof cmname);
+             zero, identity, identity, &noel, &npt, &one, &one, &one, &one, sizeof cmname);
 }

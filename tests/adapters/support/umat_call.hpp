@@ -37,6 +37,7 @@ struct UmatCall {
     double pnewdt = 1.0;
     double energy[3] = {11.0, 12.0, 13.0};  // SSE, SPD, SCD
     int ndi = 3, nshr = 3, ntens = 6, nstatv = 14, nprops = 16;
+    int noel = 12, npt = 3;
     bool sparse = false;  // as Kratos: null wherever the law can do without
 
     // Hochstetten sand (kPa) at p = 100 kPa, e = 0.70, h = 0: verification of the literature.
