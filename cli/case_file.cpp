@@ -86,16 +86,19 @@ void read_limits(TomlTable table, Limits& limits) {
 }
 
 // --umat, or a library that the case names; otherwise the law is Grit's own.
-void choose_law(TomlTable& root, CaseFile& file, const std::filesystem::path& umat) {
-    if (!umat.empty()) {
-        if (!file.umat) fill_classic_umat(file);
-        file.umat->library = umat;
-    } else if (file.umat && file.umat->library.empty()) {
+void choose_law(TomlTable& root, CaseFile& file, const UmatChoice& umat) {
+    if (!umat.library.empty() && file.umat && !umat.layout.empty())
+        root.fail("umat", "umat: PROPS and STATEV are given here, --layout does not apply");
+    if (umat.library.empty() && file.umat && file.umat->library.empty()) {
         if (file.sand.empty())
             root.fail("umat", "umat.library is missing: name it, or give --umat FILE");
         file.umat.reset();
     }
     try {
+        if (!umat.library.empty()) {
+            if (!file.umat) fill_umat(file, umat.layout == "radian");
+            file.umat->library = umat.library;
+        }
         make_material(file);
     } catch (const element::BadCase& error) {
         root.fail(file.umat && root.has("umat") ? "umat" : "start", error.what());
@@ -141,7 +144,7 @@ void read_picture(TomlTable& root, CaseFile& file) {
 }
 
 CaseFile read_case(const std::filesystem::path& path, TomlTable& root, const std::string& sample,
-                   const std::filesystem::path& umat_library) {
+                   const UmatChoice& choice) {
     CaseFile out;
     out.path = path;
     out.inputs = {path};
@@ -159,7 +162,7 @@ CaseFile read_case(const std::filesystem::path& path, TomlTable& root, const std
     if (!out.umat || root.has("sand")) read_sand(root.table("sand"), out);
     if (auto numerics = root.table_if("numerics")) read_numerics(std::move(*numerics), out);
     read_start(root.table("start"), out);
-    choose_law(root, out, umat_library);
+    choose_law(root, out, choice);
     if (out.umat) out.inputs.push_back(out.umat->library);
     read_stages(root, out);
     read_picture(root, out);
@@ -174,8 +177,7 @@ CaseFile read_case(const std::filesystem::path& path, TomlTable& root, const std
 
 }  // namespace
 
-std::vector<CaseFile> read_case_file(const std::filesystem::path& path,
-                                     const std::filesystem::path& umat) {
+std::vector<CaseFile> read_case_file(const std::filesystem::path& path, const UmatChoice& umat) {
     std::vector<std::filesystem::path> inputs;
     TomlTable root = TomlTable::of_file(path, &inputs);
     const Samples samples = read_samples(root);

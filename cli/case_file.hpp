@@ -13,8 +13,8 @@
 #include "cli/reference.hpp"
 #include "cli/stage_reader.hpp"
 #include "element/grit_law.hpp"
+#include "element/library_law.hpp"
 #include "element/step.hpp"
-#include "element/umat_law.hpp"
 
 namespace cli {
 
@@ -35,6 +35,12 @@ struct Start {
 struct Limits {
     std::optional<int> increments;
     std::optional<double> milliseconds;  // of computing, the fastest of five runs
+};
+
+// --umat FILE --layout LAYOUT
+struct UmatChoice {
+    std::filesystem::path library;  // empty: Grit's own law, or as the case says
+    std::string layout;  // of PROPS and STATEV where the case has none: classic or radian
 };
 
 struct CaseFile {
@@ -61,9 +67,7 @@ struct CaseFile {
     std::vector<std::filesystem::path> inputs;  // all files that were read
 };
 
-// One case, or one for each row of its table of samples, with the law of this library unless it is
-// empty. Throws BadInput naming file, line and key.
-std::vector<CaseFile> read_case_file(const std::filesystem::path& path,
-                                     const std::filesystem::path& umat);
+// One case, or one for each row of its table of samples, with the law of this library, if any. Throws BadInput naming file, line and key.
+std::vector<CaseFile> read_case_file(const std::filesystem::path& path, const UmatChoice& umat);
 
 }  // namespace cli

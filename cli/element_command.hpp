@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/case_file.hpp"
 #include "cli/exit_code.hpp"
 
 namespace cli {
@@ -12,7 +13,7 @@ namespace cli {
 struct ElementRequest {
     std::vector<std::filesystem::path> cases;
     std::filesystem::path out = ".";
-    std::filesystem::path umat;  // library of the law, empty: Grit's own, or as the case says
+    UmatChoice umat;
     bool no_plot = false;
     bool quiet = false;      // the table alone
     bool residuals = false;  // of Newton's method, printed

@@ -77,11 +77,18 @@ int main(int argc, char** argv) {
                             "Folder of incrementalDriver's input files, see "
                             "docs/incremental-driver.md; output goes there or to --out");
     folder->excludes(cases)->excludes(residuals);
-    element->add_option("--umat", request.umat, "Library with the law, instead of Grit's sand");
+    CLI::Option* umat = element->add_option("--umat", request.umat.library,
+                                            "Library with a UMAT or VUMAT, instead of Grit's sand");
+    element
+        ->add_option("--layout", request.umat.layout,
+                     "PROPS and STATEV of that library [classic], see docs/umat.md")
+        ->check(CLI::IsMember({"classic", "radian"}))
+        ->needs(umat)
+        ->excludes(folder);
     element->callback([&] {
         if (!*cases && !*folder) throw CLI::RequiredError("CASE or --incremental-driver");
         if (*folder && *out) driver.out = request.out;
-        driver.umat = request.umat;
+        driver.umat = request.umat.library;
         driver.no_plot = request.no_plot;
         driver.quiet = request.quiet;
         command = [&, of_folder = static_cast<bool>(*folder)] {

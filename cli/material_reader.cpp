@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/material_reader.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
+#include <grit/radian_layout.h>
 
 #include "cli/parameter_units.hpp"
+#include "element/errors.hpp"
 #include "element/nearest.hpp"
 
 namespace cli {
@@ -157,18 +160,24 @@ void read_start(TomlTable table, CaseFile& file) {
     table.finish();
 }
 
-void fill_classic_umat(CaseFile& file) {
+void fill_umat(CaseFile& file, bool radian) {
     const grit_sand_parameters& p = file.parameters;
     element::UmatSource source;
     source.props.resize(GRIT_CLASSIC_NPROPS);
-    grit_classic_props(&p, file.options.intergranular_strain, source.props.data());
-    source.props[GRIT_CLASSIC_WATER_STIFFNESS] = file.options.water_stiffness;
+    double classic[GRIT_CLASSIC_NPROPS];
+    grit_classic_props(&p, file.options.intergranular_strain, classic);
+    classic[GRIT_CLASSIC_WATER_STIFFNESS] = file.options.water_stiffness;
+    if (!radian) std::copy_n(classic, GRIT_CLASSIC_NPROPS, source.props.begin());
+    else if (grit_radian_of_classic(classic, source.props.data()) != GRIT_OK)
+        throw element::BadCase(
+            fmt::format("the radian layout has no place for p_t = {:g} kPa", p.pressure_shift));
     source.state_size = GRIT_CLASSIC_NSTATV + 1;
-    source.void_ratio = GRIT_CLASSIC_VOID_RATIO;
+    source.void_ratio = radian ? int{GRIT_RADIAN_VOID_RATIO} : int{GRIT_CLASSIC_VOID_RATIO};
     if (file.options.water_stiffness > 0.0) source.minus_pore_pressure = GRIT_CLASSIC_PORE_STRESS;
-    source.state_names = {"h_11", "h_22", "h_33", "h_12", "h_13", "h_23", "void_ratio"};
-    file.umat = std::move(source);
-    file.umat_state.assign(7, 0.0);
+    source.state_names = {"h_11", "h_22", "h_33", "h_12", "h_13", "h_23"};
+    source.state_names.insert(source.state_names.begin() + source.void_ratio, "void_ratio");
+
+    file.umat_state.assign(6, 0.0);
     if (file.start.intergranular_strain == IntergranularStrain::mobilised) {
         grit_sand sand;
         grit_sand_prepare(&p, &sand, nullptr);
@@ -176,13 +185,14 @@ void fill_classic_umat(CaseFile& file) {
         grit_sand_mobilise(&sand, file.start.direction.data(), file.start.rho, state);
         std::copy_n(state, 6, file.umat_state.begin());
     }
-    file.umat_state[GRIT_CLASSIC_VOID_RATIO] = file.start.void_ratio;
+    file.umat_state.insert(file.umat_state.begin() + source.void_ratio, file.start.void_ratio);
+    file.umat = std::move(source);
 }
 
 void make_material(CaseFile& file) {
     const Start& start = file.start;
     if (file.umat) {
-        const auto law = std::make_shared<element::UmatLaw>(*file.umat);
+        const auto law = element::open_library_law(*file.umat);
         file.point = law->start(start.stress, file.umat_state);
         file.law = law;
         return;

@@ -20,8 +20,9 @@ void read_umat(TomlTable table, CaseFile& file);
 // After the sand.
 void read_start(TomlTable table, CaseFile& file);
 
-// A UMAT of the classic layout (PROPS 16, STATEV 14) with the sand and the start of the case.
-void fill_classic_umat(CaseFile& file);
+// A UMAT of the classic layout (PROPS 16, STATEV 14), or of the second one, with the sand and the start
+// of the case. Throws element::BadCase.
+void fill_umat(CaseFile& file, bool radian);
 
 // law, own_law and point of the case. Throws element::BadCase.
 void make_material(CaseFile& file);

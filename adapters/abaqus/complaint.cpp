@@ -1,11 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/abaqus/complaint.hpp"
 
+#include <atomic>
+#include <cctype>
 #include <cstdarg>
 #include <cstdio>
 #include <cstring>
 
 namespace grit::abaqus {
+namespace {
+
+std::atomic<bool> already_said{false};  // all that a library of this folder keeps between calls
+
+// The library counts the points of its call, a host its elements: "point 7: " goes.
+const char* without_count(const char* message) {
+    constexpr char counted[] = "point ";
+    if (std::strncmp(message, counted, sizeof counted - 1) != 0) return message;
+    const char* rest = message + sizeof counted - 1;
+    while (std::isdigit(static_cast<unsigned char>(*rest))) ++rest;
+    return rest[0] == ':' && rest[1] == ' ' ? rest + 2 : message;
+}
+
+}  // namespace
 
 grit_status failure(grit_error& error, grit_status status, const char* format, ...) {
     error.status = status;
@@ -16,15 +32,14 @@ grit_status failure(grit_error& error, grit_status status, const char* format, .
     return status;
 }
 
-void fail(const UmatArguments& call, const grit_error& why, double step_reduction) {
-    if (call.pnewdt) *call.pnewdt = step_reduction < 1.0 ? step_reduction : default_reduction;
-    if (call.pnewdt && why.status == GRIT_NOT_CONVERGED) return;
-    // The library counts the points of its call, and a UMAT has one.
-    constexpr char counted[] = "point 0: ";
-    const char* message = why.message;
-    if (std::strncmp(message, counted, sizeof counted - 1) == 0) message += sizeof counted - 1;
-    std::fprintf(stderr, "Grit UMAT: element %d, point %d: %s\n", call.noel ? *call.noel : 0,
-                 call.npt ? *call.npt : 0, message);
+void complain(const grit_error& why, const char* where, ...) {
+    if (already_said.exchange(true, std::memory_order_relaxed)) return;
+    char place[128];
+    std::va_list arguments;
+    va_start(arguments, where);
+    std::vsnprintf(place, sizeof place, where, arguments);
+    va_end(arguments);
+    std::fprintf(stderr, "%s: %s\n", place, without_count(why.message));
 }
 
 }  // namespace grit::abaqus

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a failed call speaks: PNEWDT for the host, one line on stderr for its user.
+// How a failed call speaks to its user: one line on stderr, once in the life of the process. A host
+// repeats its calls by the thousand, and the first failure is the one to look at.
 #pragma once
 
 #include <grit/status.h>
 
-#include "adapters/abaqus/umat_arguments.hpp"
-
 namespace grit::abaqus {
 
-// PNEWDT where the cause does not say how much smaller an increment must be.
-constexpr double default_reduction = 0.25;
-
-// Ask for a smaller increment. The line is left out where the host learns by PNEWDT all there is to
-// know, that is when the sand has not converged: hosts iterate through such increments by the thousand.
-void fail(const UmatArguments& call, const grit_error& why, double step_reduction);
+// "Grit UMAT: element 12, point 3: ...", or what else where says; nothing if a line was written before.
+// The message is the library's: a number of the point at its head is dropped.
+__attribute__((format(printf, 2, 3))) void complain(const grit_error& why, const char* where, ...);
 
 // Fill error in the manner of the library.
 __attribute__((format(printf, 3, 4))) grit_status failure(grit_error& error, grit_status status,

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The UMAT: one material point per call, prepared from PROPS every time, nothing kept between calls.
-#include <cstddef>
-
+// The UMAT: one material point per call, prepared from PROPS every time.
 #include <grit/sand.h>
 
-#include "adapters/abaqus/classic_props.hpp"
-#include "adapters/abaqus/classic_statev.hpp"
 #include "adapters/abaqus/complaint.hpp"
+#include "adapters/abaqus/layout.hpp"
+#include "adapters/abaqus/point.hpp"
+#include "adapters/abaqus/sizes.hpp"
+#include "adapters/abaqus/umat_arguments.hpp"
 
 namespace grit::abaqus {
 namespace {
 
+// PNEWDT where the cause does not say how much smaller an increment must be.
+constexpr double default_reduction = 0.25;
+
 grit_status check_call(const UmatArguments& call, grit_error& error) {
-    const auto refuse = [&](const char* what) {
-        return failure(error, GRIT_BAD_CALL, "%s is a null pointer", what);
-    };
+    const auto refuse = [&](const char* what) { return refuse_null(what, error); };
     if (!call.stress) return refuse("STRESS");
     if (!call.statev) return refuse("STATEV");
     if (!call.dstran) return refuse("DSTRAN");
@@ -30,14 +31,17 @@ grit_status check_call(const UmatArguments& call, grit_error& error) {
                        "NTENS must be 6, 4 (11 22 33 12) or 3 (11 22 33) with NDI 3, got NTENS %d, "
                        "NDI %d, NSHR %d: plane stress is not supported",
                        n, ndi, nshr);
-    if (*call.nprops < GRIT_CLASSIC_NPROPS)
-        return failure(error, GRIT_BAD_CALL, "NPROPS must be at least %d (*USER MATERIAL), got %d",
-                       GRIT_CLASSIC_NPROPS, *call.nprops);
-    if (*call.nstatv < GRIT_CLASSIC_NSTATV)
-        return failure(error, GRIT_BAD_CALL,
-                       "NSTATV must be at least %d, better %d (*DEPVAR), got %d",
-                       GRIT_CLASSIC_NSTATV, GRIT_CLASSIC_NSTATV + 1, *call.nstatv);
-    return GRIT_OK;
+    return check_sizes(*call.nprops, "NPROPS", *call.nstatv, "NSTATV", error);
+}
+
+Point read_point(const UmatArguments& call) {
+    Point p{};
+    for (int c = 0; c < *call.ntens; ++c) {
+        p.strain_increment[c] = call.dstran[host_order[c]];
+        p.stress[c] = call.stress[host_order[c]];
+    }
+    read_state({call.statev, 1, *call.nstatv}, *call.ntens - 3, p);
+    return p;
 }
 
 // DROT as a row-major Q. False where nothing is to be turned: null, the identity, or all zero, which
@@ -65,74 +69,61 @@ grit_status update(const UmatArguments& call, const grit_sand& sand, Point& poin
     options.tangent = call.ddsdde ? GRIT_TANGENT_CONSISTENT : GRIT_TANGENT_NONE;
     options.stress_is_rotated = 1;  // Abaqus has rotated STRESS, but no tensor in STATEV
     double Q[9];
-    grit_sand_points views{};
-    views.struct_size = sizeof views;
-    views.components = 6;
-    views.strain_increment = grit_view_of(point.strain_increment, 6, 1);
+    grit_sand_points views = views_of(&point);
     if (read_rotation(call, Q)) views.rotation_increment = grit_view_of(Q, 9, 1);
-    views.stress = grit_mutable_view_of(point.stress, 6, 1);
-    views.state = grit_mutable_view_of(point.state, GRIT_SAND_STATE_SIZE, 1);
     views.tangent = grit_mutable_matrix_view_of(tangent, 36, 6, 1);
-    views.substep = grit_mutable_view_of(&point.substep, 1, 1);
     return grit_sand_update(&sand, &options, 1, &views, &report, &error);
+}
+
+void write_stress(const UmatArguments& call, const Point& start, const Point& end) {
+    double work = 0.0;  // of the total stress, trapezoidal
+    for (int c = 0; c < *call.ntens; ++c) {
+        double& stress = call.stress[host_order[c]];
+        const double before = stress;
+        stress = total_stress(start, end, c, before);
+        work += 0.5 * (before + stress) * start.strain_increment[c];
+    }
+    if (call.sse) *call.sse += work;
 }
 
 void write_tangent(const UmatArguments& call, const double tangent[36], double K_w) {
     const int n = *call.ntens;
     for (int r = 0; r < n; ++r)
         for (int c = 0; c < n; ++c)
-            call.ddsdde[r + n * c] = tangent[6 * r + c] + (r < 3 && c < 3 ? K_w : 0.0);
+            call.ddsdde[host_order[r] + n * host_order[c]] =
+                tangent[6 * r + c] + (r < 3 && c < 3 ? K_w : 0.0);
 }
 
 grit_status run(const UmatArguments& call, grit_sand_report& report, grit_error& error) {
     if (const grit_status s = check_call(call, error)) return s;
-    ClassicProps props;
-    if (const grit_status s = read_props(call.props, props, error)) return s;
-    grit_sand sand;
-    if (const grit_status s = grit_sand_prepare(&props.parameters, &sand, &error)) return s;
-
+    Material material;
+    if (const grit_status s = read_props(call.props, material, error)) return s;
     Point start = read_point(call);
-    double& e = start.state[GRIT_SAND_VOID_RATIO];
-    if (e < GRIT_CLASSIC_NO_VOID_RATIO)
-        if (const grit_status s =
-                initial_void_ratio(sand, props.e_0, mean_pressure(start), e, error))
-            return s;
+    if (const grit_status s = complete_state(material, start, error)) return s;
     Point end = start;
     double tangent[36];
-    if (const grit_status s = update(call, sand, end, tangent, report, error)) return s;
+    if (const grit_status s = update(call, material.sand, end, tangent, report, error)) return s;
 
-    const double* d = start.strain_increment;
-    end.pore_stress += props.K_w * (d[0] + d[1] + d[2]);  // (W1)
-    write_point(call, start, end);
-    write_output(call, sand, end, report.evaluations);
-    if (call.ddsdde) write_tangent(call, tangent, props.K_w);
+    load_water(material, end);
+    write_stress(call, start, end);
+    write_state({call.statev, 1, *call.nstatv}, material, end, report.evaluations);
+    if (call.ddsdde) write_tangent(call, tangent, material.K_w);
     return GRIT_OK;
 }
 
 }  // namespace
-}  // namespace grit::abaqus
 
-extern "C" {
-
-// Abaqus, CalculiX, OpenSees, Kratos, MOOSE: reals are double, integers are int. The name of the
-// material and its hidden length are never looked at, for one host passes a single character.
-__attribute__((visibility("default"))) void
-umat_(double* STRESS, double* STATEV, double* DDSDDE, double* /*SSE*/, double* /*SPD*/,
-      double* /*SCD*/, double* /*RPL*/, double* /*DDSDDT*/, double* /*DRPLDE*/, double* /*DRPLDT*/,
-      const double* /*STRAN*/, const double* DSTRAN, const double* /*TIME*/,
-      const double* /*DTIME*/, const double* /*TEMP*/, const double* /*DTEMP*/,
-      const double* /*PREDEF*/, const double* /*DPRED*/, const char* /*CMNAME*/, const int* NDI,
-      const int* NSHR, const int* NTENS, const int* NSTATV, const double* PROPS, const int* NPROPS,
-      const double* /*COORDS*/, const double* DROT, double* PNEWDT, const double* /*CELENT*/,
-      const double* /*DFGRD0*/, const double* /*DFGRD1*/, const int* NOEL, const int* NPT,
-      const int* /*LAYER*/, const int* /*KSPT*/, const int* /*KSTEP*/, const int* /*KINC*/,
-      std::size_t /*length of CMNAME*/) {
-    using namespace grit::abaqus;
-    const UmatArguments call{STRESS, STATEV, DDSDDE, PNEWDT, DSTRAN, DROT, PROPS,
-                             NDI,    NSHR,   NTENS,  NSTATV, NPROPS, NOEL, NPT};
+void run_umat(const UmatArguments& call) {
     grit_sand_report report{};
     report.step_reduction = 1.0;
     grit_error error{};
-    if (run(call, report, error) != GRIT_OK) fail(call, error, report.step_reduction);
+    if (run(call, report, error) == GRIT_OK) return;
+    if (call.pnewdt)
+        *call.pnewdt = report.step_reduction < 1.0 ? report.step_reduction : default_reduction;
+    // Where a smaller increment will do, PNEWDT says all there is to know, and it is no error.
+    if (call.pnewdt && error.status == GRIT_NOT_CONVERGED) return;
+    complain(error, "Grit UMAT: element %d, point %d", call.noel ? *call.noel : 0,
+             call.npt ? *call.npt : 0);
 }
-}
+
+}  // namespace grit::abaqus

@@ -9,6 +9,7 @@ struct UmatArguments {
     double* stress;  // [ntens]
     double* statev;  // [nstatv]
     double* ddsdde;  // [ntens x ntens] column-major, optional
+    double* sse;     // optional
     double* pnewdt;  // optional
     // in
     const double* dstran;   // [ntens]
@@ -18,5 +19,8 @@ struct UmatArguments {
     const int *ntens, *nstatv, *nprops;
     const int *noel, *npt;  // optional, for messages
 };
+
+// The whole call: an update, or a complaint and PNEWDT.
+void run_umat(const UmatArguments& call);
 
 }  // namespace grit::abaqus

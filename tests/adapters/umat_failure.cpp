@@ -18,12 +18,11 @@ std::string refusal_of(const std::function<void(UmatCall&)>& spoil) {
     call.set_dstran(-1e-4, 2e-5, 0, 1e-5);
     spoil(call);
     const UmatCall before = call;
-    testing::internal::CaptureStderr();
-    call.run();
+    std::string said = call.complaint();
     EXPECT_LT(call.pnewdt, 1.0);
     EXPECT_GT(call.pnewdt, 0.0);
     EXPECT_TRUE(call.same_results(before));
-    return testing::internal::GetCapturedStderr();
+    return said;
 }
 
 bool contains(const std::string& text, const char* word) {
@@ -62,7 +61,39 @@ TEST(UmatFailure, NamesTheParameterAndItsRange) {
 
 TEST(UmatFailure, NamesElementAndPoint) {
     const std::string said = refusal_of([](UmatCall& x) { x.props[3] = 2.0; });
-    EXPECT_EQ(said.rfind("Grit UMAT: element 1, point 1: ", 0), 0U) << said;
+    EXPECT_EQ(said.rfind("Grit UMAT: element 12, point 3: ", 0), 0U) << said;
+}
+
+// The library counts the points of its call from 0, and a UMAT has one.
+TEST(UmatFailure, LeavesTheLibrarysCountOfPointsOut) {
+    const std::string said = refusal_of([](UmatCall& x) { x.stress[1] = nan; });
+    EXPECT_EQ(said.rfind("Grit UMAT: element 12, point 3: stress", 0), 0U) << said;
+}
+
+TEST(UmatFailure, IsSaidOnceHoweverManyPointsFail) {
+    UmatCall call = UmatCall::hochstetten();
+    call.props[3] = 2.0;
+    EXPECT_NE(call.complaint(), "");
+    testing::internal::CaptureStderr();
+    for (int i = 0; i < 100; ++i) {
+        call.pnewdt = 1.0;
+        call.run();
+        EXPECT_LT(call.pnewdt, 1.0) << "every failure is reported to the host";
+    }
+    call.props[3] = 0.25;
+    call.props[0] = 0.5;
+    call.run();
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(UmatFailure, SavesItsLineForWhatSmallerIncrementsDoNotHelp) {
+    UmatCall call = UmatCall::hochstetten();
+    call.set_dstran(-0.5, 0, 0);
+    EXPECT_EQ(call.complaint(), "");
+    call.props[3] = 2.0;
+    testing::internal::CaptureStderr();
+    call.run();
+    EXPECT_NE(testing::internal::GetCapturedStderr(), "");
 }
 
 TEST(UmatFailure, AsksQuietlyForSmallerIncrementsWhereThoseHelp) {

@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "support/library.hpp"
 #include "support/umat_call.hpp"
 
 namespace {
@@ -11,9 +12,7 @@ namespace {
 // The call changes nothing but PNEWDT, and says why.
 void expect_refused(UmatCall call, const std::string& word) {
     const UmatCall before = call;
-    testing::internal::CaptureStderr();
-    call.run();
-    const std::string said = testing::internal::GetCapturedStderr();
+    const std::string said = call.complaint();
     EXPECT_NE(said.find(word), std::string::npos) << said;
     EXPECT_EQ(said.find('\n'), said.size() - 1) << "one line: " << said;
     EXPECT_TRUE(call.same_results(before));
@@ -106,6 +105,7 @@ TEST(UmatLayout, ComputesStressWithoutATangent) {
 
 TEST(UmatLayout, SurvivesACallOfNothingButNulls) {
     double pnewdt = 1.0;
+    unload(GRIT_UMAT_LIBRARY);
     testing::internal::CaptureStderr();
     umat()(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr,
            nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr,
@@ -123,20 +123,46 @@ TEST(UmatLayout, WritesPnewdtOnlyOnFailureAndThenBelowOne) {
         call.run();
         EXPECT_EQ(call.pnewdt, given);
         call.dstran[0] = std::numeric_limits<double>::infinity();
-        testing::internal::CaptureStderr();
-        call.run();
-        testing::internal::GetCapturedStderr();
+        call.complaint();
         EXPECT_LT(call.pnewdt, 1.0);
         EXPECT_GT(call.pnewdt, 0.0);
     }
 }
 
-TEST(UmatLayout, LeavesEnergiesToTheHost) {
+TEST(UmatLayout, AddsTheWorkOfTheTotalStressToSse) {
+    for (const double K_w : {0.0, 2e6}) {
+        UmatCall call = loaded();
+        call.props[14] = K_w;
+        call.set_dstran(-1e-4, 3e-5, 2e-5, 1e-4, 4e-5, -2e-5);
+        const UmatCall before = call;
+        call.run();
+        double work = 0.0;
+        for (int c = 0; c < 6; ++c)
+            work += 0.5 * (before.stress[c] + call.stress[c]) * call.dstran[c];
+        EXPECT_GT(work, 0.0);
+        EXPECT_NEAR(call.energy[0], 11.0 + work, 1e-13);
+        EXPECT_EQ(call.energy[1], 12.0) << "SPD";
+        EXPECT_EQ(call.energy[2], 13.0) << "SCD";
+    }
+}
+
+TEST(UmatLayout, LeavesSseAloneWhenItFails) {
     UmatCall call = loaded();
-    call.run();
+    call.stress[0] = std::numeric_limits<double>::infinity();
+    call.complaint();
     EXPECT_EQ(call.energy[0], 11.0);
-    EXPECT_EQ(call.energy[1], 12.0);
-    EXPECT_EQ(call.energy[2], 13.0);
+}
+
+TEST(UmatLayout, AnswersToEveryNameThatHostsLookUp) {
+    UmatCall usual = loaded();
+    usual.run();
+    for (const char* name : {"umat_", "umat", "UMAT", "SAND"}) {
+        const auto function = reinterpret_cast<UmatFunction>(symbol_of(GRIT_UMAT_LIBRARY, name));
+        ASSERT_NE(function, nullptr) << name;
+        UmatCall call = loaded();
+        call.run(function);
+        EXPECT_TRUE(call.same_results(usual)) << name;
+    }
 }
 
 }  // namespace

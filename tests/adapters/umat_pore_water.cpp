@@ -59,15 +59,24 @@ TEST(UmatPoreWater, KeepsAPorePressureWhenDrained) {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(wet.stress[c], dry.stress[c] - 50.0, 1e-12);
 }
 
+// Taking the pore pressure off and on again would cost bits in some of these.
 TEST(UmatPoreWater, CostsNoBitInAZeroIncrement) {
-    UmatCall call = UmatCall::hochstetten();
-    call.props[14] = K_w;
-    call.statev[7] = -1.0 / 3.0;
-    call.stress[0] = -100.1;
-    const UmatCall before = call;
-    call.run();
-    EXPECT_EQ(call.stress, before.stress);
-    EXPECT_EQ(call.statev[7], before.statev[7]);
+    int costly = 0;
+    for (int i = 1; i <= 50; ++i) {
+        UmatCall call = UmatCall::hochstetten();
+        call.props[14] = K_w;
+        call.statev[7] = 100.0 + 1.0 / (3.0 * i);  // suction
+        for (int c = 0; c < 3; ++c) call.stress[c] = -100.0 - 0.1 * (i + c);
+        const UmatCall before = call;
+        for (int c = 0; c < 3; ++c) {
+            const double effective = call.stress[c] - call.statev[7];
+            if (effective + call.statev[7] != call.stress[c]) ++costly;
+        }
+        call.run();
+        EXPECT_EQ(call.stress, before.stress);
+        EXPECT_EQ(call.statev[7], before.statev[7]);
+    }
+    EXPECT_GT(costly, 0);
 }
 
 }  // namespace

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "element/umat_law.hpp"
 
-#include <dlfcn.h>
-
-#include <cmath>
 #include <cstddef>
 
-#include "element/errors.hpp"
 #include "element/guarded.hpp"
 #include "element/text.hpp"
 
@@ -85,47 +81,11 @@ struct Arguments {
 
 }  // namespace
 
-UmatLaw::UmatLaw(UmatSource given) : source(std::move(given)) {
-    if (source.state_size < 0)
-        throw BadCase(text("NSTATV must be >= 0, got %d", source.state_size));
-    const auto size = static_cast<std::size_t>(source.state_size);
-    for (std::size_t i = source.state_names.size(); i < size; ++i)
-        source.state_names.push_back(text("statev(%d)", static_cast<int>(i) + 1));
-    source.state_names.resize(size);
-    for (const int index : {source.void_ratio, source.minus_pore_pressure})
-        if (index >= source.state_size)
-            throw BadCase(
-                text("NSTATV is %d: there is no STATEV(%d)", source.state_size, index + 1));
-    // A bare name would be looked up in the folders of the system.
-    const std::string path = std::filesystem::absolute(source.library).string();
-    void* opened = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (!opened) {
-        const char* why = dlerror();
-        throw BadCase(text("cannot load the UMAT: %s", why ? why : path.c_str()));
-    }
-    handle = std::shared_ptr<void>(opened, [](void* library) { dlclose(library); });
-    for (const char* name : {"umat_", "UMAT", "umat"}) {
-        if (void* symbol = dlsym(opened, name)) {
-            function = reinterpret_cast<void (*)()>(symbol);
-            found = name;
-            return;
-        }
-    }
-    throw BadCase(text("%s has no symbol umat_, UMAT or umat", path.c_str()));
-}
-
-MaterialPoint UmatLaw::start(const Vector6& stress, std::vector<double> state) const {
-    const auto size = static_cast<std::size_t>(source.state_size);
-    if (state.size() > size)
-        throw BadCase(text("%d state variables are given, NSTATV is %d",
-                           static_cast<int>(state.size()), source.state_size));
-    state.resize(size, 0.0);
-    return {stress, std::move(state)};
-}
+UmatLaw::UmatLaw(UmatSource given) : LibraryLaw(std::move(given), {"umat_", "UMAT", "umat"}) {}
 
 Response UmatLaw::advance(const MaterialPoint& start, const StrainIncrement& increment) const {
     Arguments arguments(source, start, increment);
-    arguments.call(reinterpret_cast<UmatFunction>(function));
+    arguments.call(function_as<UmatFunction>());
     Response out;
     if (const std::string overrun = arguments.overrun(); !overrun.empty()) {
         out.outcome = Outcome::hopeless;
@@ -144,15 +104,6 @@ Response UmatLaw::advance(const MaterialPoint& start, const StrainIncrement& inc
     out.end.stress = Vector6::Map(arguments.stress.data());
     out.end.state.assign(arguments.statev.data(), arguments.statev.data() + source.state_size);
     out.tangent = Eigen::Map<Eigen::Matrix<double, 6, 6>>(arguments.ddsdde.data());  // by columns
-    return out;
-}
-
-Observation UmatLaw::observe(const MaterialPoint& point) const {
-    Observation out;
-    if (source.void_ratio >= 0)
-        out.void_ratio = point.state[static_cast<std::size_t>(source.void_ratio)];
-    if (source.minus_pore_pressure >= 0)
-        out.pore_pressure = -point.state[static_cast<std::size_t>(source.minus_pore_pressure)];
     return out;
 }
 

@@ -5,9 +5,9 @@
 #include <system_error>
 
 #include "element/errors.hpp"
+#include "element/library_law.hpp"
 #include "element/simulate.hpp"
 #include "element/text.hpp"
-#include "element/umat_law.hpp"
 #include "incremental_driver/classic_law.hpp"
 #include "incremental_driver/initial_conditions.hpp"
 #include "incremental_driver/output_file.hpp"
@@ -51,7 +51,7 @@ std::shared_ptr<const element::Law> foreign_law(const Inputs& in,
     source.state_size = static_cast<int>(in.initial.statev.size());
     source.material_name = in.parameters.name;
     try {
-        return std::make_shared<element::UmatLaw>(std::move(source));
+        return element::open_library_law(source);
     } catch (const element::BadCase& error) {
         throw BadInput(error.what());
     }

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/umat_call.hpp"
 
-#include <dlfcn.h>
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <iterator>
-#include <stdexcept>
+
+#include "support/library.hpp"
 
 UmatFunction umat() {
-    static const auto function = [] {
-        void* library = dlopen(GRIT_UMAT_LIBRARY, RTLD_NOW | RTLD_LOCAL);
-        if (!library) throw std::runtime_error(dlerror());
-        return reinterpret_cast<UmatFunction>(dlsym(library, "umat_"));
-    }();
-    return function;
+    return reinterpret_cast<UmatFunction>(symbol_of(GRIT_UMAT_LIBRARY, "umat_"));
 }
 
 UmatCall UmatCall::hochstetten() {
@@ -56,21 +52,30 @@ bool UmatCall::finite() const {
     return sum == 0.0;
 }
 
-void UmatCall::run() {
+std::string UmatCall::complaint() {
+    unload(GRIT_UMAT_LIBRARY);
+    testing::internal::CaptureStderr();
+    run();
+    return testing::internal::GetCapturedStderr();
+}
+
+void UmatCall::run() { run(umat()); }
+
+void UmatCall::run(UmatFunction function) {
     const char cmname[80] = "SAND";
     const double zero[6] = {}, time[2] = {}, dtime = 0.0;
     double unused[6] = {};
     const int one = 1;
     if (sparse) {
-        umat()(stress.data(), statev.data(), ddsdde.data(), nullptr, nullptr, nullptr, nullptr,
-               nullptr, nullptr, nullptr, nullptr, dstran.data(), nullptr, nullptr, nullptr,
-               nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, &ntens, &nstatv, props.data(),
-               &nprops, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr,
-               nullptr, nullptr, nullptr, nullptr, 0);
+        function(stress.data(), statev.data(), ddsdde.data(), nullptr, nullptr, nullptr, nullptr,
+                 nullptr, nullptr, nullptr, nullptr, dstran.data(), nullptr, nullptr, nullptr,
+                 nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, &ntens, &nstatv,
+                 props.data(), &nprops, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr,
+                 nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, 0);
         return;
     }
-    umat()(stress.data(), statev.data(), ddsdde.data(), &energy[0], &energy[1], &energy[2], unused,
-           unused, unused, unused, zero, dstran.data(), time, &dtime, zero, zero, zero, zero,
-           cmname, &ndi, &nshr, &ntens, &nstatv, props.data(), &nprops, zero, drot, &pnewdt, zero,
-           identity, identity, &one, &one, &one, &one, &one, &one, sizeof cmname);
+    function(stress.data(), statev.data(), ddsdde.data(), &energy[0], &energy[1], &energy[2],
+             unused, unused, unused, unused, zero, dstran.data(), time, &dtime, zero, zero, zero,
+             zero, cmname, &ndi, &nshr, &ntens, &nstatv, props.data(), &nprops, zero, drot, &pnewdt,
+             zero, identity, identity, &noel, &npt, &one, &one, &one, &one, sizeof cmname);
 }

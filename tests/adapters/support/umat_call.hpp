@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include "support/guarded.hpp"
 
@@ -36,6 +37,7 @@ struct UmatCall {
     double pnewdt = 1.0;
     double energy[3] = {11.0, 12.0, 13.0};  // SSE, SPD, SCD
     int ndi = 3, nshr = 3, ntens = 6, nstatv = 14, nprops = 16;
+    int noel = 12, npt = 3;
     bool sparse = false;  // as Kratos: null wherever the law can do without
 
     // Hochstetten sand (kPa) at p = 100 kPa, e = 0.70, h = 0: verification of the literature.
@@ -44,6 +46,9 @@ struct UmatCall {
     // 11 22 33 12, or 11 22 33 alone: the rest of the arrays becomes out of bounds.
     void use_components(int n);
     void run();
+    void run(UmatFunction function);
+    // run() with a library that has said nothing yet: what it writes to stderr.
+    std::string complaint();
     bool in_bounds() const;
     void set_dstran(double e11, double e22, double e33, double g12 = 0, double g13 = 0,
                     double g23 = 0);

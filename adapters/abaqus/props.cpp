@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/abaqus/props.hpp"
+
+#include <cmath>
+
+#include "adapters/abaqus/complaint.hpp"
+#include "adapters/abaqus/layout.hpp"
+
+namespace grit::abaqus {
+namespace {
+
+// phi_c in the layout's own unit: the library would speak of radians whatever PROPS are.
+grit_status check_angle(double phi_c, grit_error& error) {
+    const double unit = GRIT_DEGREE / layout.angle;  // one degree
+    const double low = 10.0 * unit, high = 60.0 * unit;
+    if (phi_c >= low && phi_c <= high) return GRIT_OK;
+    const double other = layout.angle == 1.0 ? phi_c * GRIT_DEGREE : phi_c / GRIT_DEGREE;
+    return failure(error, GRIT_BAD_PARAMETER,
+                   "PROPS(1) (phi_c) must be in [%.6g, %.6g] %s, got %g%s%s%s", low, high,
+                   layout.angle_unit, phi_c, other >= low && other <= high ? ": " : "",
+                   other >= low && other <= high ? layout.other_unit : "",
+                   other >= low && other <= high ? "?" : "");
+}
+
+}  // namespace
+
+grit_status read_props(const double* props, Material& out, grit_error& error) {
+    if (const grit_status s = check_angle(props[0], error)) return s;
+    double classic[GRIT_CLASSIC_NPROPS];
+    if (const grit_status s = layout.classic(props, classic, error)) return s;
+    grit_sand_parameters parameters;
+    grit_classic_parameters(classic, &parameters);
+    parameters.critical_friction_angle = props[0] * layout.angle;  // without a way there and back
+    out.K_w = classic[GRIT_CLASSIC_WATER_STIFFNESS];
+    out.e_0 = classic[GRIT_CLASSIC_VOID_RATIO_AT_ZERO_PRESSURE];
+    if (!(out.K_w >= 0.0 && std::isfinite(out.K_w)))
+        return failure(error, GRIT_BAD_PARAMETER, "PROPS(15) (K_w) must be >= 0 and finite, got %g",
+                       out.K_w);
+    return grit_sand_prepare(&parameters, &out.sand, &error);
+}
+
+grit_status initial_void_ratio(const Material& material, double p, double& void_ratio,
+                               grit_error& error) {
+    const grit_status status =
+        grit_classic_void_ratio(&material.sand, material.e_0, p, &void_ratio);
+    if (status != GRIT_BAD_STATE) return status;
+    return failure(error, status,
+                   "no void ratio: STATEV(%d) is below 0.001 and PROPS(16) (e_0) is %g",
+                   layout.void_ratio + 1, material.e_0);
+}
+
+}  // namespace grit::abaqus

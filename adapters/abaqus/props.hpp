@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// PROPS (docs/umat.md): the material, the pore water, the initial void ratio.
+#pragma once
+
+#include <grit/classic_layout.h>
+
+namespace grit::abaqus {
+
+// Prepared for one call, from memory that the next call may not find unchanged.
+struct Material {
+    grit_sand sand;
+    double K_w;  // [stress] of the mixture (W1); 0: drained
+    double e_0;  // see grit_classic_void_ratio
+};
+
+grit_status read_props(const double* props, Material& out, grit_error& error);
+
+// grit_classic_void_ratio, with words where it refuses.
+grit_status initial_void_ratio(const Material& material, double p, double& void_ratio,
+                               grit_error& error);
+
+}  // namespace grit::abaqus
