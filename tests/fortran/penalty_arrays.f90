@@ -68,6 +68,10 @@ contains
       a = grit_penalty_surface_of(upper, force_a(:, :2), error=error)
       call holds('force: '//grit_message(error), grit_message(error) == &
                  'force must be (2, 5), got (2, 2)')
+      error = grit_error()
+      a = grit_penalty_surface_of(upper, force_a, stiffness=stiffness_a(:4), error=error)
+      call holds('stiffness: '//grit_message(error), grit_message(error) == &
+                 'stiffness must be (5), got (4)')
       force_b = 0
       call holds('what did not fit is refused', grit_penalty_forces(options, a, b) == grit_bad_call)
       call holds('nothing changed', all(force_b == 0))
