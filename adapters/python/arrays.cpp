@@ -56,7 +56,6 @@ py::array judged(const char* name, const py::object& object, bool written) {
 
 ptrdiff_t stride(const py::array& a, py::ssize_t axis) { return a.strides(axis) / double_size; }
 
-// C wants a base even where there is nothing, and no stride of 0 where it would be written twice.
 double* base_of(const py::array& a) { return static_cast<double*>(const_cast<void*>(a.data())); }
 
 }  // namespace
@@ -166,7 +165,6 @@ const ptrdiff_t* Arrays::read_index(const py::object& object) {
         index.push_back(at);
     }
     m = list.shape(0);
-    index.reserve(1);  // a base pointer for no points: not all of them
     return index.data();
 }
 

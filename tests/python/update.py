@@ -100,6 +100,12 @@ class Update(unittest.TestCase):
         self.assertTrue((reports["status"] == 0).all() and (reports["evaluations"] > 0).all())
         self.assertTrue((substep > 0).all())
 
+    def test_takes_one_increment_for_all_and_no_points_at_all(self):
+        s, z = stress(), state()
+        sand.update(np.broadcast_to(strain()[1], (N, 6)), s, z)
+        self.same(s, np.tile(updated()[0][1], (N, 1)))
+        self.assertEqual(sand.update(*(np.zeros((0, k)) for k in (6, 6, 8))).shape, (0,))
+
     def test_validates_without_a_change(self):
         s, z = stress(), state()
         sand.update(strain(), s, z, validate_only=True)
