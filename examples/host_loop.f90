@@ -3,15 +3,14 @@
 ! Points are columns, as Fortran codes keep them; Grit reads and writes them in place. host_loop.c
 ! does the same in C and prints the same numbers.
 program host_loop
-   use grit_interface
+   use grit
    implicit none
    integer, parameter :: points = 1000, steps = 50
-   real(c_double), target :: strain_increment(6, points) = 0, stress(6, points)
-   real(c_double), target :: state(sand_state_size, points) = 0
-   integer(c_ptrdiff_t), target :: points_of(points/2, 2)  ! counted from 0, as C does
+   real(c_double) :: strain_increment(6, points) = 0, stress(6, points)
+   real(c_double) :: state(grit_sand_state_size, points) = 0
+   integer(c_ptrdiff_t) :: points_of(points/2, 2)  ! counted from 0, as C does
    type(grit_sand) :: sands(2)
    type(grit_sand_options) :: options
-   type(grit_sand_points) :: view
    type(grit_error) :: error
    integer :: i, s, step
 
@@ -23,25 +22,20 @@ program host_loop
       call initialise(sands(s), i)
    end do
 
-   call check(grit_sand_options_init(options, c_sizeof(options)), 'options')
+   call check(grit_sand_options_init(options), 'options')
    options%tolerance = 1d-6
-   view%struct_size = c_sizeof(view)
-   view%strain_increment = view_of(c_loc(strain_increment), 6)
-   view%stress = view_of(c_loc(stress), 6)
-   view%state = view_of(c_loc(state), sand_state_size)
 
    do step = 1, steps
       strain_increment(3, :) = -2d-5  ! compression along 33
       strain_increment(6, :) = 1d-4   ! shear 23, engineering
       do s = 1, 2                     ! disjoint index lists: could be two threads
-         view%index = c_loc(points_of(1, s))
-         call check(grit_sand_update(sands(s), options, int(points/2, c_ptrdiff_t), view, &
-                                     c_null_ptr, error), 'update')
+         call check(grit_sand_update(sands(s), strain_increment, stress, state, &
+                                     index=points_of(:, s), options=options, error=error), 'update')
       end do
    end do
    do i = 1, points, 333
       write (*, '(a,i5,a,f13.6,a,f13.6,a,f12.9)') 'point', i - 1, '  sigma_33', stress(3, i), &
-         '  sigma_23', stress(6, i), ' kPa  e', state(sand_void_ratio, i)
+         '  sigma_23', stress(6, i), ' kPa  e', state(grit_sand_void_ratio, i)
    end do
 
 contains
@@ -51,8 +45,8 @@ contains
       type(grit_sand) :: sand
       type(grit_sand_parameters) :: parameters
       integer(c_int) :: record
-      call check(grit_sand_parameters_init(parameters, c_sizeof(parameters)), name)
-      record = grit_sand_record_find(name//c_null_char)
+      call check(grit_sand_parameters_init(parameters), name)
+      record = grit_sand_record_find(name)
       call check(grit_sand_record_parameters(record, 1d0, parameters), name)  ! kPa
       call check(grit_sand_prepare(parameters, sand, error), name)
    end function
@@ -61,27 +55,20 @@ contains
    subroutine initialise(sand, point)
       type(grit_sand), intent(in) :: sand
       integer, intent(in) :: point
-      integer(c_int), parameter :: vertical = 2
+      integer, parameter :: vertical = 3
       real(c_double) :: e
       call check(grit_sand_stress_at_rest(sand, 9d0, 0.1d0*point, 0d0, -1d0, vertical, &
                                           stress(:, point)), 'stress at rest')
       call check(grit_sand_void_ratio_at_pressure(sand, 0.75d0, -sum(stress(1:3, point))/3, e), &
                  'void ratio')
-      state(sand_void_ratio, point) = e
+      state(grit_sand_void_ratio, point) = e
    end subroutine
-
-   function view_of(base, components) result(view)
-      type(c_ptr), intent(in) :: base
-      integer, intent(in) :: components
-      type(grit_view) :: view
-      view = grit_view(base, int(components, c_ptrdiff_t), 1_c_ptrdiff_t)
-   end function
 
    subroutine check(status, what)
       integer(c_int), intent(in) :: status
       character(*), intent(in) :: what
       if (status == grit_ok) return
-      write (*, '(3a,256a)') 'failed: ', what, ': ', error%message
+      write (*, '(4a)') 'failed: ', what, ': ', grit_message(error)
       error stop 1
    end subroutine
 end program

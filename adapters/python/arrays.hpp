@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The caller's NumPy arrays as views: judged, never copied.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <grit/grit.h>
+#include <pybind11/numpy.h>
+
+namespace grit_python {
+
+namespace py = pybind11;
+
+// Arrays of one call, each of n points: of one point (c,) or of n points (n, c). Everything that is
+// written must be writeable and share no memory with anything else of the call.
+class Arrays {
+  public:
+    // The first array says how many points there are: shape (n, components) or (components,) with one
+    // of the numbers of components allowed.
+    Arrays(const char* name, const py::object& first, const std::vector<py::ssize_t>& components);
+
+    py::ssize_t points() const { return n; }
+    int components() const { return c; }
+
+    // None makes a view without a base. size 0: one number per point, shape (n,), or (1,) of one point.
+    grit_view read(const char* name, const py::object& object, py::ssize_t size);
+    grit_mutable_view write(const char* name, const py::object& object, py::ssize_t size);
+    grit_mutable_matrix_view write_matrix(const char* name, const py::object& object,
+                                          py::ssize_t size);
+    // (c,) for all points, or (n, c).
+    grit_view read_same_or_each(const char* name, const py::object& object, py::ssize_t size);
+    // (n, 3, 3) or (3, 3): copied where the matrices do not lie as C wants them.
+    grit_view read_rotation(const char* name, const py::object& object);
+    // int64 (m,): distinct, in 0 ... n - 1. Null for None.
+    const ptrdiff_t* read_index(const py::object& object);
+    // How many points are taken: n, or as many as the index has.
+    py::ssize_t taken() const { return m; }
+
+    // Call when all are known.
+    void check_overlap() const;
+
+  private:
+    struct Held {
+        const char* name;
+        py::array array;
+        bool written;
+    };
+    const py::array& hold(const char* name, const py::object& object, bool written,
+                          const std::vector<py::ssize_t>& shape);
+    std::vector<py::ssize_t> with_points(std::vector<py::ssize_t> shape) const;
+
+    std::vector<Held> held;
+    py::ssize_t n = 0, m = 0;
+    int c = 0;
+    bool single = false;
+    std::vector<ptrdiff_t> index;
+};
+
+// "(3, 6)"
+std::string shape_text(const std::vector<py::ssize_t>& shape);
+
+}  // namespace grit_python

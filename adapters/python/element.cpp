@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Single-element tests through the library grit_element.
+#include <utility>
+#include <vector>
+
+#include <pybind11/eigen.h>
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include "adapters/python/errors.hpp"
+#include "adapters/python/parts.hpp"
+#include "element/errors.hpp"
+#include "element/grit_law.hpp"
+#include "element/laboratory.hpp"
+#include "element/simulate.hpp"
+
+namespace grit_python {
+namespace {
+
+constexpr const char* element_doc = R"(Run stages of a laboratory test on one sample of sand.
+
+    stages       a list of what the functions of grit.stage return, one after the other
+    stress       (6,) [stress] effective at the start, tension +
+    void_ratio   e [-] at the start
+    direction    (6,) strain that the sample remembers: h = rho R along it; None: h = 0
+    tolerance    of the stress, relative
+    intergranular_strain  False: basic hypoplasticity
+
+Returns a dict of arrays with a row for the start and one per increment: stage, increment (m,), strain
+(m, 6) logarithmic, extension +, stress (m, 6) effective, total_stress (m, 6), state (m, 8), void_ratio,
+pore_pressure (m,) excess, compression + [stress]. Raises BadCall if the test makes no sense, and
+NotConverged, whose attribute history is as far as it came.)";
+
+template <class Get>
+py::array rows(const std::vector<element::Record>& records, int width, Get get) {
+    const auto m = static_cast<py::ssize_t>(records.size());
+    py::array_t<double> out({m, static_cast<py::ssize_t>(width)});
+    for (py::ssize_t i = 0; i < m; ++i)
+        for (int j = 0; j < width; ++j)
+            out.mutable_at(i, j) = get(records[static_cast<std::size_t>(i)], j);
+    return out;
+}
+
+template <class T, class Get>
+py::array column(const std::vector<element::Record>& records, Get get) {
+    py::array_t<T> out(static_cast<py::ssize_t>(records.size()));
+    for (std::size_t i = 0; i < records.size(); ++i)
+        out.mutable_at(static_cast<py::ssize_t>(i)) = get(records[i]);
+    return out;
+}
+
+py::dict arrays_of(const std::vector<element::Record>& records) {
+    using element::Record;
+    py::dict out;
+    out["stage"] = column<long>(records, [](const Record& r) { return r.step; });
+    out["increment"] = column<long>(records, [](const Record& r) { return long{r.increment}; });
+    out["strain"] = rows(records, 6, [](const Record& r, int j) { return r.strain[j]; });
+    out["stress"] = rows(records, 6, [](const Record& r, int j) { return r.effective_stress[j]; });
+    out["total_stress"] =
+        rows(records, 6, [](const Record& r, int j) { return r.total_stress[j]; });
+    out["state"] = rows(records, GRIT_SAND_STATE_SIZE, [](const Record& r, int j) {
+        return r.state[static_cast<std::size_t>(j)];
+    });
+    out["void_ratio"] = column<double>(records, [](const Record& r) { return r.void_ratio; });
+    out["pore_pressure"] = column<double>(records, [](const Record& r) { return r.pore_pressure; });
+    return out;
+}
+
+py::dict element_test(const Sand& sand, const std::vector<element::Step>& stages,
+                      const element::Vector6& stress, double void_ratio,
+                      const std::optional<element::Vector6>& direction, double rho,
+                      double tolerance, bool intergranular_strain) {
+    grit_sand_parameters parameters{};
+    check(grit_sand_parameters_init(&parameters, sizeof parameters), "grit_sand_parameters_init");
+    check(grit_sand_parameters_of(&sand.prepared, &parameters), "grit_sand_parameters_of");
+    element::GritLawOptions options;
+    options.tolerance = tolerance;
+    options.intergranular_strain = intergranular_strain;
+    element::History history;
+    try {
+        const element::GritLaw law(parameters, options);
+        element::Sample sample;
+        sample.point = law.start(stress, void_ratio);
+        if (direction) law.mobilise(sample.point, *direction, rho);
+        const py::gil_scoped_release others_may_run;
+        history = element::simulate(law, sample, stages);
+    } catch (const element::BadCase& bad) {
+        refuse("%s", bad.what());
+    }
+    py::dict out = arrays_of(history.records);
+    if (history.failure) {
+        grit_error error{};
+        error.status = GRIT_NOT_CONVERGED;
+        error.point = -1;
+        const std::string& message = history.failure->message;
+        message.copy(error.message, sizeof error.message - 1);
+        raise(error, "history", out);
+    }
+    return out;
+}
+
+// A stage that is told by one number.
+void add_stage(py::module_& stage, const char* name, element::Step (*make)(double),
+               const char* argument, const char* doc) {
+    using py::arg;
+    stage.def(
+        name,
+        [make](double value, int increments, double first_share) {
+            element::Step step = make(value);
+            step.increments = increments;
+            step.first_share = first_share;
+            return step;
+        },
+        arg(argument), arg("increments") = 100, arg("first_share") = 0.0, doc);
+}
+
+}  // namespace
+
+void add_element(py::module_& module) {
+    using py::arg;
+    using namespace element;
+    py::module_ stage = module.def_submodule(
+        "stage",
+        "Stages of a laboratory test. Changes over the whole stage, extension and tension +: "
+        "compression is negative. The axis of the sample is 11; simple shear is 12, 22 normal to "
+        "its plane. increments: of even size, or growing geometrically from first_share of the "
+        "path, "
+        "which resolves the first strain after a reversal.");
+    py::class_<Step>(stage, "Stage", "What is done to a sample, for grit.element_test.");
+    add_stage(stage, "isotropic_stress", &isotropic_stress, "change",
+              "All three stresses [stress].");
+    add_stage(stage, "isotropic_strain", &isotropic_strain, "volumetric_strain",
+              "A third each [-].");
+    add_stage(stage, "oedometer", &oedometer_strain, "axial_strain", "Lateral strain zero.");
+    add_stage(stage, "oedometer_stress", &oedometer_stress, "change",
+              "Lateral strain zero, axial stress by change [stress].");
+    add_stage(stage, "triaxial_drained", &triaxial_drained, "axial_strain",
+              "Radial stress constant.");
+    add_stage(stage, "triaxial_drained_stress", &triaxial_drained_stress, "change",
+              "Radial stress constant, axial stress by change [stress].");
+    add_stage(stage, "triaxial_undrained", &triaxial_undrained, "axial_strain",
+              "Volume and total radial stress constant; the pore pressure follows.");
+    add_stage(stage, "triaxial_undrained_stress", &triaxial_undrained_stress, "change",
+              "The same, total axial stress by change [stress].");
+    add_stage(stage, "triaxial_constant_p", &triaxial_constant_p, "axial_strain",
+              "Effective mean stress constant.");
+    add_stage(stage, "biaxial_drained", &biaxial_drained, "axial_strain",
+              "Strain 33 zero, stress 22 constant.");
+    add_stage(stage, "simple_shear_constant_stress", &simple_shear_constant_stress, "gamma",
+              "Stress 22 constant, strain 11 and 33 zero.");
+    add_stage(stage, "simple_shear_constant_volume", &simple_shear_constant_volume, "gamma",
+              "All strains but 12 zero.");
+    module.def("element_test", &element_test, arg("sand"), arg("stages"), arg("stress"),
+               arg("void_ratio"), arg("direction") = py::none(), arg("rho") = 1.0,
+               arg("tolerance") = 1e-5, arg("intergranular_strain") = true, element_doc);
+}
+
+}  // namespace grit_python

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the module is made of.
+#pragma once
+
+#include <grit/grit.h>
+#include <pybind11/pybind11.h>
+
+namespace grit_python {
+
+namespace py = pybind11;
+
+// The prepared material as Python holds it.
+struct Sand {
+    grit_sand prepared{};
+};
+
+void add_sand(py::module_& module);
+void add_sand_operators(py::class_<Sand>& sand);
+void add_contact(py::module_& module);
+void add_element(py::module_& module);
+
+}  // namespace grit_python

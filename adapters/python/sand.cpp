@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <string>
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include "adapters/python/arrays.hpp"
+#include "adapters/python/errors.hpp"
+#include "adapters/python/parts.hpp"
+
+namespace grit_python {
+namespace {
+
+constexpr const char* sand_doc = R"(A sand, prepared: immutable, may be used from several threads.
+
+    Sand("lausitz")                     published parameters, stresses in kPa
+    Sand("lausitz", stress_scale=1000)  the same in Pa
+    Sand(critical_friction_angle=..., granulate_hardness=..., ...)
+
+Parameters by name, a name before them gives the values to start from: critical_friction_angle
+phi_c [rad], granulate_hardness h_s [stress], stiffness_exponent n, densest_void_ratio e_d0,
+critical_void_ratio e_c0, loosest_void_ratio e_i0, pyknotropy_exponent alpha, stiffness_void_exponent
+beta, pressure_shift p_t [stress]; and all of the intergranular strain or none: reversal_stiffness m_R,
+transverse_stiffness m_T, elastic_strain_radius R, evolution_exponent beta_r,
+stiffness_interpolation_exponent chi. Any consistent units: stresses take the unit of h_s.
+Raises BadParameter with name, value, limit and unit. sands() lists the names.)";
+
+constexpr const char* update_doc = R"(Integrate n points over their strain increments, in place.
+
+    strain_increment    (n, 6) or (n, 4)  [-] logarithmic, extension +, engineering shear
+    stress              the same          [stress] Cauchy, tension +; in: start, out: end
+    state               (n, 8)            h (6) [-], void ratio e [-], separation w [-]; in, out
+    tangent             (n, c, c)         out: d stress / d strain [stress], not symmetric
+    rotation_increment  (n, 3, 3)         Q, proper orthogonal: turns h and stress first
+    substep             (n,)              advice for the next call [strain], 0 for none; in, out
+    index               (m,) int64        the points to be taken; the others are left alone
+    continuum           the continuum tangent M instead of the consistent one
+    tolerance           of the stress, relative, [1e-12, 0.1], 1e-5
+    intergranular_strain  False: basic hypoplasticity
+    stress_is_rotated   the host has turned the stress by Q already
+    validate_only       check all and change nothing
+
+Components 11 22 33 12 13 23, or 11 22 33 12. One point goes without n. Arrays are float64 of any
+strides that are multiples of 8 bytes; they are never copied (rotations are, where they have gaps).
+
+Returns the reports (m,), a structured array: status, flags, substeps, evaluations, error_estimate,
+step_reduction. Raises BadCall or BadState and changes nothing, if any shape, dtype or value is bad;
+NotConverged (attribute reports) if some points need smaller increments: they are left as they were, the
+others are done.)";
+
+grit_sand_options options_of(bool tangent, bool continuum, double tolerance, int evaluation_limit,
+                             bool intergranular_strain, bool stress_is_rotated) {
+    grit_sand_options options{};
+    check(grit_sand_options_init(&options, sizeof options), "grit_sand_options_init");
+    options.tolerance = tolerance;
+    options.evaluation_limit = evaluation_limit;
+    options.intergranular_off = !intergranular_strain;
+    options.stress_is_rotated = stress_is_rotated;
+    if (tangent) options.tangent = continuum ? GRIT_TANGENT_CONTINUUM : GRIT_TANGENT_CONSISTENT;
+    return options;
+}
+
+py::array update(const Sand& sand, const py::object& strain_increment, const py::object& stress,
+                 const py::object& state, const py::object& tangent,
+                 const py::object& rotation_increment, const py::object& substep,
+                 const py::object& index, bool continuum, double tolerance, int evaluation_limit,
+                 bool intergranular_strain, bool stress_is_rotated, bool validate_only) {
+    Arrays arrays("strain_increment", strain_increment, {6, 4});
+    const int c = arrays.components();
+    for (const auto& [name, object] : {std::pair{"stress", &stress}, {"state", &state}})
+        if (object->is_none()) refuse("%s must be a NumPy array of float64, got None", name);
+    grit_sand_points points{};
+    points.struct_size = sizeof points;
+    points.components = c;
+    points.strain_increment = arrays.read("strain_increment", strain_increment, c);
+    points.stress = arrays.write("stress", stress, c);
+    points.state = arrays.write("state", state, GRIT_SAND_STATE_SIZE);
+    points.tangent = arrays.write_matrix("tangent", tangent, c);
+    points.rotation_increment = arrays.read_rotation("rotation_increment", rotation_increment);
+    points.substep = arrays.write("substep", substep, 0);
+    points.index = arrays.read_index(index);
+    arrays.check_overlap();
+    grit_sand_options options =
+        options_of(!tangent.is_none(), continuum, tolerance, evaluation_limit, intergranular_strain,
+                   stress_is_rotated);
+    py::array_t<grit_sand_report> reports(arrays.taken());
+    grit_sand_report* report = reports.mutable_data();
+    std::fill_n(report, arrays.taken(), grit_sand_report{});
+    grit_error error{};
+    grit_status status = GRIT_OK;
+    {
+        const py::gil_scoped_release others_may_run;
+        options.validate_only = 1;  // so that bad input of one point changes no other
+        status =
+            grit_sand_update(&sand.prepared, &options, arrays.taken(), &points, report, &error);
+        options.validate_only = 0;
+        if (status == GRIT_OK && !validate_only)
+            status =
+                grit_sand_update(&sand.prepared, &options, arrays.taken(), &points, report, &error);
+    }
+    if (status != GRIT_OK) raise(error, "reports", reports);
+    return reports;
+}
+
+Sand make(const py::object& name, double stress_scale, const py::kwargs& given) {
+    grit_sand_parameters parameters{};
+    check(grit_sand_parameters_init(&parameters, sizeof parameters), "grit_sand_parameters_init");
+    if (!name.is_none()) {
+        const std::string key = name.cast<std::string>();
+        const int record = grit_sand_record_find(key.c_str());
+        if (record < 0) refuse("there is no sand \"%s\": sands() lists the names", key.c_str());
+        if (!(stress_scale > 0.0) || !std::isfinite(stress_scale))
+            refuse("stress_scale must be > 0, got %g", stress_scale);
+        check(grit_sand_record_parameters(record, stress_scale, &parameters), key.c_str());
+    }
+    for (const auto& [key, value] : given) {
+        const std::string wanted = py::str(key);
+        int at = 0;
+        while (at < GRIT_SAND_PARAMETER_COUNT && wanted != grit_sand_parameter_describe(at)->name)
+            ++at;
+        if (at == GRIT_SAND_PARAMETER_COUNT)
+            refuse("a sand has no parameter \"%s\"", wanted.c_str());
+        check(grit_sand_parameter_set(&parameters, at, value.cast<double>()), wanted.c_str());
+    }
+    Sand out;
+    grit_error error{};
+    check(grit_sand_prepare(&parameters, &out.prepared, &error), error);
+    return out;
+}
+
+py::dict parameters_of(const Sand& sand) {
+    grit_sand_parameters parameters{};
+    check(grit_sand_parameters_init(&parameters, sizeof parameters), "grit_sand_parameters_init");
+    check(grit_sand_parameters_of(&sand.prepared, &parameters), "grit_sand_parameters_of");
+    py::dict out;
+    for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i) {
+        double value = 0.0;
+        check(grit_sand_parameter_get(&parameters, i, &value), "grit_sand_parameter_get");
+        if (!std::isnan(value)) out[grit_sand_parameter_describe(i)->name] = value;
+    }
+    return out;
+}
+
+py::dict sands() {
+    py::dict out;
+    for (int i = 0; i < grit_sand_record_count(); ++i) {
+        const grit_sand_record* record = grit_sand_record_at(i);
+        py::dict each;
+        each["title"] = record->title;
+        each["status"] = record->status;
+        each["source"] = record->source;
+        each["note"] = record->note;
+        out[record->name] = each;
+    }
+    return out;
+}
+
+}  // namespace
+
+void add_sand(py::module_& module) {
+    using py::arg;
+    PYBIND11_NUMPY_DTYPE(grit_sand_report, status, flags, substeps, evaluations, error_estimate,
+                         step_reduction);
+    py::class_<Sand> sand(module, "Sand", sand_doc);
+    sand.def(py::init(&make), arg("name") = py::none(), arg("stress_scale") = 1.0);
+    sand.def_property_readonly("parameters", &parameters_of,
+                               "Parameters by name: angle [rad], stresses in the unit given.");
+    sand.def("update", &update, arg("strain_increment"), arg("stress"), arg("state"), py::kw_only(),
+             arg("tangent") = py::none(), arg("rotation_increment") = py::none(),
+             arg("substep") = py::none(), arg("index") = py::none(), arg("continuum") = false,
+             arg("tolerance") = 1e-5, arg("evaluation_limit") = 20000,
+             arg("intergranular_strain") = true, arg("stress_is_rotated") = false,
+             arg("validate_only") = false, update_doc);
+    add_sand_operators(sand);
+    module.def(
+        "sands", &sands,
+        "Sands with published parameters: name -> title, status (\"A\": two independent sources "
+        "agree, \"B\": one, or a conflict), source, note.");
+    module.attr("STATE_SIZE") = static_cast<int>(GRIT_SAND_STATE_SIZE);
+    module.attr("VOID_RATIO") = static_cast<int>(GRIT_SAND_VOID_RATIO);
+    module.attr("SEPARATION") = static_cast<int>(GRIT_SAND_SEPARATION);
+    module.attr("STRESS_FREE") = static_cast<int>(GRIT_SAND_STRESS_FREE);
+    module.attr("VOID_CLAMPED") = static_cast<int>(GRIT_SAND_VOID_CLAMPED);
+    module.attr("OUTSIDE_CONE") = static_cast<int>(GRIT_SAND_OUTSIDE_CONE);
+    module.attr("H_CLAMPED") = static_cast<int>(GRIT_SAND_H_CLAMPED);
+}
+
+}  // namespace grit_python

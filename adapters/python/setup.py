@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""pip install --no-build-isolation --no-deps .    (in a virtual environment that sees NumPy)
+
+CMake builds the module out of the source tree that this folder stands in, in build/python there."""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+from setuptools import Extension, setup
+from setuptools.command.build_ext import build_ext
+
+here = pathlib.Path(__file__).resolve().parent
+root = here.parent.parent
+work = root / "build" / "python"
+(work / "info").mkdir(parents=True, exist_ok=True)
+version = re.search(r"VERSION (\d+\.\d+\.\d+)", (root / "CMakeLists.txt").read_text()).group(1)
+
+
+class BuildWithCMake(build_ext):
+    def build_extension(self, extension):
+        build = work / "cmake"
+        generator = ["-G", "Ninja"] if shutil.which("ninja") else []
+        off = [f"-DGRIT_BUILD_{part}=OFF" for part in ("TESTS", "CLI", "MPM", "FORTRAN")]
+        subprocess.check_call(["cmake", "-S", root, "-B", build, *generator, *off,
+                               "-DCMAKE_BUILD_TYPE=Release", "-DGRIT_BUILD_PYTHON=ON",
+                               f"-DPython_EXECUTABLE={sys.executable}"])
+        jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", str(os.cpu_count() or 1))
+        subprocess.check_call(["cmake", "--build", build, "--target", "grit_python",
+                               "--parallel", jobs])
+        target = pathlib.Path(self.get_ext_fullpath(extension.name)).resolve()
+        target.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy2(build / "adapters/python/grit" / target.name, target)
+
+
+setup(
+    name="grit-sand",
+    version=version,
+    description="Hypoplastic sand and contact at grid nodes",
+    license="BSD-3-Clause",
+    packages=["grit"],
+    python_requires=">=3.9",
+    install_requires=["numpy"],
+    ext_modules=[Extension("grit._grit", [])],
+    options={"build": {"build_base": str(work / "setup")}, "egg_info": {"egg_base": str(work / "info")}},
+    cmdclass={"build_ext": BuildWithCMake},
+)

@@ -1,0 +1,31 @@
+cmake_minimum_required(VERSION 3.25)
+# Install BUILD under WORK and make the triaxial host of it by hand, as docs/fortran.md says.
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output
+                  ERROR_VARIABLE errors WORKING_DIRECTORY ${WORK})
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "${ARGN}\nended with ${result}:\n${output}${errors}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+file(MAKE_DIRECTORY ${WORK})
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix --config "${CONFIG}")
+file(GLOB_RECURSE pc ${WORK}/prefix/*/grit.pc)
+get_filename_component(pc_dir "${pc}" DIRECTORY)
+get_filename_component(libdir ${pc_dir} DIRECTORY)
+set(ENV{PKG_CONFIG_PATH} ${pc_dir})
+set(ENV{LD_LIBRARY_PATH} ${libdir})
+
+# The lines of the page between the fences, with its compiler and its program.
+file(READ ${SOURCE}/docs/fortran.md page)
+string(REGEX MATCH "```\n(dir=[^`]*)```" fenced "${page}")
+string(REPLACE "gfortran" "${FC}" commands "${CMAKE_MATCH_1}")
+string(REPLACE "host.f90" "${SOURCE}/examples/triaxial.f90" commands "${commands}")
+file(WRITE ${WORK}/make.sh "set -e\n${commands}")
+run(bash make.sh)
+run(${WORK}/host)
+if(NOT output MATCHES "-0\\.200  stress 11 -398\\.9[0-2][0-9]+ kPa  void ratio 0\\.61273")
+  message(FATAL_ERROR "triaxial.f90 printed\n${output}")
+endif()

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: BSD-3-Clause
+import inspect
+import unittest
+
+import numpy as np
+
+import grit
+
+sand = grit.Sand("lausitz")
+isotropic = [-1.0, -1, -1, 0, 0, 0]
+stage = grit.stage
+
+
+def run(*stages, pressure=100.0, void_ratio=0.6, **options):
+    return grit.element_test(sand, list(stages), pressure * np.array(isotropic), void_ratio,
+                             direction=isotropic, **options)
+
+
+class ElementTest(unittest.TestCase):
+    def test_ends_at_the_reference_of_dense_lausitz_sand(self):
+        """Reference: verification/cases/lausitz_dense.toml, integrated with DOP853."""
+        dense = run(stage.triaxial_drained(-0.2, 400), void_ratio=0.55)
+        self.assertAlmostEqual(dense["stress"][-1, 0] / -398.912, 1, delta=5e-5)
+        self.assertAlmostEqual(dense["void_ratio"][-1], 0.612734, delta=5e-6)
+        self.assertEqual(dense["strain"].shape, (401, 6))
+        self.assertEqual(dense["state"].shape, (401, 8))
+        np.testing.assert_allclose(dense["strain"][-1, 0], -0.2)
+
+    def test_holds_what_each_stage_holds(self):
+        drained = run(stage.triaxial_drained(-0.02))
+        np.testing.assert_allclose(drained["stress"][:, 1:3], -100, rtol=1e-8)
+        undrained = run(stage.triaxial_undrained(-0.02))
+        np.testing.assert_allclose(undrained["total_stress"][:, 1:3], -100, rtol=1e-8)
+        np.testing.assert_allclose(undrained["strain"][:, :3].sum(axis=1), 0, atol=1e-15)
+        np.testing.assert_allclose(undrained["stress"][:, 1] - undrained["pore_pressure"], -100,
+                                   rtol=1e-8)
+        confined = run(stage.oedometer_stress(-100.0))
+        np.testing.assert_allclose(confined["stress"][-1, 0], -200)
+        self.assertFalse(confined["strain"][:, 1:].any())
+        p = run(stage.triaxial_constant_p(-0.02))["stress"][:, :3].mean(axis=1)
+        np.testing.assert_allclose(p, -100, rtol=1e-8)
+
+    def test_runs_stages_on_one_sample(self):
+        turned = run(stage.isotropic_stress(-100.0, 10), stage.triaxial_drained(-0.01, 50, 1e-4),
+                     stage.triaxial_drained(0.01, increments=50))
+        self.assertEqual(turned["stage"].tolist(), [0] + [1] * 10 + [2] * 50 + [3] * 50)
+        np.testing.assert_allclose(turned["stress"][11:, 1], -200, rtol=1e-8)
+        self.assertLess(abs(np.diff(turned["strain"][:, 0])[10]), 1.1e-6)
+
+    def test_says_what_it_does_not_run(self):
+        with self.assertRaises(grit.BadCall) as caught:
+            run(stage.triaxial_drained(-0.2), void_ratio=-1)
+        self.assertEqual(str(caught.exception), "void ratio must be > 0, got -1")
+        with self.assertRaises(grit.BadCall):
+            run(stage.triaxial_drained(-0.2, increments=0))
+        with self.assertRaises(grit.BadCall):
+            run(stage.triaxial_drained(np.nan))
+
+    def test_hands_over_what_was_reached_when_it_cannot_go_on(self):
+        with self.assertRaises(grit.NotConverged) as caught:
+            run(stage.isotropic_stress(50.0), stage.triaxial_drained_stress(-1e4))
+        self.assertIn("step 2", str(caught.exception))
+        history = caught.exception.history
+        self.assertEqual(history["stage"][-1], 2)
+        self.assertLess(history["stress"][-1, 0], -100)
+
+    def test_documents_everything(self):
+        for name in grit.__all__:
+            thing = getattr(grit, name)
+            if callable(thing):
+                self.assertTrue(inspect.getdoc(thing), name)
+        for name, method in inspect.getmembers(grit.Sand):
+            if not name.startswith("_"):
+                self.assertTrue(inspect.getdoc(method), name)
+        for text in ("(n, 6)", "[stress]", "tension +", "Raises"):
+            self.assertIn(text, grit.Sand.update.__doc__)
+
+
+if __name__ == "__main__":
+    unittest.main()
