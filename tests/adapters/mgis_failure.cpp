@@ -186,6 +186,16 @@ TEST(MgisFailure, AsksForTheStepThatTheIncrementNeeds) {
     EXPECT_TRUE(p.untouched());
     EXPECT_LT(p.rdt[0], 1.0);
     EXPECT_GT(p.rdt[0], 0.1) << "a third is not needed to be a tenth";
+    Point careful = p;
+    careful.connect();
+    {
+        const WithParameter set(p.behaviour, "minimal_time_step_scaling_factor", 0.95);
+        EXPECT_EQ(careful.call(consistent_tangent), -1);
+        EXPECT_EQ(careful.rdt[0], p.rdt[0]) << "it never rises";
+        careful.rdt[0] = 10.0;
+        EXPECT_EQ(careful.call(consistent_tangent), -1);
+        EXPECT_EQ(careful.rdt[0], 0.95) << "no less than the user wants";
+    }
     p.strain1[0] *= p.rdt[0];
     EXPECT_EQ(p.call(consistent_tangent), 1) << p.said();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What K[0] asks for is what comes back: operators, predictions, the speed of sound, the energies.
+// What K[0] asks for is what comes back: operators, predictions, the speed of sound.
 #include <grit/grit.h>
 #include <gtest/gtest.h>
 
@@ -11,19 +11,7 @@ namespace {
 
 using namespace mgis_host;
 
-// Compression with shear in all planes; Mandel's components.
-constexpr std::array<double, 6> strain = {-1e-3, 2e-4, 1e-4, 3e-4, -2e-4, 5e-4};
-
 double factor(int c) { return c < 3 ? 1.0 : sqrt_2; }
-
-grit_sand lausitz_sand() {
-    grit_sand_parameters p;
-    grit_sand_parameters_init(&p, sizeof p);
-    grit_sand_record_parameters(grit_sand_record_find("lausitz"), 1.0, &p);
-    grit_sand sand;
-    EXPECT_EQ(grit_sand_prepare(&p, &sand, nullptr), GRIT_OK);
-    return sand;
-}
 
 // The library's own answer, with as many components as the hypothesis has.
 struct LibraryPoint {
@@ -33,7 +21,7 @@ struct LibraryPoint {
 
     LibraryPoint(int components, int kind, double share = 1.0) {
         double d[6] = {};
-        for (int c = 0; c < components; ++c) d[c] = share * strain[c] * factor(c);
+        for (int c = 0; c < components; ++c) d[c] = share * general_strain[c] * factor(c);
         grit_sand_options options;
         grit_sand_options_init(&options, sizeof options);
         options.tangent = kind;
@@ -63,12 +51,6 @@ void expect_end(const Point& p, const LibraryPoint& library) {
         EXPECT_NEAR(p.state1[c], library.state[c] / factor(c), 1e-16) << c;
     }
     EXPECT_NEAR(p.state1[p.components()], library.state[GRIT_SAND_VOID_RATIO], 1e-15);
-}
-
-Point strained(const char* hypothesis) {
-    Point p = Point::lausitz(hypothesis);
-    p.set_strain(strain);
-    return p;
 }
 
 TEST(MgisOperator, ConsistentTangentIsTheLibrarysInMandelComponents) {
@@ -210,69 +192,6 @@ TEST(MgisSpeedOfSound, BelongsToTheStartInAPrediction) {
     ASSERT_EQ(still.run(no_operator + and_speed_of_sound), 1) << still.said();
     EXPECT_EQ(p.speed_of_sound[0], still.speed_of_sound[0]);
     EXPECT_EQ(p.stress1[0], -1.0);
-}
-
-TEST(MgisWater, StiffensTheNormalEntriesAndTheSpeedOfSound) {
-    constexpr double K_w = 5e6;
-    for (const int wanted : {-3, -1, 1, 3, 4}) {
-        Point dry = strained("Axisymmetrical"), wet = dry;
-        wet.properties[14] = K_w;
-        ASSERT_EQ(dry.run(wanted + and_speed_of_sound), 1);
-        ASSERT_EQ(wet.run(wanted + and_speed_of_sound), 1);
-        for (int r = 0; r < 4; ++r)
-            for (int c = 0; c < 4; ++c)
-                EXPECT_NEAR(wet.K[4 * r + c] - dry.K[4 * r + c], r < 3 && c < 3 ? K_w : 0.0, 1e-6);
-        const double c_dry = dry.speed_of_sound[0], c_wet = wet.speed_of_sound[0];
-        EXPECT_NEAR(c_wet * c_wet - c_dry * c_dry, K_w / 1.6, 1e-3);
-    }
-}
-
-TEST(MgisWater, CarriesThePressureThatVolumeStrainMakes) {
-    Point p = strained("Tridimensional"), dry = p;
-    p.properties[14] = 1e4;
-    const int place = p.behaviour.place_of("ExcessPorePressure");
-    p.state0[place] = 20.0;
-    for (int c = 0; c < 3; ++c) p.stress0[c] -= 20.0;
-    ASSERT_EQ(p.run(), 1) << p.said();
-    ASSERT_EQ(dry.run(), 1);
-    EXPECT_NEAR(p.state1[place], 20.0 - 1e4 * (strain[0] + strain[1] + strain[2]), 1e-10);
-    for (int c = 0; c < 3; ++c) EXPECT_NEAR(p.stress1[c] + p.state1[place], dry.stress1[c], 1e-9);
-    for (int c = 3; c < 6; ++c) EXPECT_NEAR(p.stress1[c], dry.stress1[c], 1e-9);
-}
-
-TEST(MgisEnergy, DissipatedIsTheWorkOfTheEffectiveStress) {
-    Point p = strained("Tridimensional");
-    ASSERT_EQ(p.run(no_operator), 1);
-    double work = 0.0;
-    for (int c = 0; c < 6; ++c) work += 0.5 * (p.stress0[c] + p.stress1[c]) * strain[c];
-    EXPECT_GT(work, 0.05);
-    EXPECT_NEAR(p.dissipated1[0], 5.0 + work, 1e-12);
-    EXPECT_EQ(p.stored1[0], 3.0) << "carried along";
-}
-
-TEST(MgisBehaviour, ChangesNoBitInAnIncrementWithoutStrain) {
-    Point p = strained("Tridimensional");
-    p.properties[14] = 1e4;
-    ASSERT_EQ(p.run(), 1);
-    p.accept();
-    ASSERT_EQ(p.run(), 1);
-    EXPECT_EQ(p.stress1, p.stress0);
-    EXPECT_EQ(p.state1, p.state0);
-    EXPECT_EQ(p.dissipated1, p.dissipated0);
-}
-
-TEST(MgisBehaviour, TakesTheVoidRatioOfItsPropertiesWhereTheHostHasSetNone) {
-    const grit_sand sand = lausitz_sand();
-    for (const double e_0 : {10.62, 0.62}) {
-        Point p = Point::lausitz("Axisymmetrical");
-        const int place = p.behaviour.place_of("VoidRatio");
-        p.state0[place] = 0.0;
-        p.properties[15] = e_0;
-        ASSERT_EQ(p.run(), 1) << p.said();
-        double expected = 0.62;
-        if (e_0 < 10.0) grit_sand_void_ratio_at_pressure(&sand, e_0, 100.0, &expected);
-        EXPECT_NEAR(p.state1[place], expected, 1e-15) << e_0;
-    }
 }
 
 }  // namespace

@@ -2,6 +2,9 @@
 // One integration point of a host of MGIS, its memory between canaries.
 #pragma once
 
+#include <grit/grit.h>
+#include <gtest/gtest.h>
+
 #include <array>
 #include <cstring>
 #include <string>
@@ -113,6 +116,25 @@ struct Point {
         return same;
     }
 };
+
+// Compression with shear in all planes; Mandel's components.
+inline constexpr std::array<double, 6> general_strain = {-1e-3, 2e-4, 1e-4, 3e-4, -2e-4, 5e-4};
+
+inline Point strained(const std::string& hypothesis) {
+    Point p = Point::lausitz(hypothesis);
+    p.set_strain(general_strain);
+    return p;
+}
+
+// The same sand for the library.
+inline grit_sand lausitz_sand() {
+    grit_sand_parameters p;
+    grit_sand_parameters_init(&p, sizeof p);
+    grit_sand_record_parameters(grit_sand_record_find("lausitz"), 1.0, &p);
+    grit_sand sand;
+    EXPECT_EQ(grit_sand_prepare(&p, &sand, nullptr), GRIT_OK);
+    return sand;
+}
 
 // Sets a parameter of all points, and puts the default back.
 class WithParameter {
