@@ -73,10 +73,9 @@ grit_status elastic_operator(const Material& material, Results& results) {
     return status;
 }
 
-void add_water(const Material& material, const Request& request, Results& results) {
+void add_water(const Material& material, Results& results) {
     const double* d = results.end.strain_increment;
-    if (!request.prediction)
-        results.end.pore_pressure -= material.K_w * (d[0] + d[1] + d[2]);  // (W1)
+    results.end.pore_pressure -= material.K_w * (d[0] + d[1] + d[2]);  // (W1)
     for (int r = 0; r < 3; ++r)
         for (int c = 0; c < 3; ++c) results.C[6 * r + c] += material.K_w;
 }
@@ -130,7 +129,7 @@ grit_status compute(const mfront_gb_BehaviourData& call, int n, const Request& r
             return failure(error, s, "no elastic operator for this state: %s", grit_status_name(s));
     if (request.speed_of_sound)
         if (const grit_status s = find_speed_of_sound(call, material, results, error)) return s;
-    add_water(material, request, results);
+    add_water(material, results);
     return GRIT_OK;
 }
 

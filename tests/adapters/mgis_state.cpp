@@ -29,7 +29,7 @@ TEST(MgisWater, CarriesThePressureThatVolumeStrainMakes) {
     const int place = p.behaviour.place_of("ExcessPorePressure");
     p.state0[place] = 20.0;
     for (int c = 0; c < 3; ++c) p.stress0[c] -= 20.0;
-    ASSERT_EQ(p.run(), 1) << p.said();
+    ASSERT_EQ(p.run(consistent_tangent + and_speed_of_sound), 1) << p.said();
     ASSERT_EQ(dry.run(), 1);
     EXPECT_NEAR(p.state1[place],
                 20.0 - 1e4 * (general_strain[0] + general_strain[1] + general_strain[2]), 1e-10);
@@ -67,15 +67,32 @@ TEST(MgisEnergy, DissipatedIsTheWorkOfTheEffectiveStress) {
     EXPECT_EQ(p.stored1[0], 3.0) << "carried along";
 }
 
+// Taking sqrt 2 and the pore pressure off and on again costs a bit in many a number, not in all.
 TEST(MgisBehaviour, ChangesNoBitInAnIncrementWithoutStrain) {
-    Point p = strained("Tridimensional");
+    Point p = Point::lausitz("Tridimensional");
     p.properties[14] = 1e4;
-    ASSERT_EQ(p.run(), 1);
-    p.accept();
-    ASSERT_EQ(p.run(), 1);
-    EXPECT_EQ(p.stress1, p.stress0);
-    EXPECT_EQ(p.state1, p.state0);
-    EXPECT_EQ(p.dissipated1, p.dissipated0);
+    for (int i = 0; i < 100; ++i) {
+        for (int c = 0; c < 6; ++c) {
+            p.stress0[c] = (c < 3 ? -100.0 : 1.0) - 0.137 * i - c;
+            p.state0[c] = 3e-7 * (i % 50 + c) - 1e-5;
+        }
+        p.state0[p.behaviour.place_of("ExcessPorePressure")] = 0.1 * i;
+        ASSERT_EQ(p.run(), 1) << p.said();
+        EXPECT_EQ(p.stress1, p.stress0) << i;
+        EXPECT_EQ(p.state1, p.state0) << i;
+        EXPECT_EQ(p.dissipated1, p.dissipated0);
+    }
+}
+
+TEST(MgisWater, IsFeltWhereTheSandHasNoStress) {
+    Point p = Point::lausitz("Axisymmetrical");
+    p.properties[14] = 1e3;
+    p.state0[p.behaviour.place_of("Separation")] = 0.01;
+    for (int c = 0; c < 3; ++c) p.stress0[c] = 0.0;
+    p.set_strain({-1e-3, 0, 0, 0, 0, 0});
+    ASSERT_EQ(p.run(), 1) << p.said();
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(p.stress1[c], -1.0, 1e-12);
+    EXPECT_NEAR(p.state1[p.behaviour.place_of("ExcessPorePressure")], 1.0, 1e-12);
 }
 
 TEST(MgisBehaviour, TakesTheVoidRatioOfItsPropertiesWhereTheHostHasSetNone) {
