@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/mgis/material.hpp"
+
+#include <grit/classic_layout.h>
+
+#include <cmath>
+
+#include "adapters/mgis/complaint.hpp"
+
+namespace grit::mgis {
+
+grit_status read_material(const double* properties, Material& out, grit_error& error) {
+    const double phi_c = properties[0];
+    if (!(phi_c >= 10.0 && phi_c <= 60.0))
+        return failure(error, GRIT_BAD_PARAMETER,
+                       "CriticalFrictionAngle must be in [10, 60] degrees, got %g%s", phi_c,
+                       phi_c > 0.0 && phi_c < 1.1 ? ": radians?" : "");
+    out.K_w = properties[GRIT_CLASSIC_WATER_STIFFNESS];
+    if (!(out.K_w >= 0.0 && std::isfinite(out.K_w)))
+        return failure(error, GRIT_BAD_PARAMETER,
+                       "WaterStiffness must be >= 0 and finite, in the unit of stress, got %g",
+                       out.K_w);
+    out.e_0 = properties[GRIT_CLASSIC_VOID_RATIO_AT_ZERO_PRESSURE];
+    grit_sand_parameters parameters;
+    grit_classic_parameters(properties, &parameters);
+    const double m_R = parameters.reversal_stiffness;
+    out.elastic_factor = std::isnan(m_R) ? 1.0 : m_R;
+    return grit_sand_prepare(&parameters, &out.sand, &error);
+}
+
+grit_status complete_void_ratio(const Material& material, double p, double& void_ratio,
+                                grit_error& error) {
+    if (!(void_ratio < GRIT_CLASSIC_NO_VOID_RATIO)) return GRIT_OK;
+    const grit_status status =
+        grit_classic_void_ratio(&material.sand, material.e_0, p, &void_ratio);
+    if (status != GRIT_BAD_STATE) return status;
+    return failure(error, status,
+                   "no void ratio: VoidRatio is below 0.001 and InitialVoidRatio is %g",
+                   material.e_0);
+}
+
+}  // namespace grit::mgis

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a user of MGIS may set for all points at once, at any time and from any thread.
+#pragma once
+
+namespace grit::mgis {
+
+constexpr double default_tolerance = 1e-5;
+constexpr int default_evaluation_limit = 20000;
+constexpr double default_smallest_reduction = 0.1;
+
+struct Parameters {
+    double tolerance;           // grit_sand_options.tolerance
+    int evaluation_limit;       // grit_sand_options.evaluation_limit
+    double smallest_reduction;  // (0, 1) of the time step, also where nothing better is known
+};
+
+Parameters current_parameters();
+
+}  // namespace grit::mgis
