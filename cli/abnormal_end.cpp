@@ -74,6 +74,7 @@ void handle_abnormal_ends() {
     sigaltstack(&stack, nullptr);
     for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) handle(signal, at_crash);
     for (const int signal : {SIGINT, SIGTERM}) handle(signal, at_interrupt);
+    handle(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of who writes it
     std::atexit(at_exit);
 }
 

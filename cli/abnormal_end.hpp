@@ -8,6 +8,7 @@ namespace cli {
 
 // From now on, files that are not complete are removed however the program ends. SIGINT and SIGTERM
 // stop a run after the increment it is at (see RunGuard), or, asked twice or outside a run, the program.
+// A file that grows beyond the limit of the shell is one that cannot be written.
 void handle_abnormal_ends();
 
 // While a law is at work. If the program ends under it, one line says so and the exit status is 1.

@@ -74,6 +74,11 @@ RigidPlan read_rigid(TomlTable table) {
     out.velocity_r = velocity("velocity_r_m_per_s");
     out.velocity_z = velocity("velocity_z_m_per_s");
     out.from_stage = table.string_if("from_stage").value_or("");
+    if (!table.has("velocity_r_m_per_s") && !table.has("velocity_z_m_per_s"))
+        for (const char* key : {"time_s", "from_stage"})
+            if (table.has(key))
+                table.fail(key, fmt::format("{} needs velocity_r_m_per_s or velocity_z_m_per_s",
+                                            table.full(key)));
     table.finish();
     return out;
 }
@@ -91,6 +96,10 @@ void read_intergranular_strain(TomlTable& table, SandPlan& plan) {
     plan.options.intergranular_off = word == "off" ? 1 : 0;
     plan.intergranular_rho = word == "mobilised" ? 1.0 : 0.0;
     if (const auto direction = table.numbers_if("intergranular_direction", 4)) {
+        if (word != "mobilised")
+            table.fail("intergranular_direction",
+                       fmt::format("{} needs intergranular_strain = \"mobilised\", it is \"{}\"",
+                                   table.full("intergranular_direction"), word));
         std::copy(direction->begin(), direction->end(), plan.intergranular_direction);
         if (std::all_of(direction->begin(), direction->end(), [](double x) { return x == 0.0; }))
             table.fail("intergranular_direction",

@@ -113,12 +113,23 @@ void read_contacts(TomlTable& root, Case& plan) {
     }
 }
 
+// A thousandth of the first stage that says how long it is; 0: none does.
+double kind_interval(const Case& plan) {
+    for (const StagePlan& stage : plan.stages)
+        if (stage.end.time < unlimited) return 1e-3 * stage.end.time;
+    return 0.0;
+}
+
 void read_history(TomlTable table, Case& plan) {
     if (table.has("body")) plan.history.body = body_name(table, "body", plan);
     if (table.has("depth_of") &&
         table.choice("depth_of", {"lowest_point", "centre_of_mass"}) == "centre_of_mass")
         plan.history.depth_of = DepthOf::centre_of_mass;
-    plan.history.interval = number_within(table, "interval_s", 0.0, 0.0, 1e9);
+    plan.history.interval = number_within(table, "interval_s", kind_interval(plan), 0.0, 1e9);
+    if (!table.has("interval_s") && plan.history.interval == 0.0)
+        table.fail("", fmt::format("{} is missing: no stage has a time_s to take a thousandth of; "
+                                   "0 is a row after every step",
+                                   table.full("interval_s")));
     table.finish();
 }
 
@@ -158,7 +169,11 @@ MpmCaseFile read_mpm_case(const std::filesystem::path& path) {
     read_contacts(root, plan);
     read_stages(root, plan);
     plan.history.body = plan.bodies.front().name;
+    plan.history.interval = kind_interval(plan);
     if (auto history = root.table_if("history")) read_history(std::move(*history), plan);
+    else if (plan.history.interval == 0.0)
+        root.fail("history", "history.interval_s is missing: no stage has a time_s to take a "
+                             "thousandth of; 0 is a row after every step");
     if (auto fields = root.table_if("fields")) out.fields = read_fields(std::move(*fields));
     root.finish();
     return out;

@@ -29,9 +29,11 @@ void check_outputs(const MpmRequest& request, const MpmCaseFile& file,
     outputs.spare(file.inputs);
 }
 
-Runner prepare(const MpmRequest& request, const Case& plan) {
+Runner prepare(const MpmRequest& request, const MpmCaseFile& file) {
     try {
-        return Runner(plan);
+        Runner runner(file.plan);
+        if (file.fields) runner.check_interval("fields.interval_s", file.fields->interval);
+        return runner;
     } catch (const std::invalid_argument& error) {
         throw BadInput(fmt::format("{}: {}", request.file.string(), error.what()));
     }
@@ -52,13 +54,13 @@ ExitCode run_mpm(const MpmRequest& request) {
                                 request.restart,
                                 request.quiet};
     check_outputs(request, file, options);
-    Runner runner = prepare(request, plan);
+    Runner runner = prepare(request, file);
     make_output_folder(request.out);
     const RunGuard guard(plan.name + ": Grit");
     MpmRun run(options, runner);
     const std::string failure = run.go();
-    if (!request.no_plot) run.draw();
     if (!failure.empty()) fmt::print(stderr, "grit: {}: {}\n", plan.name, failure);
+    if (!request.no_plot) run.draw();
     if (!request.quiet)
         fmt::print("{}: {} particles, {} steps, t = {:.4g} s, {:.1f} s of computing -> {}\n",
                    plan.name, runner.particles(), runner.simulation().steps(),

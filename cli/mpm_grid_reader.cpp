@@ -98,9 +98,15 @@ void read_boundary(TomlTable table, Case& plan) {
         const double value = table.positive_or(key, 0.0);
         if (absorbs && value == 0.0)
             table.fail("", fmt::format("{} is missing: a side is absorbing", table.full(key)));
+        if (!absorbs && value != 0.0)
+            table.fail(key, fmt::format("{} needs a side that is absorbing", table.full(key)));
         return value;
     };
     plan.absorbing = {speed("p_wave_m_per_s"), speed("s_wave_m_per_s")};
+    if (absorbs && !(plan.absorbing.p > plan.absorbing.s))
+        table.fail("p_wave_m_per_s",
+                   fmt::format("{} must be above s_wave_m_per_s, {:g}, got {:g}",
+                               table.full("p_wave_m_per_s"), plan.absorbing.s, plan.absorbing.p));
     table.finish();
 }
 

@@ -172,6 +172,16 @@ ContactPlan read_contact(TomlTable table, const Case& plan) {
                                         : GRIT_CONTACT_NEAREST_CENTRE;
     }
     out.gated = table.boolean_or("gated", true);
+    if (law == "frictional") {
+        if (table.has("penalty_power"))
+            table.fail("penalty_power",
+                       fmt::format("{} belongs to the geo law, not to the frictional one",
+                                   table.full("penalty_power")));
+        if (table.has("distance") && !out.gated)
+            table.fail("distance",
+                       fmt::format("{}: the frictional law measures none unless it is gated",
+                                   table.full("distance")));
+    }
     table.finish();
     return out;
 }

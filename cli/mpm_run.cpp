@@ -45,35 +45,46 @@ void MpmRun::resume() {
 }
 
 std::string MpmRun::go() {
-    std::string failure;
-    bool interrupted = false;
+    const std::string failure = compute();
+    progress.finish();
+    for (const std::string& text : done.ends) history->comment(text);
+    if (!failure.empty()) history->comment("STOPPED EARLY: " + failure);
+    history->complete();
+    // What it was kept for is done.
+    std::error_code nobody_needs_it;
+    if (failure.empty()) std::filesystem::remove(options.checkpoint, nobody_needs_it);
+    return failure;
+}
+
+// Whatever goes wrong here, the history so far is worth keeping.
+std::string MpmRun::compute() {
     try {
         if (runner.row_is_due()) {
             row();
             frame();
         }
-        while (!runner.finished() && !interrupted) {
+        while (!runner.finished()) {
+            if (RunGuard::interrupted()) {
+                const std::string problem = save();
+                return "interrupted" + here() + (problem.empty() ? "" : "; " + problem);
+            }
             step();
-            interrupted = RunGuard::interrupted();
         }
     } catch (const MaterialFailure& error) {
+        return error.what() + replay(error);
+    } catch (const std::exception& error) {
+        return error.what() + here();
+    }
+    return {};
+}
+
+std::string MpmRun::replay(const MaterialFailure& error) {
+    try {
         write_replay_case(options.failure, error, runner.simulation());
-        failure = fmt::format("{}; to be replayed by grit element {}", error.what(),
-                              options.failure.string());
-    } catch (const std::runtime_error& error) {
-        failure = error.what() + here();
+    } catch (const std::exception& problem) {
+        return fmt::format("; its replay case could not be written: {}", problem.what());
     }
-    progress.finish();
-    if (interrupted && !runner.finished()) {
-        failure = "interrupted" + here();
-        save();
-    }
-    for (const std::string& text : done.ends) history->comment(text);
-    if (!failure.empty()) history->comment("STOPPED EARLY: " + failure);
-    history->complete();
-    // What it was kept for is done.
-    if (failure.empty()) std::filesystem::remove(options.checkpoint);
-    return failure;
+    return fmt::format("; to be replayed by grit element {}", options.failure.string());
 }
 
 void MpmRun::draw() {
@@ -114,8 +125,8 @@ void MpmRun::frame() {
     if (!field_files) return;
     field_files->write();
     done.frames = field_files->times();
-    while (options.shown->interval > 0.0 && done.next_frame <= runner.simulation().time())
-        done.next_frame += options.shown->interval;
+    if (options.shown->interval > 0.0)
+        done.next_frame = next_multiple(options.shown->interval, runner.simulation().time());
 }
 
 void MpmRun::step() {
@@ -130,7 +141,11 @@ void MpmRun::step() {
     if (ended || frame_due) frame();
     if (progress(runner)) history->flush();
     const std::chrono::duration<double, std::ratio<60>> since = Clock::now() - saved;
-    if (options.checkpoint_minutes > 0.0 && since.count() >= options.checkpoint_minutes) save();
+    if (options.checkpoint_minutes > 0.0 && since.count() >= options.checkpoint_minutes)
+        if (const std::string problem = save(); !problem.empty()) {
+            progress.finish();
+            fmt::print(stderr, "grit: {}: {}\n", runner.description().name, problem);
+        }
 }
 
 void MpmRun::stage_ended(int stage) {
@@ -143,10 +158,15 @@ void MpmRun::stage_ended(int stage) {
     if (!options.quiet) fmt::print(stderr, "{}: {}\n", plan.name, done.ends.back());
 }
 
-void MpmRun::save() {
-    done.state = runner.state();
-    write_mpm_checkpoint(options.checkpoint, runner.simulation(), bytes_of(done));
-    saved = Clock::now();
+std::string MpmRun::save() {
+    saved = Clock::now();  // after a failure too: the next one is due as late
+    try {
+        done.state = runner.state();
+        write_mpm_checkpoint(options.checkpoint, runner.simulation(), bytes_of(done));
+    } catch (const std::exception& error) {
+        return fmt::format("the checkpoint could not be written: {}", error.what());
+    }
+    return {};
 }
 
 }  // namespace cli

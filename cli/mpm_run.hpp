@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <adapters/mpm/kernel/material_failure.hpp>
 #include <adapters/mpm/run.hpp>
 
 #include "cli/mpm_case_file.hpp"
@@ -42,11 +43,14 @@ class MpmRun {
   private:
     using Clock = std::chrono::steady_clock;
     void resume();
+    std::string compute();
+    std::string replay(const grit::mpm::MaterialFailure& error);
     void step();
     void row();
     void frame();
     void stage_ended(int stage);
-    void save();
+    // Why there is no new checkpoint; empty: there is. The one before stays.
+    std::string save();
     std::string here();
 
     const MpmRunOptions& options;

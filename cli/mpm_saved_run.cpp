@@ -11,7 +11,7 @@ namespace {
 
 using grit::mpm::RunState;
 
-constexpr std::uint64_t format = 1;  // of these bytes
+constexpr std::uint64_t format = 2;  // of these bytes
 
 class Writer {
   public:
@@ -74,6 +74,7 @@ template <class Run, class Visitor> void visit(Run& run, Visitor& visitor) {
     visitor(state.next_row);
     visitor(state.impulse);
     visitor(state.row_time);
+    visitor(state.imbalance);
     visitor(state.stage_time);
     visitor(run.ends);
     visitor(run.history);

@@ -64,6 +64,7 @@ void add_bodies(const Case& plan, const Axis& r, const Axis& z, const BuiltCase&
             const std::string names = other.name + " and " + body.name;
             check_apart(other.particles, body.particles, r, z, names);
             check_apart(body.particles, other.particles, r, z, names);
+            check_boxes_apart(plan.bodies[i], body_plan);
         }
         built.simulation->add_body(std::move(body));
     }

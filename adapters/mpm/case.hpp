@@ -105,7 +105,9 @@ struct ContactPlan {
 struct StageEnd {
     double time = unlimited;   // since it began [s]
     double depth = unlimited;  // of the driven body since it began [m]
-    int blows = 0;             // of the pulse train that is on, its intervals over; 0: any number
+    // Intervals of pulses that are over since it began, of the train that begins with the stage, else of
+    // the one that began last. 0: any number.
+    int blows = 0;
     // At rest: both shares at once, see Measures. 0: never.
     double unbalanced_share = 0.0, kinetic_share = 0.0;
 };

@@ -2,11 +2,12 @@
 // The state of a simulation between two steps, for one that is built from the same case.
 //
 //   header    magic, format, library version, instruction set, sizes, checksums
-//   words     what the simulation is built of, line by line: grid, bodies, contacts, options
-//   state     all that a step leaves for the next one, bit for bit
+//   words     what the simulation is built of, line by line: grid, bodies, materials, contacts, options
+//   state     all that a step leaves for the next one, bit for bit, and the settings that stages may
+//             change (damping, step size, PIC rate, gravity)
 //
 // Numbers are written as they lie in memory, and refused by a machine that orders their bytes differently.
-// Not written: functions of time, and the settings that stages may change (damping, step size, gravity).
+// Not written: functions of time.
 #pragma once
 
 #include <iosfwd>

@@ -136,6 +136,8 @@ void CheckpointMembers::grid_words(const Simulation& s, std::ostream& out) {
         << rates_checksum(s) << '\n'
         << "shape functions: " << name_of(s.settings.shape) << '\n'
         << "scheme: " << name_of(s.settings.scheme) << '\n'
+        << "bulk viscosity: linear " << s.settings.linear_viscosity << ", quadratic "
+        << s.settings.quadratic_viscosity << '\n'
         << "volumetric strain: " << (s.settings.cell_mean ? "mean of the cell" : "own") << '\n'
         << "sums: " << (s.settings.fixed_point ? "fixed point" : "floating point") << '\n';
 }
@@ -163,6 +165,9 @@ void CheckpointMembers::body_words(const Simulation& s, std::ostream& out) {
             << (body.rigid() ? ", rigid" : "") << ", " << body.particles.count << " particles of "
             << body.particles.columns << " columns, checksum of their masses "
             << checksum(mass.data(), mass.size() * sizeof(double)) << '\n';
+        if (!body.material) continue;
+        for (const std::string& word : body.material->words())
+            out << "body " << i << ": " << word << '\n';
     }
     out << "tractions: " << s.tractions.size() << '\n';
 }

@@ -11,6 +11,8 @@
 namespace grit::mpm {
 namespace {
 
+constexpr double roundoff = 1e-9;  // of a length
+
 struct Interval {
     double centre, half;  // [m]
 };
@@ -18,7 +20,7 @@ struct Interval {
 // Of the part of an axis between two places.
 std::vector<Interval> cut(const Axis& axis, double from, double to, int per_cell) {
     std::vector<Interval> out;
-    const double least = 1e-9 * axis.shortest();
+    const double least = roundoff * axis.shortest();
     for (int c = 0; c < axis.cells(); ++c) {
         const double cell = axis[c + 1] - axis[c];
         const double begin = std::max(axis[c], from), end = std::min(axis[c + 1], to);
@@ -43,6 +45,17 @@ Bounds bounds_of(const Outline& outline) {
         b.z1 = std::max(b.z1, x.z);
     }
     return b;
+}
+
+// Sides along r and z.
+bool is_box(const Outline& outline) {
+    const Bounds b = bounds_of(outline);
+    const auto at_corner = [&b](const Vector& x) {
+        return (x.r == b.r0 || x.r == b.r1) && (x.z == b.z0 || x.z == b.z1);
+    };
+    const std::vector<Vector>& x = outline.corners;
+    return x.size() == 4 && std::all_of(x.begin(), x.end(), at_corner) &&
+           (x[0].r == x[1].r || x[0].z == x[1].z) && (x[1].r == x[2].r || x[1].z == x[2].z);
 }
 
 // Even-odd rule.
@@ -117,6 +130,23 @@ void check_apart(Particles& one, Particles& other, const Axis& r, const Axis& z,
             throw std::invalid_argument("bodies " + names + " share the place (" +
                                         std::to_string(x) + ", " + std::to_string(y) + ") m");
     }
+}
+
+void check_boxes_apart(const BodyPlan& one, const BodyPlan& other) {
+    for (const Outline& mine : one.outlines)
+        for (const Outline& theirs : other.outlines) {
+            if (!is_box(mine) || !is_box(theirs)) continue;
+            const Bounds a = bounds_of(mine), b = bounds_of(theirs);
+            const double r0 = std::max(a.r0, b.r0), r1 = std::min(a.r1, b.r1);
+            const double z0 = std::max(a.z0, b.z0), z1 = std::min(a.z1, b.z1);
+            const double least_r = roundoff * std::min(a.r1 - a.r0, b.r1 - b.r0);
+            const double least_z = roundoff * std::min(a.z1 - a.z0, b.z1 - b.z0);
+            if (r1 - r0 > least_r && z1 - z0 > least_z)
+                throw std::invalid_argument("bodies " + one.name + " and " + other.name +
+                                            " share the place from (" + std::to_string(r0) + ", " +
+                                            std::to_string(z0) + ") to (" + std::to_string(r1) +
+                                            ", " + std::to_string(z1) + ") m");
+        }
 }
 
 }  // namespace grit::mpm

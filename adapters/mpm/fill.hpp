@@ -23,5 +23,8 @@ std::vector<int> outermost(Particles& particles, const Axis& r, const Axis& z,
 // names: of both.
 void check_apart(Particles& one, Particles& other, const Axis& r, const Axis& z,
                  const std::string& names);
+// Throws std::invalid_argument where boxes of two bodies share more than roundoff. Boxes alone are filled
+// exactly; particles along an oblique side stand out of their polygon by up to a half, beside others.
+void check_boxes_apart(const BodyPlan& one, const BodyPlan& other);
 
 }  // namespace grit::mpm

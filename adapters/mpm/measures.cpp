@@ -3,9 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace grit::mpm {
 namespace c = column;
+namespace {
+
+std::string text(double value) {
+    char out[32];
+    std::snprintf(out, sizeof out, "%.6g", value);
+    return out;
+}
+
+}  // namespace
 
 double level_of(Particles& particles, DepthOf what) {
     const ParticleView q = particles.view();
@@ -104,6 +114,33 @@ double turned_over(const Energy& e, double least) {
                      std::abs(e.external_work), std::abs(e.rigid_work), std::abs(e.contact),
                      std::abs(e.damping), std::abs(e.viscosity), std::abs(e.absorbed),
                      std::abs(e.transfer)});
+}
+
+// Positive conditions, so that NaN fails them.
+Imbalance imbalance(const Energy& e, double least, double limit) {
+    const std::string end = ", the limit is " + text(100.0 * limit) + " %";
+    const double turned = turned_over(e, least), residual = e.residual();
+    if (!(std::abs(residual) <= limit * turned))
+        return {std::abs(residual) / turned, "its residual is " + text(100.0 * residual / turned) +
+                                                 " % of the " + text(turned) + " J turned over" +
+                                                 end};
+    const double supplied = std::max(least, std::abs(e.external_work) + std::abs(e.rigid_work) +
+                                                e.kinetic_0 + std::abs(e.stored_0));
+    const struct {
+        const char* name;
+        double loss;
+    } losses[] = {{"contact loss", e.contact},
+                  {"damping loss", e.damping},
+                  {"viscosity loss", e.viscosity},
+                  {"energy absorbed by sides", e.absorbed},
+                  {"transfer loss", e.transfer}};
+    for (const auto& term : losses)
+        if (!(term.loss >= -limit * supplied))
+            return {-term.loss / supplied,
+                    std::string("its ") + term.name + " is " + text(term.loss) + " J, a gain of " +
+                        text(-100.0 * term.loss / supplied) + " % of the " + text(supplied) +
+                        " J that were there or came in" + end};
+    return {};
 }
 
 }  // namespace grit::mpm

@@ -2,6 +2,8 @@
 // What a run looks at between steps. Forces and energies are per radian or per metre.
 #pragma once
 
+#include <string>
+
 #include "adapters/mpm/case.hpp"
 #include "adapters/mpm/simulation.hpp"
 
@@ -31,5 +33,13 @@ ContactForces contact_forces(const Simulation& simulation, std::size_t body);
 
 // The largest term of the balance so far, no less than least [J].
 double turned_over(const Energy& energy, double least);
+
+// In what energy is not conserved, by more than a limit: the residual as a share of what was turned over, or
+// a loss that is a gain, which the residual does not show, as one of what came from outside and the start.
+struct Imbalance {
+    double share = 0.0;
+    std::string words = {};  // empty: within the limit
+};
+Imbalance imbalance(const Energy& energy, double least, double limit);
 
 }  // namespace grit::mpm

@@ -13,7 +13,7 @@ struct HistoryRow {
     int stage = 0;  // from 1
     long step = 0;
     double t = 0.0;  // [s]
-    int blow = 0;
+    int blow = 0;    // of the pulses that the stage counts, see StageEnd
     double depth = 0.0,
            velocity = 0.0;  // of the driven body, downwards, since the start [m], [m/s]
     // Mean forces since the row before [N]: of contacts on the driven body, upwards, where it faces down
@@ -35,6 +35,7 @@ struct RunState {
     // Impulses since the last row [N s]: tip, shaft, hammer, base.
     std::array<double, 4> impulse{};
     double row_time = 0.0;           // of the last row [s]
+    double imbalance = 0.0;          // at the last look, if beyond the limit [-]
     std::vector<double> stage_time;  // when stages began [s]; infinite: not yet
 };
 
@@ -47,8 +48,8 @@ class Runner {
     explicit Runner(Case plan);
 
     bool finished() const { return state_now.stage == static_cast<int>(plan.stages.size()); }
-    // Throws std::runtime_error naming time, step, residual and limit if the energy balance breaks, or
-    // what Simulation::step throws.
+    // Throws std::runtime_error naming time, step, term and limit if the energy balance breaks, or if a
+    // stage waits for blows that do not come, or what Simulation::step throws.
     void step();
     // A row is due: at the start, after an interval and at the end of a stage.
     bool row_is_due() const { return due; }
@@ -58,6 +59,9 @@ class Runner {
     Ended ended() const { return how; }
     // Share of the stage that is done, as far as its time, depth or blows tell; NaN: they do not.
     double share_done();
+
+    // Throws std::invalid_argument for an interval between outputs that no step could ever keep.
+    void check_interval(const std::string& name, double interval) const;
 
     const Case& description() const { return plan; }
     Simulation& simulation() { return *built.simulation; }
@@ -78,13 +82,16 @@ class Runner {
     void check_energy();
     struct Blows;
     Blows blows() const;
+    void check_blows() const;
 
     Case plan;
     BuiltCase built;
     std::size_t driven = 0;
     std::ptrdiff_t particle_count = 0;
+    double whole = 1.0;  // of a radian or of a metre
     // What matters at the least [J]: the weight sunk by a cell, or all bodies strained by 1e-4.
     double least_energy = 0.0;
+    double wave_time = 0.0;  // the least that a wave needs for a cell at the start [s]
     bool due = true;
     Ended how = Ended::not_yet;
     RunState state_now;

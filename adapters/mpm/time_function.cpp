@@ -23,6 +23,13 @@ int PulseTrain::blow(double t) const {
         std::min(std::floor((t - start) / interval) + 1.0, static_cast<double>(count)));
 }
 
+int PulseTrain::over(double t) const {
+    const auto ended = [&](int n) { return n <= count && t >= start + n * interval; };
+    int n = std::max(blow(t) - 1, 0);
+    while (ended(n + 1)) ++n;  // once at most, the last one and roundoff
+    return n;
+}
+
 double PulseTrain::at(double t) const {
     const int number = blow(t);
     if (number == 0) return 0.0;
@@ -35,6 +42,12 @@ double PulseTrain::at(double t) const {
 
 double value_at(const TimeFunction& function, double t) {
     return std::visit([t](const auto& f) { return f.at(t); }, function);
+}
+
+double next_multiple(double interval, double t) {
+    if (!(t / interval < 1e15)) return t;
+    const double number = std::floor(t / interval) + 1.0, next = number * interval;
+    return next > t ? next : (number + 1.0) * interval;
 }
 
 }  // namespace grit::mpm

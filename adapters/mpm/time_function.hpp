@@ -28,11 +28,14 @@ struct PulseTrain {
     double at(double t) const;
     // Number of the pulse that began last, from 1; 0 before the first.
     int blow(double t) const;
-    // The last interval is over.
-    double end() const { return start + count * interval; }
+    // Intervals that are over.
+    int over(double t) const;
 };
 
 using TimeFunction = std::variant<TimeTable, PulseTrain>;
 double value_at(const TimeFunction& function, double t);
+
+// The first multiple of an interval that is after t; t itself where numbers are no longer that fine.
+double next_multiple(double interval, double t);
 
 }  // namespace grit::mpm

@@ -135,6 +135,76 @@ TEST(MaterialPointCommand, RefusesACheckpointThatIsMissingOrOfAnotherCase) {
     EXPECT_TRUE(here.files("out").contains("x.checkpoint"));
 }
 
+TEST(MaterialPointCommand, RefusesACheckpointOfAnotherMaterialAndNamesTheDifference) {
+    const Workplace here;
+    here.write("x.toml", column("1000"));
+    here.grit("mpm --no-plot --quiet --out out x.toml & sleep 0.2; kill -TERM $!; wait $!");
+    std::string stiffer = column("0.01");
+    stiffer.replace(stiffer.find("_kPa = 1000"), 11, "_kPa = 4000");
+    const std::pair<std::string, std::string> others[] = {
+        {stiffer, "this has 'body 0: Lame's constants 23"},
+        {column("0.01", "bulk_viscosity_linear = 0.1\n"), "this has 'bulk viscosity: linear 0.1"}};
+    for (const auto& [other, difference] : others) {
+        here.write("x.toml", other);
+        const Answer answer = here.grit("mpm --no-plot --quiet --restart --out out x.toml");
+        EXPECT_EQ(answer.status, 2);
+        EXPECT_TRUE(answer.says("of another simulation: it has '")) << answer.text;
+        EXPECT_TRUE(answer.says(difference)) << answer.text;
+    }
+}
+
+// Files of 20 KiB at most: the checkpoint is larger, the history is not.
+constexpr const char* little_room = "--version > /dev/null; ulimit -f 40; " GRIT_CLI " ";
+
+TEST(MaterialPointCommand, KeepsHistoryAndOldCheckpointIfNoneCanBeWrittenWhenInterrupted) {
+    const Workplace here;
+    here.write("y.toml", column("1000"));
+    here.write("x.toml", "base = \"y.toml\"\n[override]\n\"history.interval_s\" = 10\n");
+    const std::string run = "mpm --no-plot --quiet --out out x.toml";
+    here.grit(run + " & sleep 0.2; kill -INT $!; wait $!");
+    const std::string before = here.text("out/x.checkpoint");
+    EXPECT_GT(before.size(), 40U * 1024);
+    const Answer answer = here.grit(little_room + run +
+                                    " --restart & sleep 0.5; kill -INT $!; "
+                                    "wait $!; exit $?");
+    EXPECT_EQ(answer.status, 1);
+    const std::string problem = "; the checkpoint could not be written: out/x.checkpoint: cannot "
+                                "write this file: File too large";
+    EXPECT_TRUE(answer.says("grit: x: interrupted (after step ")) << answer.text;
+    EXPECT_TRUE(answer.says(problem)) << answer.text;
+    EXPECT_EQ(here.files("out"), (Names{"x.checkpoint", "x.csv"}));
+    EXPECT_TRUE(here.text("out/x.checkpoint") == before);
+    EXPECT_NE(here.text("out/x.csv").find(problem), std::string::npos);
+}
+
+TEST(MaterialPointCommand, GoesOnIfACheckpointBetweenCannotBeWritten) {
+    const Workplace here;
+    here.write("y.toml", column("12"));
+    here.write("x.toml", "base = \"y.toml\"\n[override]\n\"history.interval_s\" = 1\n");
+    const std::string run = "mpm --no-plot --quiet --out ";
+    ASSERT_EQ(here.grit(run + "whole x.toml").status, 0);
+    const Answer answer = here.grit(little_room + run + "out x.toml --checkpoint-minutes 1e-3");
+    EXPECT_EQ(answer.status, 0) << answer.text;
+    EXPECT_TRUE(answer.says("grit: x: the checkpoint could not be written: out/x.checkpoint: "))
+        << answer.text;
+    EXPECT_EQ(here.files("out"), Names{"x.csv"});
+    EXPECT_EQ(here.text("out/x.csv"), here.text("whole/x.csv"));
+}
+
+TEST(MaterialPointCommand, WritesARowForEachThousandthOfTheFirstStageUnlessItIsToldOtherwise) {
+    const Workplace here;
+    std::string without = column("5");
+    without.resize(without.find("[history]"));
+    here.write("x.toml", without);
+    EXPECT_EQ(here.grit("mpm --no-plot --quiet --out out x.toml").text, "");
+    EXPECT_NEAR(static_cast<double>(here.result("x").at("t").size()), 1001.0, 3.0);
+    here.write("y.toml", "base = \"x.toml\"\n[override]\n\"history.interval_s\" = 0\n");
+    here.write("x.toml", column("0.05"));
+    EXPECT_EQ(here.grit("mpm --no-plot --quiet --out out y.toml").text, "");
+    const Values steps = here.result("y").at("step");
+    EXPECT_EQ(steps.back(), static_cast<double>(steps.size()) - 1.0);
+}
+
 TEST(MaterialPointCommand, StopsAnUnstableRunWithOneClearLine) {
     const Workplace here;
     here.write("x.toml", column("1", "energy_residual_limit = 1e-6\n"));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <adapters/mpm/build_case.hpp>
 #include <adapters/mpm/fill.hpp>
 #include <adapters/mpm/initial_state.hpp>
 #include <adapters/mpm/kernel/sand.hpp>
@@ -116,6 +117,68 @@ TEST(Bodies, MayTouchButNotShareAPlace) {
     EXPECT_NO_THROW(check_apart(soil, above, r, z, ""));
     EXPECT_NO_THROW(check_apart(above, soil, r, z, ""));
     EXPECT_THROW(check_apart(inside, soil, r, z, ""), std::invalid_argument);
+}
+
+TEST(Boxes, OfTwoBodiesMayTouchButNotReachIntoEachOther) {
+    const BodyPlan soil = elastic_box("soil", 0.0, 1.0, 0.0, 0.1 + 0.2);
+    EXPECT_NO_THROW(check_boxes_apart(soil, elastic_box("plate", 0.0, 1.0, 0.3, 0.325)));
+    EXPECT_NO_THROW(check_boxes_apart(soil, elastic_box("plate", 1.0, 1.1, 0.0, 0.325)));
+    for (const BodyPlan& plate :
+         {elastic_box("plate", 0.2, 0.5, 0.29, 0.315), elastic_box("plate", 0.999, 1.2, 0.1, 0.2),
+          elastic_box("plate", 0.2, 0.5, 0.1, 0.101)})
+        EXPECT_THROW(check_boxes_apart(soil, plate), std::invalid_argument);
+    BodyPlan cone = elastic_box("cone", 0.0, 0.0, 0.0, 0.0);
+    cone.outlines = {Outline{{{0.0, 0.299}, {0.1, 0.4}, {0.0, 0.4}}}};  // by particles
+    EXPECT_NO_THROW(check_boxes_apart(soil, cone));
+
+    // Ten of the plate's 25 mm, and no centre of either body within the other.
+    Case plan = column_case();
+    plan.bodies = {elastic_box("column", 0.0, 0.2, 0.0, 0.98),
+                   elastic_box("plate", 0.0, 0.2, 0.97, 0.995)};
+    try {
+        build_case(plan);
+        FAIL() << "accepted";
+    } catch (const std::invalid_argument& error) {
+        EXPECT_STREQ(error.what(),
+                     "bodies column and plate share the place from (0.000000, 0.970000) "
+                     "to (0.200000, 0.980000) m");
+    }
+    plan.bodies[1] = elastic_box("plate", 0.0, 0.2, 0.98, 1.005);
+    EXPECT_NO_THROW(build_case(plan));
+}
+
+// Each of its numbers, for a restart with others would go on as if nothing were.
+TEST(Materials, SayInTheirWordsWhatTheyAreMadeOf) {
+    const auto words = [](const MaterialPlan& plan) {
+        BodyPlan body = elastic_box("body", 0.0, 1.0, 0.0, 1.0);
+        body.material = plan;
+        return make_material(body)->words();
+    };
+    const auto elastic = words(ElasticPlan{1e6, 0.3});
+    EXPECT_EQ(elastic, words(ElasticPlan{1e6, 0.3}));
+    EXPECT_NE(elastic, words(ElasticPlan{1e6 * (1.0 + 1e-12), 0.3}));
+    EXPECT_NE(elastic, words(ElasticPlan{1e6, 0.31}));
+    EXPECT_NE(elastic, words(ElasticPlan{1e6, 0.3, true}));
+    const SandPlan lausitz = lausitz_plan(0.7);
+    const auto sand = words(lausitz);
+    EXPECT_EQ(sand, words(lausitz));
+    for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i) {
+        SandPlan other = lausitz;
+        double value = 0.0;
+        grit_sand_parameter_get(&other.parameters, i, &value);
+        grit_sand_parameter_set(&other.parameters, i, value == 0.0 ? 1.0 : value * (1.0 + 1e-12));
+        const std::string name = grit_sand_parameter_describe(i)->name;
+        const auto changed = words(other);
+        ASSERT_EQ(changed.size(), sand.size());
+        for (std::size_t k = 0; k < sand.size(); ++k)
+            EXPECT_EQ(changed[k] != sand[k], sand[k].starts_with(name + " ")) << sand[k];
+    }
+    SandPlan other = lausitz;
+    other.options.tolerance = 1e-4;
+    EXPECT_NE(sand, words(other));
+    other = lausitz;
+    other.options.intergranular_off = 1;
+    EXPECT_NE(sand, words(other));
 }
 
 TEST(TimeTable, IsLinearBetweenItsPointsAndConstantBeyond) {

@@ -249,7 +249,7 @@ TEST_F(RefusedCheckpoint, NamesWhatDiffersInTheSimulation) {
 }
 
 TEST_F(RefusedCheckpoint, IsOfAnotherFormatOrVersion) {
-    EXPECT_NE(refusal(with_header(file, 12, 2), *target).find("its format is 2"),
+    EXPECT_NE(refusal(with_header(file, 12, 99), *target).find("its format is 99"),
               std::string::npos);
     EXPECT_NE(refusal(with_header(file, 16, 30201), *target).find("with grit 3.2.1, this is"),
               std::string::npos);

@@ -15,6 +15,7 @@ LameConstants lame_constants(double youngs_modulus, double poissons_ratio);
 class LinearElastic : public Material {
   public:
     LinearElastic(double youngs_modulus, double poissons_ratio);
+    std::vector<std::string> words() const override;
     void update(const Range& range, const Increments& increments) override;
     void wave_moduli(const Range& range, double* moduli) const override;
     double energy(const ParticleView& particles, std::ptrdiff_t p) const override;
@@ -28,6 +29,7 @@ class LinearElastic : public Material {
 class NeoHooke : public Material {
   public:
     NeoHooke(double youngs_modulus, double poissons_ratio);
+    std::vector<std::string> words() const override;
     void update(const Range& range, const Increments& increments) override;
     void wave_moduli(const Range& range, double* moduli) const override;
     double energy(const ParticleView& particles, std::ptrdiff_t p) const override;

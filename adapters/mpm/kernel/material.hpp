@@ -2,6 +2,9 @@
 // What a body is made of: stress from increments or from F, a range of particles at a time.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "adapters/mpm/kernel/call.hpp"
 
 namespace grit::mpm {
@@ -16,6 +19,8 @@ class Material {
   public:
     virtual ~Material() = default;
     virtual int own_columns() const { return 0; }
+    // Its law and each of its numbers, exactly: materials with the same words are the same.
+    virtual std::vector<std::string> words() const = 0;
     // F is already that of the end of the step.
     virtual void update(const Range& range, const Increments& increments) = 0;
     // P-wave modulus of each particle, an upper bound [Pa].

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/mpm/kernel/sand.hpp"
 
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 
@@ -38,6 +39,27 @@ SandUpdate asked_of(const Range& range, const Increments& d, std::ptrdiff_t i) {
 
 Sand::Sand(const grit_sand& prepared, const grit_sand_options& given)
     : sand(prepared), options(given) {}
+
+std::vector<std::string> Sand::words() const {
+    std::vector<std::string> out{"sand"};
+    const auto add = [&out](const char* name, double value) {
+        char number[32];
+        std::snprintf(number, sizeof number, " %.17g", value);
+        out.push_back(name + std::string(number));
+    };
+    grit_sand_parameters parameters;
+    grit_sand_parameters_init(&parameters, sizeof parameters);
+    grit_sand_parameters_of(&sand, &parameters);
+    for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i) {
+        double value = 0.0;
+        grit_sand_parameter_get(&parameters, i, &value);
+        add(grit_sand_parameter_describe(i)->name, value);
+    }
+    add("tolerance", options.tolerance);
+    add("evaluation_limit", options.evaluation_limit);
+    add("intergranular_off", options.intergranular_off);
+    return out;
+}
 
 void Sand::update(const Range& range, const Increments& d) {
     const ParticleView& q = range.particles;
