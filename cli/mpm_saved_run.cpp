@@ -74,7 +74,6 @@ template <class Run, class Visitor> void visit(Run& run, Visitor& visitor) {
     visitor(state.next_row);
     visitor(state.impulse);
     visitor(state.row_time);
-    visitor(state.imbalance);
     visitor(state.stage_time);
     visitor(run.ends);
     visitor(run.history);

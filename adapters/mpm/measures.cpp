@@ -117,13 +117,12 @@ double turned_over(const Energy& e, double least) {
 }
 
 // Positive conditions, so that NaN fails them.
-Imbalance imbalance(const Energy& e, double least, double limit) {
+std::string imbalance(const Energy& e, double least, double limit) {
     const std::string end = ", the limit is " + text(100.0 * limit) + " %";
     const double turned = turned_over(e, least), residual = e.residual();
     if (!(std::abs(residual) <= limit * turned))
-        return {std::abs(residual) / turned, "its residual is " + text(100.0 * residual / turned) +
-                                                 " % of the " + text(turned) + " J turned over" +
-                                                 end};
+        return "its residual is " + text(100.0 * residual / turned) + " % of the " + text(turned) +
+               " J turned over" + end;
     const double supplied = std::max(least, std::abs(e.external_work) + std::abs(e.rigid_work) +
                                                 e.kinetic_0 + std::abs(e.stored_0));
     const struct {
@@ -133,13 +132,12 @@ Imbalance imbalance(const Energy& e, double least, double limit) {
                   {"damping loss", e.damping},
                   {"viscosity loss", e.viscosity},
                   {"energy absorbed by sides", e.absorbed},
-                  {"transfer loss", e.transfer}};
+                  {"loss to the PIC share", e.pic}};
     for (const auto& term : losses)
         if (!(term.loss >= -limit * supplied))
-            return {-term.loss / supplied,
-                    std::string("its ") + term.name + " is " + text(term.loss) + " J, a gain of " +
-                        text(-100.0 * term.loss / supplied) + " % of the " + text(supplied) +
-                        " J that were there or came in" + end};
+            return std::string("its ") + term.name + " is " + text(term.loss) + " J, a gain of " +
+                   text(-100.0 * term.loss / supplied) + " % of the " + text(supplied) +
+                   " J that were there or came in" + end;
     return {};
 }
 

@@ -36,10 +36,7 @@ double turned_over(const Energy& energy, double least);
 
 // In what energy is not conserved, by more than a limit: the residual as a share of what was turned over, or
 // a loss that is a gain, which the residual does not show, as one of what came from outside and the start.
-struct Imbalance {
-    double share = 0.0;
-    std::string words = {};  // empty: within the limit
-};
-Imbalance imbalance(const Energy& energy, double least, double limit);
+// Empty: within it.
+std::string imbalance(const Energy& energy, double least, double limit);
 
 }  // namespace grit::mpm

@@ -15,10 +15,6 @@ namespace {
 
 // Steps between looks at energies, which go over all particles.
 constexpr long look_every = 20;
-// A load that is there at once leaves an error of its first steps, which is much of what it has done by then
-// and little soon after: at the first look beyond the limit a balance may be off by this share, and at
-// the next ones by this part of the look before [-].
-constexpr double most_at_once = 0.5, healing = 0.75;
 // Below the energy of such a strain a broken balance does not matter [-].
 constexpr double least_strain = 1e-4;
 
@@ -146,12 +142,11 @@ void Runner::step() {
 
 void Runner::check_energy() {
     Simulation& simulation = *built.simulation;
-    const Imbalance now =
+    const std::string words =
         imbalance(times(simulation.energy(), whole), whole * least_energy, plan.residual_limit);
-    const double before = std::exchange(state_now.imbalance, now.words.empty() ? 0.0 : now.share);
-    if (now.words.empty() || now.share < (before > 0.0 ? healing * before : most_at_once)) return;
+    if (words.empty()) return;
     throw std::runtime_error("the energy balance is broken at t = " + text(simulation.time()) +
-                             " s, step " + std::to_string(simulation.steps()) + ": " + now.words +
+                             " s, step " + std::to_string(simulation.steps()) + ": " + words +
                              "; is cfl too large?");
 }
 

@@ -35,7 +35,6 @@ struct RunState {
     // Impulses since the last row [N s]: tip, shaft, hammer, base.
     std::array<double, 4> impulse{};
     double row_time = 0.0;           // of the last row [s]
-    double imbalance = 0.0;          // at the last look, if beyond the limit [-]
     std::vector<double> stage_time;  // when stages began [s]; infinite: not yet
 };
 
