@@ -3,9 +3,11 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "cli/colour_range.hpp"
 #include "cli/gnuplot.hpp"
 #include "cli/mpm_pictures.hpp"
 #include "element/aside_file.hpp"
@@ -68,23 +70,18 @@ bool inside(const Window& w, double r, double z) {
     return r >= w.r0 && r <= w.r1 && z >= w.z0 && z <= w.z1;
 }
 
-// Of the values in sight, a little apart at least.
-std::pair<double, double> colours_of(const FieldPicture& picture, const Window& window,
-                                     const std::vector<Shape>& shapes) {
+// Of the values in sight.
+ColourRange colours_of(const FieldPicture& picture, const Window& window,
+                       const std::vector<Shape>& shapes) {
     if (picture.low < picture.high) return {picture.low, picture.high};
-    double low = infinity, high = -infinity;
+    std::vector<double> seen;
     for (const Shape& shape : shapes)
         for (std::size_t i = 0; i < shape.values.size(); ++i) {
             const double r = centre(shape, i, 0), z = centre(shape, i, 1);
-            if (!std::isfinite(shape.values[i])) continue;
-            if (!inside(window, r, z) && !(picture.mirrored && inside(window, -r, z))) continue;
-            low = std::min(low, shape.values[i]);
-            high = std::max(high, shape.values[i]);
+            if (inside(window, r, z) || (picture.mirrored && inside(window, -r, z)))
+                seen.push_back(shape.values[i]);
         }
-    if (!(low <= high)) return {0.0, 1.0};
-    const double least = std::max(1e-6 * std::max(std::abs(low), std::abs(high)), 1e-12);
-    if (high - low < least) return {low - least, high + least};
-    return {low, high};
+    return colour_range(std::move(seen));
 }
 
 // A surface of its own for every quadrilateral; grey ones as closed lines.
@@ -140,8 +137,15 @@ struct Frame {
     int plot_width = 0, plot_height = 0, width = 0, height = 0;
 };
 
+// "p [kPa]", and from where to where values go that lie beyond the colours.
+std::string label(const MpmField& field, const ColourRange& colours) {
+    const std::string name =
+        field.components == 2 ? fmt::format("|{}| [{}]", field.name, field.unit) : field.label();
+    return colours.beyond.empty() ? name : fmt::format("{} (all: {})", name, colours.beyond);
+}
+
 std::string sheet(const FieldPicture& picture, const Window& w, const Frame& frame,
-                  std::pair<double, double> colours, bool has_colour, bool has_grey) {
+                  const ColourRange& colours, bool has_colour, bool has_grey) {
     std::string out = fmt::format(
         "reset\nset encoding utf8\nset border 15 lw 1 lc rgb '#444444'\n"
         "set tics nomirror out scale 0.6 textcolor rgb '#222222' font ',11'\n"
@@ -149,11 +153,8 @@ std::string sheet(const FieldPicture& picture, const Window& w, const Frame& fra
         "0,0.9\nset ylabel 'z [m]' offset 1.2,0\n"
         "set xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\nset cbrange [{:.9g}:{:.9g}]\n"
         "set cblabel {} noenhanced offset 1,0\nset format cb '%.4g'\nunset key\n{}{}",
-        gnuplot_quoted(picture.title), w.r0, w.r1, w.z0, w.z1, colours.first, colours.second,
-        gnuplot_quoted(picture.field.components == 2
-                           ? fmt::format("|{}| [{}]", picture.field.name, picture.field.unit)
-                           : picture.field.label()),
-        palette, frame.margins());
+        gnuplot_quoted(picture.title), w.r0, w.r1, w.z0, w.z1, colours.low, colours.high,
+        gnuplot_quoted(label(picture.field, colours)), palette, frame.margins());
     // Some four tics along the shorter side.
     if (frame.plot_width < 300)
         out += fmt::format("set xtics {:g} offset 0,0.5\n", [](double x) {

@@ -24,7 +24,7 @@ struct FieldPicture {
     std::string title;
     Window window;  // of nothing (r1 <= r0): all particles
     bool mirrored = false;
-    double low = 0.0, high = 0.0;  // of the colours; low >= high: of the values shown
+    double low = 0.0, high = 0.0;  // of the colours; low >= high: see colour_range.hpp
     int height = 700;              // [px]
 };
 
