@@ -16,7 +16,11 @@ using namespace mpm_test;
 
 // A ball of particles thrown on a floor, two bodies, over many sorts; all columns by id.
 std::vector<double> thrown(int threads) {
-    Settings settings{.pic_rate = 50.0, .gravity_z = -100.0, .threads = threads};
+    Settings settings{.pic_rate = 50.0,
+                      .gravity_z = -100.0,
+                      .linear_viscosity = 0.1,
+                      .cell_mean = true,
+                      .threads = threads};
     Simulation simulation(Axis::uniform(0.0, 1.0, 40), Axis::uniform(0.0, 4.0, 160), settings);
     simulation.add_body(make_box({0.0, 1.0, 0.2, 1.03, 124, 160, 2000.0}, true,
                                  std::make_unique<NeoHooke>(1e6, 0.3)));
@@ -51,7 +55,11 @@ TEST(Threads, ChangeNoBitOfTheResult) {
 
 // A block in free flight and free vibration, its particles added in another order.
 std::vector<double> shuffled(bool fixed_point, Scheme scheme, unsigned seed) {
-    Settings settings{.scheme = scheme, .gravity_z = -10.0, .fixed_point = fixed_point};
+    Settings settings{.scheme = scheme,
+                      .gravity_z = -10.0,
+                      .linear_viscosity = 0.1,
+                      .cell_mean = true,
+                      .fixed_point = fixed_point};
     Simulation simulation(Axis::uniform(0.0, 1.0, 20), Axis::uniform(0.0, 2.0, 40), settings);
     const Body made =
         make_box({0.0, 0.5, 0.6, 1.2, 21, 25, 2000.0}, true, std::make_unique<NeoHooke>(1e6, 0.3));
