@@ -2,6 +2,7 @@
 #include "adapters/mpm/build_case.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -112,11 +113,33 @@ void add_contacts(const Case& plan, Simulation& simulation) {
     }
 }
 
+// Absorbing sides hold what the first step finds: weight that no stress carries yet would fall through.
+void check_rest(const Case& plan, Side side) {
+    if (plan.gravity == 0.0 || plan.stages.empty() || !plan.stages[0].gravity) return;
+    const bool along_r = side == Side::left || side == Side::right;
+    const double at = side == Side::left     ? plan.r.from
+                      : side == Side::right  ? plan.r.to()
+                      : side == Side::bottom ? plan.z.from
+                                             : plan.z.to();
+    for (const BodyPlan& body : plan.bodies) {
+        if (body.rigid() || body.geostatic) continue;
+        for (const Outline& outline : body.outlines)
+            for (const Vector& x : outline.corners)
+                if (std::abs((along_r ? x.r : x.z) - at) < 1e-9 * (1.0 + std::abs(at)))
+                    throw std::invalid_argument("body " + body.name +
+                                                " has weight and reaches an absorbing side, which "
+                                                "holds what rests on it at "
+                                                "the first step: it needs stress_at_rest, or the "
+                                                "first stage gravity = false");
+    }
+}
+
 void add_boundary(const Case& plan, Simulation& simulation) {
     for (const Side side : {Side::left, Side::right, Side::bottom, Side::top}) {
         const Boundary boundary = plan.boundary[static_cast<int>(side)];
         if (boundary == Boundary::free) continue;
         if (boundary == Boundary::absorbing) {
+            check_rest(plan, side);
             const int direction = side == Side::left || side == Side::right ? 0 : 1;
             if (side == Side::left || side == Side::bottom)
                 simulation.absorb_first(direction, plan.absorbing);

@@ -77,6 +77,20 @@ TEST(AbsorbingSide, HoldsWhatRestsOnItAtTheStart) {
         EXPECT_LT(std::hypot(q(column::v_r, p), q(column::v_z, p)), 1e-12);
 }
 
+TEST(AbsorbingSide, RefusesWeightThatNoStressCarriesYet) {
+    Case plan = column_case();
+    plan.boundary[static_cast<int>(Side::bottom)] = Boundary::absorbing;
+    plan.absorbing = {50.0, 30.0};
+    try {
+        const Runner runner(plan);
+        FAIL() << "accepted";
+    } catch (const std::invalid_argument& error) {
+        EXPECT_EQ(std::string(error.what()).find("body column has weight and reaches"), 0u);
+    }
+    plan.stages[0].gravity = false;
+    EXPECT_NO_THROW(Runner{plan});
+}
+
 // Lifted off, it presses no longer.
 TEST(AbsorbingSide, HoldsNothingOfABodyThatHasLeft) {
     Case plan = column_case();
