@@ -220,7 +220,7 @@ namespace {
 template <class Number>
 std::vector<Number> read(const std::string& bytes, std::size_t& at, std::size_t count) {
     std::vector<Number> out(count);
-    std::memcpy(out.data(), bytes.data() + at, count * sizeof(Number));
+    if (count > 0) std::memcpy(out.data(), bytes.data() + at, count * sizeof(Number));
     at += count * sizeof(Number);
     return out;
 }
