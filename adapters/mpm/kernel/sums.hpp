@@ -7,7 +7,8 @@
 
 MPM_KERNEL_BEGIN
 
-typedef std::int64_t Integers __attribute__((vector_size(64), may_alias));
+// Without sign: sums that are too large wrap, and are done again with another scale.
+typedef std::uint64_t Integers __attribute__((vector_size(64), may_alias));
 
 struct DoubleSums {
     NodeRecord* nodes;
