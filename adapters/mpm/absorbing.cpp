@@ -45,29 +45,18 @@ void AbsorbingSides::push(std::size_t body, const NodeCall& call) {
     }
 }
 
-AbsorbingSides::Work AbsorbingSides::work(std::size_t body, const NodeCall& call) const {
-    Work sum;
+void AbsorbingSides::add_work(std::size_t body, const NodeCall& call, Total& taken,
+                              Total& held) const {
     for (std::size_t i = 0; i < bodies[body].forces.size(); ++i) {
         const Force& force = bodies[body].forces[i];
-        const NodeMotion& v = call.motions[nodes[i].node];
+        const auto node = static_cast<std::ptrdiff_t>(nodes[i].node);
+        const NodeMotion& v = call.motions[node];
         for (const int k : {0, 1}) {
             const double way = 0.5 * call.dt * (v[motion::v_r + k] + v[motion::other_r + k]);
-            sum.taken -= force.dashpot[k] * way;
-            sum.held += force.held[k] * way;
+            call.add(taken, node, -force.dashpot[k] * way);
+            call.add(held, node, force.held[k] * way);
         }
     }
-    return sum;
-}
-
-Vector AbsorbingSides::force(std::size_t body, std::size_t begin, std::size_t end) const {
-    Vector sum{0.0, 0.0};
-    for (std::size_t i = 0; i < bodies[body].forces.size(); ++i) {
-        if (nodes[i].node < begin || nodes[i].node >= end) continue;
-        const Force& force = bodies[body].forces[i];
-        sum.r += force.held[0] + force.dashpot[0];
-        sum.z += force.held[1] + force.dashpot[1];
-    }
-    return sum;
 }
 
 }  // namespace grit::mpm

@@ -26,12 +26,14 @@ class AbsorbingSides {
     // long as the node's mass is there.
     void push(std::size_t body, const NodeCall& call);
     // Work that the dashpots take and that the held forces do, on the velocities after contact [J].
-    struct Work {
-        double taken = 0.0, held = 0.0;
-    };
-    Work work(std::size_t body, const NodeCall& call) const;
-    // On a body at nodes [begin, end) in the last step [N].
-    Vector force(std::size_t body, std::size_t begin, std::size_t end) const;
+    void add_work(std::size_t body, const NodeCall& call, Total& taken, Total& held) const;
+    // On a body in the last step, at each of its nodes [N].
+    template <class Take> void each_force(std::size_t body, const Take& take) const {
+        for (std::size_t i = 0; i < bodies[body].forces.size(); ++i) {
+            const Force& f = bodies[body].forces[i];
+            take(nodes[i].node, Vector{f.held[0] + f.dashpot[0], f.held[1] + f.dashpot[1]});
+        }
+    }
 
   private:
     friend struct CheckpointMembers;

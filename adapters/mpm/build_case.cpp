@@ -113,19 +113,31 @@ void add_contacts(const Case& plan, Simulation& simulation) {
     }
 }
 
+// A side of the grid: across r (0) or z (1), its first or its last nodes.
+struct SideOfGrid {
+    int direction;
+    bool first;
+    double at;  // [m]
+};
+
+SideOfGrid place_of(const Case& plan, Side side) {
+    switch (side) {
+        case Side::left: return {0, true, plan.r.from};
+        case Side::right: return {0, false, plan.r.to()};
+        case Side::bottom: return {1, true, plan.z.from};
+        default: return {1, false, plan.z.to()};
+    }
+}
+
 // Absorbing sides hold what the first step finds: weight that no stress carries yet would fall through.
-void check_rest(const Case& plan, Side side) {
+void check_rest(const Case& plan, const SideOfGrid& edge) {
     if (plan.gravity == 0.0 || plan.stages.empty() || !plan.stages[0].gravity) return;
-    const bool along_r = side == Side::left || side == Side::right;
-    const double at = side == Side::left     ? plan.r.from
-                      : side == Side::right  ? plan.r.to()
-                      : side == Side::bottom ? plan.z.from
-                                             : plan.z.to();
     for (const BodyPlan& body : plan.bodies) {
         if (body.rigid() || body.geostatic) continue;
         for (const Outline& outline : body.outlines)
             for (const Vector& x : outline.corners)
-                if (std::abs((along_r ? x.r : x.z) - at) < 1e-9 * (1.0 + std::abs(at)))
+                if (std::abs((edge.direction == 0 ? x.r : x.z) - edge.at) <
+                    1e-9 * (1.0 + std::abs(edge.at)))
                     throw std::invalid_argument("body " + body.name +
                                                 " has weight and reaches an absorbing side, which "
                                                 "holds what rests on it at "
@@ -138,19 +150,16 @@ void add_boundary(const Case& plan, Simulation& simulation) {
     for (const Side side : {Side::left, Side::right, Side::bottom, Side::top}) {
         const Boundary boundary = plan.boundary[static_cast<int>(side)];
         if (boundary == Boundary::free) continue;
+        const SideOfGrid edge = place_of(plan, side);
         if (boundary == Boundary::absorbing) {
-            check_rest(plan, side);
-            const int direction = side == Side::left || side == Side::right ? 0 : 1;
-            if (side == Side::left || side == Side::bottom)
-                simulation.absorb_first(direction, plan.absorbing);
-            else simulation.absorb_last(direction, plan.absorbing);
+            check_rest(plan, edge);
+            if (edge.first) simulation.absorb_first(edge.direction, plan.absorbing);
+            else simulation.absorb_last(edge.direction, plan.absorbing);
             continue;
         }
         const Hold hold = boundary == Boundary::fixed ? Hold::both : Hold::across;
-        if (side == Side::left) simulation.fix_below(0, plan.r.from, hold);
-        if (side == Side::right) simulation.fix_above(0, plan.r.to(), hold);
-        if (side == Side::bottom) simulation.fix_below(1, plan.z.from, hold);
-        if (side == Side::top) simulation.fix_above(1, plan.z.to(), hold);
+        if (edge.first) simulation.fix_below(edge.direction, edge.at, hold);
+        else simulation.fix_above(edge.direction, edge.at, hold);
     }
 }
 

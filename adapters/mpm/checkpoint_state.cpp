@@ -44,7 +44,7 @@ struct CheckpointMembers {
             take(part.motions.data(), part.motions.size());
             take(part.internal.data(), part.internal.size());
         }
-        take(s.loads.data(), s.loads.size());
+        take(s.edge_loads.data(), s.edge_loads.size());
         for (auto& body : s.absorbing_sides.bodies) {
             take(body.forces.data(), body.forces.size());
             take(&body.balanced, 1);

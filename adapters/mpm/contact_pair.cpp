@@ -2,15 +2,13 @@
 #include "adapters/mpm/contact_pair.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <stdexcept>
-#include <string>
+#include <limits>
+
+#include "adapters/mpm/require.hpp"
 
 namespace grit::mpm {
-
-void ContactPair::require(grit_status status, const grit_error& error) {
-    if (status != GRIT_OK) throw std::runtime_error(std::string("contact: ") + error.message);
-}
 
 ContactLaw contact_law(int law, double friction_coefficient, double penalty_power) {
     ContactLaw out;
@@ -23,9 +21,10 @@ ContactLaw contact_law(int law, double friction_coefficient, double penalty_powe
     return out;
 }
 
-ContactPair::ContactPair(const ContactLaw& law, bool is_axisymmetric, const GridView& grid,
+ContactPair::ContactPair(const ContactLaw& law, const Settings& settings, const GridView& grid,
                          const std::vector<std::uint8_t>& fixed)
-    : pair_law(law), axisymmetric(is_axisymmetric), sums{}, step_totals{} {
+    : pair_law(law), axisymmetric(settings.axisymmetric),
+      fixed_point(settings.fixed_point), sums{}, step_totals{} {
     const std::size_t n = fixed.size();
     for (const std::uint8_t bits : fixed)
         fixed_bits.push_back((bits & fixed::r ? GRIT_CONTACT_FIXED_1 : 0) |
@@ -55,13 +54,19 @@ ContactPair::ContactPair(const ContactLaw& law, bool is_axisymmetric, const Grid
     step_totals.struct_size = sizeof step_totals;
 }
 
-bool ContactPair::find_active(const GridView& grid, const ContactBody& a, const ContactBody& b) {
+// False where no process has a node in contact.
+bool ContactPair::find_active(const GridView& grid, const ContactBody& a, const ContactBody& b,
+                              Exchange& exchange) {
     active.clear();
+    const std::uint8_t* mine = exchange.counted();
     for (std::size_t i = 0; i < is_active.size(); ++i) {
         const double m_a = a.records[i][record::m], m_b = b.records[i][record::m];
         is_active[i] = m_a > 0.0 && m_b > 0.0;
-        if (is_active[i]) active.push_back(static_cast<std::ptrdiff_t>(i));
+        if (is_active[i] && (!mine || mine[i])) active.push_back(static_cast<std::ptrdiff_t>(i));
     }
+    counted = active.size();
+    for (std::size_t i = 0; mine && i < is_active.size(); ++i)
+        if (is_active[i] && !mine[i]) active.push_back(static_cast<std::ptrdiff_t>(i));
     // A domain reaches into the neighbouring cells and to their nodes.
     std::fill(is_near.begin(), is_near.end(), 0);
     for (const std::ptrdiff_t node : active) {
@@ -72,7 +77,9 @@ bool ContactPair::find_active(const GridView& grid, const ContactBody& a, const 
              z <= std::min<std::ptrdiff_t>(j + 1, grid.z.cells - 1); ++z)
             std::fill_n(is_near.begin() + z * grid.r.cells + first_r, last_r - first_r + 1, 1);
     }
-    return !active.empty();
+    double any = active.empty() ? 0.0 : 1.0;
+    exchange.max(&any, 1);
+    return any > 0.0;
 }
 
 void ContactPair::find_normals(const ContactBody& a, const ContactBody& b) {
@@ -107,7 +114,7 @@ void ContactPair::find_normals(const ContactBody& a, const ContactBody& b, int s
     grit_error error;
     require(grit_contact_normals_from_gradients(static_cast<std::ptrdiff_t>(nodes.size()), &q,
                                                 nullptr, &error),
-            error);
+            error, "contact");
 }
 
 // What is beside a node changes from one corner to the next, and with it the gap by a jump. A node that
@@ -132,7 +139,7 @@ void ContactPair::correct(const GridView& grid, const ContactBody& a, const Cont
     step_totals = {};
     step_totals.struct_size = sizeof step_totals;
     step_faces = {.largest_gap = NAN};
-    if (!find_active(grid, a, b)) return remember();
+    if (!find_active(grid, a, b, exchange)) return remember();
     const auto n = static_cast<std::ptrdiff_t>(active.size());
     std::fill(normal.begin(), normal.end(), 0.0);
     find_normals(a, b);
@@ -149,7 +156,7 @@ void ContactPair::correct(const GridView& grid, const ContactBody& a, const Cont
         wanted.index = active.data();
         wanted.distance = grit_mutable_view_of(distance.data(), 1, 1);
         wanted.gap = grit_mutable_view_of(gap.data(), 1, 1);
-        require(grit_contact_surfaces_finish(&s, n, &wanted, &error), error);
+        require(grit_contact_surfaces_finish(&s, n, &wanted, &error), error, "contact");
         find_gates();
     }
 
@@ -177,22 +184,35 @@ void ContactPair::correct(const GridView& grid, const ContactBody& a, const Cont
     q.previous_velocity_b = grit_view_of(motions_b + motion::other_r, motion::size, 1);
     q.position = grit_view_of(position.data(), 2, 1);
     sums = {};
-    require(grit_contact_correct(&options, n, &q, reports.data(), &sums, &error), error);
-    require(grit_contact_sums_read(&sums, &step_totals), error);
+    const auto first = static_cast<std::ptrdiff_t>(counted);
+    require(grit_contact_correct(&options, first, &q, reports.data(), &sums, &error), error,
+            "contact");
+    q.index += counted;
+    require(
+        grit_contact_correct(&options, n - first, &q, reports.data() + counted, nullptr, &error),
+        error, "contact");
+    exchange.sum(sums.word, GRIT_CONTACT_SUMS_WORDS);
+    require(grit_contact_sums_read(&sums, &step_totals), error, "contact");
     remember();
-    sum_faces(geo || pair_law.gated);
+    sum_faces(geo || pair_law.gated, exchange);
 }
 
-void ContactPair::sum_faces(bool measured) {
-    for (std::size_t i = 0; i < active.size(); ++i) {
+void ContactPair::sum_faces(bool measured, Exchange& exchange) {
+    enum { r_r, r_z, z_r, z_z, count };  // along r or z, component
+    std::array<Total, count> forces;
+    double largest = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < counted; ++i) {
         const auto node = static_cast<std::size_t>(active[i]);
         const bool faces_z = std::abs(normal[2 * node + 1]) > std::abs(normal[2 * node]);
-        Vector& sum = faces_z ? step_faces.along_z : step_faces.along_r;
-        sum.r += reports[i].force[0];
-        sum.z += reports[i].force[1];
-        if (measured && std::isfinite(gap[node]))
-            step_faces.largest_gap = std::fmax(step_faces.largest_gap, gap[node]);
+        forces[faces_z ? z_r : r_r].add(reports[i].force[0], fixed_point);
+        forces[faces_z ? z_z : r_z].add(reports[i].force[1], fixed_point);
+        if (measured && std::isfinite(gap[node])) largest = std::max(largest, gap[node]);
     }
+    exchange.sum(forces, fixed_point);
+    exchange.max(&largest, 1);
+    step_faces = {{forces[r_r].value(), forces[r_z].value()},
+                  {forces[z_r].value(), forces[z_z].value()},
+                  std::isfinite(largest) ? largest : NAN};
 }
 
 }  // namespace grit::mpm

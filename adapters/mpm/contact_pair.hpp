@@ -10,6 +10,7 @@
 
 #include "adapters/mpm/kernel/exchange.hpp"
 #include "adapters/mpm/kernel/nodes.hpp"
+#include "adapters/mpm/settings.hpp"
 
 namespace grit::mpm {
 
@@ -34,13 +35,13 @@ struct ContactBody {
 
 class ContactPair {
   public:
-    ContactPair(const ContactLaw& law, bool axisymmetric, const GridView& grid,
+    ContactPair(const ContactLaw& law, const Settings& settings, const GridView& grid,
                 const std::vector<std::uint8_t>& fixed);
     // Velocities after the momentum update become those after contact.
     void correct(const GridView& grid, const ContactBody& a, const ContactBody& b, double dt,
                  Exchange& exchange);
     const ContactLaw& law() const { return pair_law; }
-    // Of the last step.
+    // Of the last step, of all processes.
     const grit_contact_totals& totals() const { return step_totals; }
     // Forces on b by where their node's normal points, and the largest gap at a node of both bodies
     // [m], NaN: not measured.
@@ -49,11 +50,13 @@ class ContactPair {
         double largest_gap;
     };
     const Faces& faces() const { return step_faces; }
+    // [nodes] 1 where the bodies pressed in the last step: a step's only memory of contact.
+    std::vector<char>& pressed() { return touched; }
 
   private:
     friend struct CheckpointMembers;
-    static void require(grit_status status, const grit_error& error);
-    bool find_active(const GridView& grid, const ContactBody& a, const ContactBody& b);
+    bool find_active(const GridView& grid, const ContactBody& a, const ContactBody& b,
+                     Exchange& exchange);
     void find_normals(const ContactBody& a, const ContactBody& b);
     void find_normals(const ContactBody& a, const ContactBody& b, int source,
                       const std::vector<std::ptrdiff_t>& nodes);
@@ -66,16 +69,17 @@ class ContactPair {
     grit_contact_surfaces surfaces(std::vector<double>& of);
     void find_gates();
     void remember();
-    void sum_faces(bool measured);
+    void sum_faces(bool measured, Exchange& exchange);
 
     ContactLaw pair_law;
-    bool axisymmetric;
+    bool axisymmetric, fixed_point;
     std::vector<int> fixed_bits;
     std::vector<double> position, spacing, normal, surface, near_surface, centre, distance, gap,
         gate_gap;
     std::vector<char> is_active, touched;  // touched: pressed in the step before
     std::vector<char> is_near;             // cells from which a domain may reach an active node
     std::vector<std::ptrdiff_t> active, undefined;
+    std::size_t counted = 0;  // the first ones of active are this process's in sums
     grit_contact_sums sums;
     std::vector<grit_contact_report> reports;
     grit_contact_totals step_totals;

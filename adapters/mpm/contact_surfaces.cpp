@@ -5,6 +5,7 @@
 
 #include "adapters/mpm/contact_pair.hpp"
 #include "adapters/mpm/kernel/place.hpp"
+#include "adapters/mpm/require.hpp"
 
 namespace grit::mpm {
 
@@ -83,7 +84,7 @@ void ContactPair::add(const grit_contact_surfaces& to, int which, const double* 
         d.side = grit_matrix_view_of(side, 4, 2, 1);
     }
     grit_error error;
-    require(grit_contact_surfaces_add(&to, 1, &d, &error), error);
+    require(grit_contact_surfaces_add(&to, 1, &d, &error), error, "contact");
 }
 
 // The surface beside a node, where a corner is, and not the nearest of all within a cell of it: on a
@@ -94,8 +95,8 @@ void ContactPair::find_surfaces(const GridView& grid, const ContactBody& a, cons
     grit_contact_surfaces all = surfaces(surface);
     all.centre = grit_mutable_view_of(centre.data(), 2, 1);
     const grit_contact_surfaces near = surfaces(near_surface);
-    require(grit_contact_surfaces_reset(&all, &error), error);
-    require(grit_contact_surfaces_reset(&near, &error), error);
+    require(grit_contact_surfaces_reset(&all, &error), error, "contact");
+    require(grit_contact_surfaces_reset(&near, &error), error, "contact");
     for (const int which : {0, 1})
         axisymmetric ? measure<true>(grid, which == 0 ? a : b, which)
                      : measure<false>(grid, which == 0 ? a : b, which);

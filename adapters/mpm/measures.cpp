@@ -2,62 +2,63 @@
 #include "adapters/mpm/measures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdio>
+
+#include "adapters/mpm/text.hpp"
 
 namespace grit::mpm {
 namespace c = column;
-namespace {
-
-std::string text(double value) {
-    char out[32];
-    std::snprintf(out, sizeof out, "%.6g", value);
-    return out;
-}
-
-}  // namespace
-
-double level_of(Particles& particles, DepthOf what) {
-    const ParticleView q = particles.view();
-    double lowest = unlimited, moment = 0.0, mass = 0.0;
+double level_of(Simulation& simulation, std::size_t body, DepthOf what) {
+    const Particles& particles = simulation.body(body).particles;
+    const ParticleView q = simulation.body(body).particles.view();
+    const bool fixed_point = simulation.current_settings().fixed_point;
+    double highest = -unlimited;  // of what is below zero, that is the lowest
+    std::array<Total, 2> sums;    // mass, moment
     for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
         const double reach =
             std::abs(q[c::F_zr][p]) * q[c::l_r][p] + std::abs(q[c::F_zz][p]) * q[c::l_z][p];
-        lowest = std::min(lowest, q[c::z][p] - reach);
-        mass += q[c::mass][p];
-        moment += q[c::mass][p] * q[c::z][p];
+        highest = std::max(highest, reach - q[c::z][p]);
+        sums[0].add(q[c::mass][p], fixed_point);
+        sums[1].add(q[c::mass][p] * q[c::z][p], fixed_point);
     }
-    return what == DepthOf::lowest_point ? lowest : moment / mass;
+    simulation.shared().max(&highest, 1);
+    simulation.shared().sum(sums, fixed_point);
+    return what == DepthOf::lowest_point ? -highest : sums[1].value() / sums[0].value();
 }
 
-Vector mean_velocity(Particles& particles) {
-    const ParticleView q = particles.view();
-    Vector momentum{0.0, 0.0};
-    double mass = 0.0;
+Vector mean_velocity(Simulation& simulation, std::size_t body) {
+    const Particles& particles = simulation.body(body).particles;
+    const ParticleView q = simulation.body(body).particles.view();
+    const bool fixed_point = simulation.current_settings().fixed_point;
+    std::array<Total, 3> sums;  // mass, momentum
     for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
-        mass += q[c::mass][p];
-        momentum.r += q[c::mass][p] * q[c::v_r][p];
-        momentum.z += q[c::mass][p] * q[c::v_z][p];
+        sums[0].add(q[c::mass][p], fixed_point);
+        sums[1].add(q[c::mass][p] * q[c::v_r][p], fixed_point);
+        sums[2].add(q[c::mass][p] * q[c::v_z][p], fixed_point);
     }
-    return {momentum.r / mass, momentum.z / mass};
+    simulation.shared().sum(sums, fixed_point);
+    return {sums[1].value() / sums[0].value(), sums[2].value() / sums[0].value()};
 }
 
 double base_reaction(const Simulation& simulation) {
-    const double g = simulation.current_settings().gravity_z;
-    double sum = 0.0;
+    const Settings& settings = simulation.current_settings();
+    const std::uint8_t* mine = simulation.shared().counted();
+    std::array<Total, 1> sum;
     for (std::size_t body = 0; body < simulation.bodies(); ++body) {
         if (simulation.rigid(body)) continue;
         const std::vector<NodeRecord>& nodes = simulation.records(body);
-        for (int i = 0; i < simulation.axis_r().nodes(); ++i) {
-            const auto node = static_cast<std::size_t>(i);
-            if (!(simulation.constraints()[i] & fixed::z)) continue;
-            sum -= nodes[node][record::f_z] + g * nodes[node][record::m];
-        }
-        sum += simulation.absorbing()
-                   .force(body, 0, static_cast<std::size_t>(simulation.axis_r().nodes()))
-                   .z;
+        const auto count = static_cast<std::size_t>(simulation.axis_r().nodes());
+        for (std::size_t i = 0; i < count; ++i)
+            if ((simulation.constraints()[i] & fixed::z) && (!mine || mine[i]))
+                sum[0].add(-(nodes[i][record::f_z] + settings.gravity_z * nodes[i][record::m]),
+                           settings.fixed_point);
+        simulation.absorbing().each_force(body, [&](std::size_t node, const Vector& force) {
+            if (node < count && (!mine || mine[node])) sum[0].add(force.z, settings.fixed_point);
+        });
     }
-    return sum;
+    simulation.shared().sum(sum, settings.fixed_point);
+    return sum[0].value();
 }
 
 double unbalanced_share(const Simulation& simulation, double dt) {
@@ -65,7 +66,7 @@ double unbalanced_share(const Simulation& simulation, double dt) {
     double share = 0.0;
     for (std::size_t body = 0; body < simulation.bodies(); ++body) {
         if (simulation.rigid(body)) continue;
-        double unbalanced = 0.0, largest = 0.0;
+        double largest[] = {0.0, 0.0};  // resultant, force
         const std::vector<NodeRecord>& nodes = simulation.records(body);
         const std::vector<NodeMotion>& motions = simulation.motions(body);
         for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -74,11 +75,12 @@ double unbalanced_share(const Simulation& simulation, double dt) {
             if (!(n[record::m] > simulation.least_mass(body))) continue;
             const double a_r = (v[motion::v_r] - v[motion::other_r]) / dt;
             const double a_z = (v[motion::v_z] - v[motion::other_z]) / dt;
-            unbalanced = std::max(unbalanced, n[record::m] * std::hypot(a_r, a_z));
-            largest = std::max({largest, std::hypot(n[record::f_r], n[record::f_z]),
-                                n[record::m] * std::abs(settings.gravity_z)});
+            largest[0] = std::max(largest[0], n[record::m] * std::hypot(a_r, a_z));
+            largest[1] = std::max({largest[1], std::hypot(n[record::f_r], n[record::f_z]),
+                                   n[record::m] * std::abs(settings.gravity_z)});
         }
-        if (largest > 0.0) share = std::max(share, unbalanced / largest);
+        simulation.shared().max(largest, 2);
+        if (largest[1] > 0.0) share = std::max(share, largest[0] / largest[1]);
     }
     return share;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a run looks at between steps. Forces and energies are per radian or per metre.
+// What a run looks at between steps. Forces and energies are per radian or per metre. Where processes share
+// the grid each of them must ask, and gets what holds for all.
 #pragma once
 
 #include <string>
@@ -10,9 +11,9 @@
 namespace grit::mpm {
 
 // z of the lowest corner, or of the centre of mass [m].
-double level_of(Particles& particles, DepthOf what);
+double level_of(Simulation& simulation, std::size_t body, DepthOf what);
 // Of the centre of mass [m/s].
-Vector mean_velocity(Particles& particles);
+Vector mean_velocity(Simulation& simulation, std::size_t body);
 
 // Upward force of the bottom of the grid on all bodies in the last step [N]: what keeps its nodes from
 // moving down, weight and all.

@@ -4,17 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <string>
 
 #include "adapters/mpm/grid_point.hpp"
+#include "adapters/mpm/require.hpp"
 
 namespace grit::mpm {
 namespace {
-
-void require(grit_status status, const grit_error& error) {
-    if (status != GRIT_OK)
-        throw std::runtime_error(std::string("penalty contact: ") + error.message);
-}
 
 // Weights of a vertex at the nodes that its body has mass at: their sum is 1, or 0 where there is none.
 GridPoint point_of_body(const GridView& grid, const PenaltyBody& body, const double* x) {
@@ -88,7 +83,7 @@ void PenaltyPair::push(const GridView& grid, const PenaltyBody& a, const Penalty
     grit_error error;
     require(grit_penalty_forces(&pair_law.options, &line_a, &line_b, workspace.data(), bytes,
                                 &step_totals, &error),
-            error);
+            error, "penalty contact");
     for (const int k : {0, 1}) step_faces[k] = faces_of(lines[k]);
     scatter(grid, lines[0], a, mass[0], stiffness[0]);
     scatter(grid, lines[1], b, mass[1], stiffness[1]);
@@ -98,7 +93,7 @@ void PenaltyPair::push(const GridView& grid, const PenaltyBody& a, const Penalty
     require(grit_penalty_stable_step(static_cast<std::ptrdiff_t>(mass[0].size()), &m_a, &k_a,
                                      static_cast<std::ptrdiff_t>(mass[1].size()), &m_b, &k_b, &step,
                                      &error),
-            error);
+            error, "penalty contact");
 }
 
 PenaltyPair::Faces PenaltyPair::faces_of(const Line& line) {
@@ -203,7 +198,8 @@ void PenaltyPair::remesh(Line& line) {
     workspace.resize(bytes / sizeof(std::uint64_t) + 1);
     std::ptrdiff_t count = 0;
     grit_error error;
-    require(grit_penalty_remesh(&r, workspace.data(), bytes, &count, &error), error);
+    require(grit_penalty_remesh(&r, workspace.data(), bytes, &count, &error), error,
+            "penalty contact");
     const auto size = 2 * static_cast<std::size_t>(count);
     for (std::size_t v = 0; v < size; ++v) {
         const auto old = [&](std::size_t end) {

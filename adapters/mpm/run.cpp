@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "adapters/mpm/measures.hpp"
+#include "adapters/mpm/text.hpp"
 
 namespace grit::mpm {
 namespace {
@@ -20,12 +21,6 @@ constexpr double least_strain = 1e-4;
 
 // Of the time that a wave needs for a cell: no steps are that short [-].
 constexpr double least_share = 1e-6;
-
-std::string text(double value) {
-    char out[32];
-    std::snprintf(out, sizeof out, "%.6g", value);
-    return out;
-}
 
 Energy times(const Energy& e, double factor) {
     return {factor * e.kinetic,  factor * e.stored,        factor * e.kinetic_0,
@@ -103,9 +98,7 @@ void Runner::check_interval(const std::string& name, double interval) const {
         " of the time that a wave needs for the shortest cell, got " + text(interval));
 }
 
-double Runner::level() {
-    return level_of(built.simulation->body(driven).particles, plan.history.depth_of);
-}
+double Runner::level() { return level_of(*built.simulation, driven, plan.history.depth_of); }
 
 void Runner::begin_stage() {
     const auto i = static_cast<std::size_t>(state_now.stage);
@@ -242,7 +235,7 @@ HistoryRow Runner::row() {
     out.depth = depth();
     const bool rigid = simulation.rigid(driven);
     const Vector v = rigid ? simulation.body(driven).prescribed_velocity(out.t)
-                           : mean_velocity(simulation.body(driven).particles);
+                           : mean_velocity(simulation, driven);
     out.velocity = 0.0 - v.z;  // no -0
     out.tip_force = per_time * state_now.impulse[0];
     out.shaft_force = per_time * state_now.impulse[1];

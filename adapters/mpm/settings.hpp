@@ -28,7 +28,7 @@ struct Settings {
     // Bulk viscosity: rho l (linear c |rate| + quadratic l rate^2) in compression [-].
     double linear_viscosity = 0.0, quadratic_viscosity = 0.0;
     bool cell_mean = false;  // of the volumetric strain of a step, against locking
-    // Nodal sums in 64-bit integers: no order of particles, threads or processes changes a bit.
+    // Sums over particles and nodes in integers: no order, no threads and no processes change a bit.
     bool fixed_point = false;
     int threads = 1;
 };

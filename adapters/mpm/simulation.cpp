@@ -2,7 +2,9 @@
 #include "adapters/mpm/simulation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace grit::mpm {
@@ -15,6 +17,9 @@ Simulation::Simulation(Axis r, Axis z, const Settings& given, Exchange* others)
     if (settings.axisymmetric && r_axis[0] < 0.0)
         throw std::invalid_argument("the grid must not reach across the axis");
     if (settings.axisymmetric && r_axis[0] == 0.0) fix_below(0, 0.0);
+    double longest = -std::min(r_axis.shortest(), z_axis.shortest());
+    exchange.max(&longest, 1);
+    shortest = -longest;
 }
 
 void Simulation::fix(int direction, Hold hold, const std::function<bool(double)>& where) {
@@ -65,13 +70,15 @@ void Simulation::set_cfl(double cfl) {
 }
 
 Vector Simulation::traction_force(std::size_t body) const {
-    Vector sum{0.0, 0.0};
+    std::array<Total, 2> sum;
     for (std::size_t i = 0; i < tractions.size(); ++i) {
         if (tractions[i].body != body) continue;
-        sum.r += loads[i].f_r[0] + loads[i].f_r[1];
-        sum.z += loads[i].f_z[0] + loads[i].f_z[1];
+        const EdgeForces& f = edge_loads[i];
+        sum[0].add(f.f_r[0] + f.f_r[1], settings.fixed_point);
+        sum[1].add(f.f_z[0] + f.f_z[1], settings.fixed_point);
     }
-    return sum;
+    exchange.sum(sum, settings.fixed_point);
+    return {sum[0].value(), sum[1].value()};
 }
 
 std::size_t Simulation::add_body(Body body) {
@@ -85,7 +92,6 @@ std::size_t Simulation::add_body(Body body) {
         part.fixed_points.resize(strips);
         part.scale.fill(1.0);
     }
-    part.slot.resize(static_cast<std::size_t>(part.body.particles.size()));
     part.gather_sums.resize(strips);
     part.speed.resize(strips);
     part.viscous_loss.resize(strips);
@@ -97,35 +103,48 @@ std::size_t Simulation::add_body(Body body) {
         std::fill_n(d.rotation[8], Increments::capacity, 1.0);
     }
     const ParticleView q = part.body.particles.view();
-    double lightest = part.body.particles.size() > 0 ? q[column::mass][0] : 0.0, largest = 0.0;
+    double extremes[] = {-std::numeric_limits<double>::infinity(), 0.0};  // -mass, volume
     for (std::ptrdiff_t p = 0; p < part.body.particles.size(); ++p) {
-        lightest = std::min(lightest, q[column::mass][p]);
-        largest = std::max(largest, q[column::V0][p]);
+        extremes[0] = std::max(extremes[0], -q[column::mass][p]);
+        extremes[1] = std::max(extremes[1], q[column::V0][p]);
     }
-    part.least_mass = 1e-12 * lightest;
+    exchange.max(extremes, 2);
+    part.least_mass = std::isfinite(extremes[0]) ? -1e-12 * extremes[0] : 0.0;
     if (part.body.material) part.separation = part.body.material->separation();
     if (settings.cell_mean && !part.body.rigid()) {
         part.cells.resize(static_cast<std::size_t>(r_axis.cells()) *
                           static_cast<std::size_t>(z_axis.cells()));
-        part.deferred.resize(part.slot.size());
-        exchange.max(&largest, 1);
-        part.mean.per_volume = 1.0 / largest;
+        part.mean.per_volume = 1.0 / extremes[1];
     }
     absorbing_sides.add_body();
     parts.push_back(std::move(part));
+    particles_changed(parts.size() - 1);
     return parts.size() - 1;
 }
 
+void Simulation::particles_changed(std::size_t body) {
+    Part& part = parts[body];
+    const Particles& particles = part.body.particles;
+    const int* ids = particles.ids();
+    const int most = particles.size() > 0 ? *std::max_element(ids, ids + particles.size()) : -1;
+    part.slot.resize(static_cast<std::size_t>(most) + 1);
+    if (!part.cells.empty()) part.deferred.resize(static_cast<std::size_t>(particles.size()));
+    drift = std::numeric_limits<double>::infinity();  // sorts before the next step
+}
+
 void Simulation::add_traction(Traction traction) {
+    parts[traction.body].loads.resize(fixed_nodes.size());
     tractions.push_back(std::move(traction));
-    loads.resize(tractions.size());
+    edge_loads.resize(tractions.size());
 }
 
 void Simulation::add_contact(const ContactLaw& law) {
-    contacts.emplace_back(law, settings.axisymmetric, grid(), fixed_nodes);
+    contacts.emplace_back(law, settings, grid(), fixed_nodes);
 }
 
 void Simulation::add_contact(const PenaltyLaw& law) {
+    if (&exchange != &alone)
+        throw std::invalid_argument("penalty contact is for one process: its lines are not cut");
     penalties.emplace_back(law, settings.axisymmetric, fixed_nodes.size());
 }
 
@@ -134,8 +153,9 @@ void Simulation::start() {
     sort();
     measure_speed();
     account();
-    sums.kinetic_0 = sums.kinetic = kinetic_energy();
-    sums.stored_0 = sums.stored = stored_energy();
+    measure_energy();
+    sums.kinetic_0 = sums.kinetic;
+    sums.stored_0 = sums.stored;
 }
 
 void Simulation::step() {
@@ -177,32 +197,8 @@ void Simulation::step() {
 
 Energy Simulation::energy() {
     if (!started) start();
-    sums.kinetic = kinetic_energy();
-    sums.stored = stored_energy();
+    measure_energy();
     return sums;
-}
-
-double Simulation::kinetic_energy() const {
-    double sum = 0.0;
-    for (const Part& part : parts) {
-        const Particles& q = part.body.particles;
-        for (std::ptrdiff_t p = 0; p < q.size() && !part.body.rigid(); ++p) {
-            const double v_r = q(column::v_r, p), v_z = q(column::v_z, p);
-            sum += 0.5 * q(column::mass, p) * (v_r * v_r + v_z * v_z);
-        }
-    }
-    return sum;
-}
-
-double Simulation::stored_energy() const {
-    double sum = 0.0;
-    for (const Part& part : parts) {
-        if (part.body.rigid()) continue;
-        const ParticleView q = const_cast<Part&>(part).body.particles.view();
-        for (std::ptrdiff_t p = 0; p < part.body.particles.size(); ++p)
-            sum += part.body.material->energy(q, p);
-    }
-    return sum;
 }
 
 }  // namespace grit::mpm

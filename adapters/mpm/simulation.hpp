@@ -63,7 +63,7 @@ class Simulation {
     const PenaltyPair& penalty_contact(std::size_t i) const { return penalties[i]; }
     std::size_t contact_count() const { return contacts.size(); }
     std::size_t penalty_contact_count() const { return penalties.size(); }
-    // Of all tractions on a body in the last step [N].
+    // Of all tractions on a body in the last step, on all processes [N].
     Vector traction_force(std::size_t body) const;
     // Least mass of a node of a body that moves [kg].
     double least_mass(std::size_t body) const { return parts[body].least_mass; }
@@ -72,12 +72,17 @@ class Simulation {
     const Axis& axis_r() const { return r_axis; }
     const Axis& axis_z() const { return z_axis; }
     const Settings& current_settings() const { return settings; }
-    // Particle with this id.
+    // Particle with this id; -1: another process has it.
     std::ptrdiff_t find(std::size_t body, int id) const {
-        return parts[body].slot[static_cast<std::size_t>(id)];
+        const std::vector<std::ptrdiff_t>& slot = parts[body].slot;
+        return static_cast<std::size_t>(id) < slot.size() ? slot[static_cast<std::size_t>(id)] : -1;
     }
-    // Goes over all particles.
+    // Between steps, after particles of a body came from or went to other processes.
+    void particles_changed(std::size_t body);
+    // Goes over all particles of all processes.
     Energy energy();
+    // For sums over all processes, which each of them must ask for.
+    Exchange& shared() const { return exchange; }
 
   private:
     friend struct CheckpointMembers;
@@ -87,6 +92,7 @@ class Simulation {
         std::vector<NodeRecord> records = {};
         std::vector<NodeMotion> motions = {};
         std::vector<Vector> internal = {};  // nodal forces of stresses and penalties [N]
+        std::vector<Vector> loads = {};     // nodal forces of tractions, if there are any [N]
         std::vector<NodeIntegers> integers = {};
         std::vector<FixedPoint> fixed_points = {};  // of each strip
         std::array<double, record::size> scale = {};
@@ -98,7 +104,7 @@ class Simulation {
         double least_mass = 0.0;
         std::vector<GatherSums> gather_sums = {};  // of each strip
         std::vector<double> speed = {};            // largest v + c of each strip [m/s]
-        std::vector<double> viscous_loss = {};     // of each strip in this step [J]
+        std::vector<Total> viscous_loss = {};      // of each strip in this step [J]
         std::vector<double> most_stress = {};      // largest mean stress of each strip [Pa]
         std::vector<NodeSums> node_sums = {};      // of each strip's rows
         std::vector<Increments> increments = {};   // of each strip
@@ -122,6 +128,7 @@ class Simulation {
     bool rescale();
     void clear();
     void load();
+    double load_quantum() const;
     void start_velocities();
     void keep_internal_forces();
     void advance();
@@ -133,6 +140,7 @@ class Simulation {
     PenaltyBody penalty_body(std::size_t body);
     void close();
     void gather(unsigned tasks, double by);
+    template <class Work> void each_range(const Part& part, int strip, const Work& work);
     void gather_strip(Part& part, int strip, unsigned tasks, double by);
     void deform_strip(Part& part, int strip);
     double update(Part& part, int strip, const Range& range);
@@ -140,9 +148,9 @@ class Simulation {
     void update_stress(const Part& part, const Range& range, const Increments& increments) const;
     void remap();
     void account();
+    void find_largest();
     [[noreturn]] void report_lost(long count) const;
-    double stored_energy() const;
-    double kinetic_energy() const;
+    void measure_energy();
     void measure_speed();
 
     Settings settings;
@@ -150,7 +158,7 @@ class Simulation {
     std::vector<std::uint8_t> fixed_nodes;
     std::vector<Part> parts;
     std::vector<Traction> tractions;
-    std::vector<EdgeForces> loads;
+    std::vector<EdgeForces> edge_loads;
     std::vector<ContactPair> contacts;
     std::vector<PenaltyPair> penalties;
     AbsorbingSides absorbing_sides;
@@ -159,6 +167,9 @@ class Simulation {
     Exchange& exchange;
     ThreadPool pool;
     Energy sums;
+    Total load_work, absorbed, held_work;  // of tractions and absorbing sides in this step [J]
+    std::vector<double> maxima;            // of each body
+    double shortest = 0.0;                 // edge of a cell, of all processes [m]
     double t = 0.0, dt = 0.0, dt_before = 0.0, drift = 0.0;
     double largest_speed = 0.0;  // v + c [m/s]
     long step_count = 0;

@@ -16,7 +16,8 @@ void Simulation::gather(unsigned tasks, double by) {
                 std::fill(part.gather_sums.begin(), part.gather_sums.end(), GatherSums{});
     const bool deforms = tasks & (task::deformation | task::deform_by_other);
     if (deforms)
-        for (Part& part : parts) std::fill(part.viscous_loss.begin(), part.viscous_loss.end(), 0.0);
+        for (Part& part : parts)
+            std::fill(part.viscous_loss.begin(), part.viscous_loss.end(), Total());
     if (!settings.cell_mean || !deforms)
         return for_strips(pool, parts, [&, this](Part& part, int strip) {
             gather_strip(part, strip, tasks, by);
@@ -31,8 +32,19 @@ void Simulation::gather(unsigned tasks, double by) {
             if (strip % 2 == colour) gather_strip(part, strip, tasks, by);
         });
     for (Part& part : parts)
-        exchange.sum_cells(part.cells.data(), static_cast<std::ptrdiff_t>(part.cells.size()));
+        if (!part.cells.empty())
+            exchange.sum_cells(part.cells.data(), static_cast<std::ptrdiff_t>(part.cells.size()));
     for_strips(pool, parts, [this](Part& part, int strip) { deform_strip(part, strip); });
+}
+
+// work(begin, end) of no more particles than increments hold.
+template <class Work> void Simulation::each_range(const Part& part, int strip, const Work& work) {
+    const std::ptrdiff_t end = part.strips.begin(strip + 1);
+    for (std::ptrdiff_t begin = part.strips.begin(strip); begin < end;) {
+        const std::ptrdiff_t stop = std::min<std::ptrdiff_t>(begin + Increments::capacity, end);
+        work(begin, stop);
+        begin = stop;
+    }
 }
 
 void Simulation::gather_strip(Part& part, int strip, unsigned tasks, double by) {
@@ -41,11 +53,9 @@ void Simulation::gather_strip(Part& part, int strip, unsigned tasks, double by) 
     if (tasks == 0) return;
     const bool updates =
         (tasks & (task::deformation | task::deform_by_other)) && part.cells.empty();
-    const std::ptrdiff_t end = part.strips.begin(strip + 1);
+    const ParticleView q = part.body.particles.view();
     double fastest = 0.0;
-    for (std::ptrdiff_t begin = part.strips.begin(strip); begin < end;) {
-        const std::ptrdiff_t stop = std::min<std::ptrdiff_t>(begin + Increments::capacity, end);
-        const ParticleView q = part.body.particles.view();
+    each_range(part, strip, [&](std::ptrdiff_t begin, std::ptrdiff_t stop) {
         const GatherCall call{grid(),
                               q,
                               begin,
@@ -55,12 +65,12 @@ void Simulation::gather_strip(Part& part, int strip, unsigned tasks, double by) 
                               std::min(settings.pic_rate * by, 1.0),
                               tasks,
                               part.separation,
-                              part.mean};
+                              part.mean,
+                              settings.fixed_point};
         kernels().gather(settings.shape, settings.axisymmetric, call, part.increments[s],
                          part.gather_sums[s]);
         if (updates) fastest = std::max(fastest, update(part, strip, {q, begin, stop}));
-        begin = stop;
-    }
+    });
     if (updates) part.speed[s] = std::sqrt(fastest);
 }
 
@@ -68,16 +78,13 @@ void Simulation::deform_strip(Part& part, int strip) {
     if (part.body.rigid()) return;
     const auto s = static_cast<std::size_t>(strip);
     const ParticleView q = part.body.particles.view();
-    const std::ptrdiff_t end = part.strips.begin(strip + 1);
     double fastest = 0.0;
-    for (std::ptrdiff_t begin = part.strips.begin(strip); begin < end;) {
-        const std::ptrdiff_t stop = std::min<std::ptrdiff_t>(begin + Increments::capacity, end);
+    each_range(part, strip, [&](std::ptrdiff_t begin, std::ptrdiff_t stop) {
         kernels().deform(settings.axisymmetric,
                          {q, begin, stop, part.mean.cells, part.mean.deferred, part.separation},
                          part.increments[s]);
         fastest = std::max(fastest, update(part, strip, {q, begin, stop}));
-        begin = stop;
-    }
+    });
     part.speed[s] = std::sqrt(fastest);
 }
 
@@ -99,7 +106,8 @@ double Simulation::update_viscosity(Part& part, int strip, const Range& range,
     const ParticleView& q = range.particles;
     const Increments& d = part.increments[static_cast<std::size_t>(strip)];
     const GridView g = grid();
-    double loss = 0.0, fastest = 0.0;
+    Total& loss = part.viscous_loss[static_cast<std::size_t>(strip)];
+    double fastest = 0.0;
     for (std::ptrdiff_t p = range.begin; p < range.end; ++p) {
         const std::ptrdiff_t i = p - range.begin;
         const double strain = d.strain[0][i] + d.strain[1][i] + d.strain[2][i];
@@ -113,12 +121,11 @@ double Simulation::update_viscosity(Part& part, int strip, const Range& range,
                                                      settings.quadratic_viscosity * l * rate / c
                                                : 0.0;
         const double viscous = density * l * c * x * rate;
-        loss -= 0.5 * (q[column::q][p] + viscous) * strain * volume;
+        loss.add(-0.5 * (q[column::q][p] + viscous) * strain * volume, settings.fixed_point);
         q[column::q][p] = viscous;
         const double speed = c * (x + std::sqrt(1.0 + x * x));
         fastest = std::max(fastest, speed * speed);
     }
-    part.viscous_loss[static_cast<std::size_t>(strip)] += loss;
     return fastest;
 }
 

@@ -2,8 +2,6 @@
 // The passes of a step over particles and over nodes. Tasks are (body, strip), whatever the threads.
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
 #include "adapters/mpm/for_strips.hpp"
 #include "adapters/mpm/simulation.hpp"
@@ -32,7 +30,9 @@ NodeCall Simulation::node_call(Part& part, int strip) const {
             {settings.gravity_r, settings.gravity_z},
             settings.scheme == Scheme::musl,
             settings.scheme == Scheme::usf,
-            settings.local_damping};
+            settings.local_damping,
+            settings.fixed_point,
+            exchange.counted()};
 }
 
 void Simulation::sort() {
@@ -45,8 +45,9 @@ void Simulation::sort() {
 
 void Simulation::find_places(Part& part) {
     const int* ids = part.body.particles.ids();
-    for (std::size_t p = 0; p < part.slot.size(); ++p)
-        part.slot[static_cast<std::size_t>(ids[p])] = static_cast<std::ptrdiff_t>(p);
+    std::fill(part.slot.begin(), part.slot.end(), -1);
+    for (std::ptrdiff_t p = 0; p < part.body.particles.size(); ++p)
+        part.slot[static_cast<std::size_t>(ids[p])] = p;
 }
 
 void Simulation::clear() {
@@ -77,7 +78,8 @@ void Simulation::find_mean_stresses() {
             if (strip % 2 == colour) go(part, strip, part.mean);
         });
     for (Part& part : parts)
-        exchange.sum_cells(part.cells.data(), static_cast<std::ptrdiff_t>(part.cells.size()));
+        if (!part.cells.empty())
+            exchange.sum_cells(part.cells.data(), static_cast<std::ptrdiff_t>(part.cells.size()));
 }
 
 void Simulation::scatter_strips(unsigned parts_wanted) {
@@ -110,14 +112,38 @@ void Simulation::scatter(unsigned parts_wanted) {
         exchange.sum_nodes(part.records.data(), static_cast<std::ptrdiff_t>(part.records.size()));
 }
 
+// Of the bits of a double, 46 are left to the largest force, six to sums of many.
+double Simulation::load_quantum() const {
+    double largest = 0.0;
+    for (const EdgeForces& f : edge_loads)
+        for (const int k : {0, 1})
+            largest = std::max({largest, std::abs(f.f_r[k]), std::abs(f.f_z[k])});
+    exchange.max(&largest, 1);
+    return largest > 0.0 ? std::ldexp(1.0, std::ilogb(largest) - 46) : 0.0;
+}
+
 void Simulation::load() {
+    if (tractions.empty()) return;
     for (std::size_t i = 0; i < tractions.size(); ++i) {
         const Traction& traction = tractions[i];
-        Part& part = parts[traction.body];
-        loads[i] =
-            edge_forces(grid(), part.body.particles.view(), find(traction.body, traction.particle),
-                        traction.edge, traction.stress(t), settings);
-        add_edge_forces(grid(), loads[i], part.records.data());
+        const std::ptrdiff_t p = find(traction.body, traction.particle);
+        edge_loads[i] = {};
+        if (p >= 0)
+            edge_loads[i] = edge_forces(grid(), parts[traction.body].body.particles.view(), p,
+                                        traction.edge, traction.stress(t), settings);
+    }
+    const double quantum = settings.fixed_point ? load_quantum() : 0.0;
+    for (Part& part : parts) std::fill(part.loads.begin(), part.loads.end(), Vector{0.0, 0.0});
+    for (std::size_t i = 0; i < tractions.size(); ++i)
+        if (find(tractions[i].body, tractions[i].particle) >= 0)
+            add_edge_forces(grid(), edge_loads[i], quantum, parts[tractions[i].body].loads.data());
+    for (Part& part : parts) {
+        if (part.loads.empty()) continue;
+        exchange.sum_nodes(part.loads.data(), static_cast<std::ptrdiff_t>(part.loads.size()));
+        for (std::size_t i = 0; i < part.loads.size(); ++i) {
+            part.records[i][record::f_r] += part.loads[i].r;
+            part.records[i][record::f_z] += part.loads[i].z;
+        }
     }
 }
 
@@ -156,18 +182,18 @@ void Simulation::push_absorbing() {
 }
 
 void Simulation::close() {
-    for (std::size_t i = 0; i < parts.size() && absorbing_sides.any(); ++i) {
-        const AbsorbingSides::Work work = absorbing_sides.work(i, node_call(parts[i], 0));
-        sums.absorbed += work.taken;
-        sums.external_work += work.held;
-    }
+    load_work = absorbed = held_work = Total();
+    for (std::size_t i = 0; i < parts.size() && absorbing_sides.any(); ++i)
+        absorbing_sides.add_work(i, node_call(parts[i], 0), absorbed, held_work);
     for_strips(pool, parts, [this](Part& part, int strip) {
         if (!part.body.rigid())
             close_nodes(node_call(part, strip), part.node_sums[static_cast<std::size_t>(strip)]);
     });
     for (std::size_t i = 0; i < tractions.size(); ++i)
-        sums.external_work +=
-            edge_work(grid(), loads[i], parts[tractions[i].body].motions.data(), dt);
+        if (find(tractions[i].body, tractions[i].particle) >= 0)
+            load_work.add(
+                edge_work(grid(), edge_loads[i], parts[tractions[i].body].motions.data(), dt),
+                settings.fixed_point);
 }
 
 void Simulation::remap() {
@@ -183,85 +209,6 @@ void Simulation::remap() {
         if (!part.body.rigid())
             remap_nodes(node_call(part, strip), part.node_sums[static_cast<std::size_t>(strip)]);
     });
-}
-
-void Simulation::measure_speed() {
-    for_strips(pool, parts, [](Part& part, int strip) {
-        const auto s = static_cast<std::size_t>(strip);
-        const ParticleView q = part.body.particles.view();
-        const std::ptrdiff_t end = part.strips.begin(strip + 1);
-        double fastest = 0.0, most_v2 = 0.0;
-        for (std::ptrdiff_t p = part.strips.begin(strip); p < end; ++p) {
-            double modulus = 0.0;
-            if (!part.body.rigid()) part.body.material->wave_moduli({q, p, p + 1}, &modulus);
-            fastest = std::max(fastest, modulus * q[column::V0][p] * q.J(p) / q[column::mass][p]);
-            const double v_r = q[column::v_r][p], v_z = q[column::v_z][p];
-            most_v2 = std::max(most_v2, v_r * v_r + v_z * v_z);
-        }
-        part.speed[s] = std::sqrt(fastest);
-        part.gather_sums[s].most_v2 = most_v2;
-    });
-}
-
-// The first that is found; another process may have it.
-void Simulation::report_lost(long count) const {
-    std::string which;
-    for (const Part& part : parts) {
-        const Particles& q = part.body.particles;
-        for (std::ptrdiff_t p = 0; p < q.size() && which.empty(); ++p) {
-            const double r = q(column::r, p), z = q(column::z, p);
-            const bool is_inside = r >= r_axis[0] && r <= r_axis[r_axis.nodes() - 1] &&
-                                   z >= z_axis[0] && z <= z_axis[z_axis.nodes() - 1];
-            if (is_inside) continue;
-            which = ", among them particle " + std::to_string(q.ids()[p]) + " of body " +
-                    part.body.name + " at r = " + std::to_string(r) +
-                    " m, z = " + std::to_string(z) + " m";
-        }
-    }
-    throw std::runtime_error(std::to_string(count) +
-                             " particles left the grid at t = " + std::to_string(t) + " s" + which);
-}
-
-// Sums of all strips in their order, and the next step.
-void Simulation::account() {
-    double largest[2] = {0.0, 0.0};  // v + c, way along z
-    enum { lost, external_work, damping, viscosity, pic, transfer, count };
-    double step[count] = {};
-    for (Part& part : parts)
-        for (std::size_t s = 0; s < part.speed.size(); ++s) {
-            const GatherSums& g = part.gather_sums[s];
-            const NodeSums& n = part.node_sums[s];
-            largest[0] = std::max(largest[0], part.speed[s] + std::sqrt(g.most_v2));
-            largest[1] = std::max(largest[1], g.most_dz);
-            step[lost] += g.outside;
-            step[external_work] += g.body_work + n.gravity_work;
-            step[damping] += n.damping_work;
-            step[viscosity] += part.viscous_loss[s];
-            step[pic] += g.pic_loss;
-            step[transfer] += n.change - g.kept + g.pic_loss + n.mapped_away;
-        }
-    exchange.max(largest, 2);
-    exchange.sum(step, count);
-    sums.external_work += step[external_work];
-    sums.damping += step[damping];
-    sums.viscosity += step[viscosity];
-    sums.pic += step[pic];
-    sums.transfer += step[transfer];
-    if (step[lost] > 0.0) report_lost(static_cast<long>(step[lost]));
-    drift += largest[1];
-    dt_before = dt;
-    largest_speed = largest[0];
-    dt = stable_step();
-    if (!(dt > 0.0) || !std::isfinite(dt))
-        throw std::runtime_error("no finite time step: is anything able to move?");
-}
-
-double Simulation::stable_step() const {
-    const double shortest = std::min(r_axis.shortest(), z_axis.shortest());
-    double inverse2 = largest_speed * largest_speed / (shortest * shortest);
-    for (const PenaltyPair& pair : penalties)
-        inverse2 += 1.0 / (pair.stable_step() * pair.stable_step());
-    return std::min(settings.cfl / std::sqrt(inverse2), settings.largest_step);
 }
 
 }  // namespace grit::mpm

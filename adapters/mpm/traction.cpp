@@ -7,6 +7,7 @@
 #include "adapters/mpm/kernel/place.hpp"
 
 namespace grit::mpm {
+
 EdgeForces edge_forces(const GridView& grid, const ParticleView& q, std::ptrdiff_t p, Edge edge,
                        Vector stress, const Settings& settings) {
     namespace c = column;
@@ -36,12 +37,16 @@ EdgeForces edge_forces(const GridView& grid, const ParticleView& q, std::ptrdiff
     return out;
 }
 
-void add_edge_forces(const GridView& grid, const EdgeForces& forces, NodeRecord* nodes) {
+void add_edge_forces(const GridView& grid, const EdgeForces& forces, double quantum,
+                     Vector* nodes) {
+    const auto rounded = [quantum](double x) {
+        return quantum > 0.0 ? std::nearbyint(x / quantum) * quantum : x;
+    };
     for (int k = 0; k < 2; ++k) {
         const GridPoint corner = grid_point(grid, forces.r[k], forces.z[k]);
         for (int i = 0; i < 4; ++i) {
-            nodes[corner.node[i]][record::f_r] += corner.N[i] * forces.f_r[k];
-            nodes[corner.node[i]][record::f_z] += corner.N[i] * forces.f_z[k];
+            nodes[corner.node[i]].r += rounded(corner.N[i] * forces.f_r[k]);
+            nodes[corner.node[i]].z += rounded(corner.N[i] * forces.f_z[k]);
         }
     }
 }

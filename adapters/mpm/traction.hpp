@@ -32,7 +32,9 @@ struct EdgeForces {
 EdgeForces edge_forces(const GridView& grid, const ParticleView& particles, std::ptrdiff_t p,
                        Edge edge, Vector stress, const Settings& settings);
 
-void add_edge_forces(const GridView& grid, const EdgeForces& forces, NodeRecord* nodes);
+// With a quantum, a power of two, contributions are rounded to multiples of it: their sums are exact, and no
+// order changes a bit.
+void add_edge_forces(const GridView& grid, const EdgeForces& forces, double quantum, Vector* nodes);
 // Work of a step [J]: forces on the mean of v and other.
 double edge_work(const GridView& grid, const EdgeForces& forces, const NodeMotion* motions,
                  double dt);

@@ -36,7 +36,7 @@ class GateAtANode : public testing::Test {
 
     Axis axis = Axis::uniform(0.0, 4.0, 4);
     Exchange alone;
-    ContactPair pair{contact_law(GRIT_CONTACT_FRICTIONAL, 0.0), false,
+    ContactPair pair{contact_law(GRIT_CONTACT_FRICTIONAL, 0.0), Settings{.axisymmetric = false},
                      GridView{axis.view(), axis.view()}, std::vector<std::uint8_t>(25)};
 };
 

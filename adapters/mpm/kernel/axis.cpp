@@ -41,6 +41,12 @@ Axis Axis::uniform(double from, double to, int cells) {
     return Axis(std::move(nodes));
 }
 
+Axis Axis::part(int begin, int end) const {
+    Axis out({node.begin() + begin, node.begin() + end + 1});
+    out.limit.assign(limit.begin() + begin, limit.begin() + end);
+    return out;
+}
+
 AxisView Axis::view() const {
     const auto bins = static_cast<int>(bin.size());
     return {node.data(),

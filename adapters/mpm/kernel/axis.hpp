@@ -28,6 +28,9 @@ class Axis {
     explicit Axis(std::vector<double> nodes);
     static Axis uniform(double from, double to, int cells);
 
+    // Cells [begin, end) as a process sees them that shares the grid: with the limits of the whole.
+    Axis part(int begin, int end) const;
+
     AxisView view() const;
     int cells() const { return static_cast<int>(inverse.size()); }
     int nodes() const { return static_cast<int>(node.size()); }

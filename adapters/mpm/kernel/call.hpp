@@ -7,6 +7,7 @@
 
 #include "adapters/mpm/kernel/axis.hpp"
 #include "adapters/mpm/kernel/particles.hpp"
+#include "adapters/mpm/kernel/total.hpp"
 
 namespace grit::mpm {
 
@@ -147,7 +148,8 @@ struct GatherCall {
     double pic;                 // PIC share of this step [-]
     unsigned tasks;
     Separation separation = {};
-    CellMean mean = {};  // with cells, deformation stops there
+    CellMean mean = {};        // with cells, deformation stops there
+    bool fixed_point = false;  // of the sums
 };
 
 // The rest of deformation, where the mean is over cells.
@@ -160,14 +162,13 @@ struct DeformCall {
 };
 
 struct GatherSums {
-    double kept = 0.0;       // 1/2 m (S dv)^2: what FLIP keeps of the nodes' 1/2 m dv^2 [J]
-    double pic_loss = 0.0;   // kinetic energy that the PIC share takes [J]
-    double body_work = 0.0;  // of the body acceleration [J]
-    double kinetic = 0.0;    // of the particles, afterwards [J]
-    double most_v2 = 0.0;    // largest v^2 [m2/s2]
-    double most_dz = 0.0;    // longest way along z [m]
-    int reflected = 0;       // particles that are now at r < 0 ...
-    int outside = 0;         // ... or outside of the grid
+    Total kept;            // 1/2 m (S dv)^2: what FLIP keeps of the nodes' 1/2 m dv^2 [J]
+    Total pic_loss;        // kinetic energy that the PIC share takes [J]
+    Total body_work;       // of the body acceleration [J]
+    double most_v2 = 0.0;  // largest v^2 [m2/s2]
+    double most_dz = 0.0;  // longest way along z [m]
+    int reflected = 0;     // particles that are now at r < 0 ...
+    int outside = 0;       // ... or outside of the grid
 };
 
 // The kernels of one instruction set: bitwise the same results, for nothing is contracted.

@@ -1,17 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What processes that share a grid must tell each other. The reference driver is alone: nothing to do.
+// What processes that share a grid must tell each other. The reference driver is alone: nothing to do. Every
+// process makes the same calls in the same order; what it gets must be bitwise the same for all that hold a
+// node.
 //
 //   when                        what                                            bytes
 //   after a scatter, per body   sum of node records, or of integers             64 a halo node
+//   ... with tractions          sum of their forces                             16 a halo node
 //   means of cells, per body    sum of cells, of strains and of stresses        16 a halo cell each
 //   ... of mean stresses        maximum                                         8
 //   after MUSL's second one     sum of node records                             64 a halo node
 //   contact with distances      minima of surfaces, of those beside the node,   48 a halo node
 //                               and of centres, two each
+//   contact                     whether any node is in it: maximum              8
+//   ...                         sums of the library, integers                   9600
+//   ...                         sums of forces, maximum of gaps                 40
 //   fixed point, per scatter    maxima of contributions, eight a body           8 each
-//   each step                   maxima: v + c, way along z; counts of lost      8 each
-//   each step                   sums of the energy balance                      8 each
+//   ... with tractions          maximum of their forces                         8
+//   each step, per body         maxima: c, v2, way along z                      8 each
+//   each step                   sums of the energy balance, count of lost       8 each; fixed point: 40
 #pragma once
+
+#include <array>
 
 #include "adapters/mpm/kernel/call.hpp"
 
@@ -20,12 +29,30 @@ namespace grit::mpm {
 class Exchange {
   public:
     virtual ~Exchange() = default;
+    // [nodes] 1 where this process counts a node in sums over nodes, each node once; null: all.
+    virtual const std::uint8_t* counted() const { return nullptr; }
     virtual void sum_nodes(NodeRecord* /*records*/, std::ptrdiff_t /*nodes*/) {}
     virtual void sum_nodes(NodeIntegers* /*records*/, std::ptrdiff_t /*nodes*/) {}
+    virtual void sum_nodes(Vector* /*forces*/, std::ptrdiff_t /*nodes*/) {}
     virtual void sum_cells(CellIntegers* /*cells*/, std::ptrdiff_t /*count*/) {}
     virtual void min_nodes(double* /*values*/, std::ptrdiff_t /*nodes*/, int /*per_node*/) {}
     virtual void max(double* /*values*/, int /*count*/) {}
     virtual void sum(double* /*values*/, int /*count*/) {}
+    virtual void sum(std::int64_t* /*values*/, int /*count*/) {}
+
+    template <std::size_t count> void sum(std::array<Total, count>& totals, bool fixed_point) {
+        if (fixed_point) {
+            std::int64_t words[count * Total::words];
+            for (std::size_t i = 0; i < count; ++i) totals[i].write(words + i * Total::words);
+            sum(words, static_cast<int>(count) * Total::words);
+            for (std::size_t i = 0; i < count; ++i) totals[i].read(words + i * Total::words);
+            return;
+        }
+        double values[count];
+        for (std::size_t i = 0; i < count; ++i) values[i] = totals[i].value();
+        sum(values, static_cast<int>(count));
+        for (std::size_t i = 0; i < count; ++i) totals[i] = Total(values[i]);
+    }
 };
 
 }  // namespace grit::mpm

@@ -47,11 +47,11 @@ MPM_INLINE void move_velocity(const GatherCall& call, const Gathered& g, std::pt
     const double v2 = v_r * v_r + v_z * v_z;
     q[c::v_r][p] = v_r;
     q[c::v_z][p] = v_z;
-    sums.kept += 0.5 * m * (dv_r * dv_r + dv_z * dv_z);
-    sums.pic_loss += 0.5 * m * (flip_r * flip_r + flip_z * flip_z - v2);
-    sums.body_work +=
+    const double body_work =
         0.5 * call.dt * m * (q[c::b_r][p] * (g.S[0] + g.S[2]) + q[c::b_z][p] * (g.S[1] + g.S[3]));
-    sums.kinetic += 0.5 * m * v2;
+    sums.kept.add(0.5 * m * (dv_r * dv_r + dv_z * dv_z), call.fixed_point);
+    sums.pic_loss.add(0.5 * m * (flip_r * flip_r + flip_z * flip_z - v2), call.fixed_point);
+    sums.body_work.add(body_work, call.fixed_point);
     sums.most_v2 = v2 > sums.most_v2 ? v2 : sums.most_v2;
 }
 

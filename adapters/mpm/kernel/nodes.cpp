@@ -43,7 +43,7 @@ void start_nodes(const NodeCall& call, NodeSums& sums) {
             continue;
         }
         const Vector old = old_velocity(call, i);
-        sums.mapped_away -= mapped_away(call, i, old);
+        call.add(sums.mapped_away, i, -mapped_away(call, i, old));
         v = NodeMotion{old.r, old.z, old.r, old.z};
     }
 }
@@ -65,7 +65,7 @@ void advance_nodes(const NodeCall& call, NodeSums& sums) {
         const double free_r = call.fixed[i] & fixed::r ? 0.0 : 1.0;
         const double free_z = call.fixed[i] & fixed::z ? 0.0 : 1.0;
         const Vector old = old_velocity(call, i);
-        if (!call.stress_first) sums.mapped_away += mapped_away(call, i, old);
+        if (!call.stress_first) call.add(sums.mapped_away, i, mapped_away(call, i, old));
         const double v_r = old.r + free_r * call.dt * (n[record::f_r] / m + call.gravity.r);
         const double v_z = old.z + free_z * call.dt * (n[record::f_z] / m + call.gravity.z);
         v = NodeMotion{v_r, v_z, old.r, old.z};
@@ -81,17 +81,18 @@ void close_nodes(const NodeCall& call, NodeSums& sums) {
         if (call.fixed[i] & fixed::r) v[motion::v_r] = 0.0;
         if (call.fixed[i] & fixed::z) v[motion::v_z] = 0.0;
         if (call.damping > 0.0)
-            sums.damping_work +=
-                damp(v[motion::v_r], v[motion::other_r], m,
-                     call.dt * (n[record::f_r] + m * call.gravity.r), call.damping) +
-                damp(v[motion::v_z], v[motion::other_z], m,
-                     call.dt * (n[record::f_z] + m * call.gravity.z), call.damping);
+            call.add(sums.damping_work, i,
+                     damp(v[motion::v_r], v[motion::other_r], m,
+                          call.dt * (n[record::f_r] + m * call.gravity.r), call.damping) +
+                         damp(v[motion::v_z], v[motion::other_z], m,
+                              call.dt * (n[record::f_z] + m * call.gravity.z), call.damping));
         const double dv_r = v[motion::v_r] - v[motion::other_r];
         const double dv_z = v[motion::v_z] - v[motion::other_z];
-        sums.change += 0.5 * m * (dv_r * dv_r + dv_z * dv_z);
-        sums.gravity_work += 0.5 * call.dt * m *
-                             (call.gravity.r * (v[motion::v_r] + v[motion::other_r]) +
-                              call.gravity.z * (v[motion::v_z] + v[motion::other_z]));
+        call.add(sums.change, i, 0.5 * m * (dv_r * dv_r + dv_z * dv_z));
+        call.add(sums.gravity_work, i,
+                 0.5 * call.dt * m *
+                     (call.gravity.r * (v[motion::v_r] + v[motion::other_r]) +
+                      call.gravity.z * (v[motion::v_z] + v[motion::other_z])));
     }
 }
 
@@ -103,9 +104,10 @@ void remap_nodes(const NodeCall& call, NodeSums& sums) {
         if (!(m > call.least_mass)) continue;
         v[motion::other_r] = call.fixed[i] & fixed::r ? 0.0 : n[record::p_r] / m;
         v[motion::other_z] = call.fixed[i] & fixed::z ? 0.0 : n[record::p_z] / m;
-        sums.mapped_away += 0.5 * call.dt *
-                            (call.internal[i].r * (v[motion::other_r] - v[motion::v_r]) +
-                             call.internal[i].z * (v[motion::other_z] - v[motion::v_z]));
+        call.add(sums.mapped_away, i,
+                 0.5 * call.dt *
+                     (call.internal[i].r * (v[motion::other_r] - v[motion::v_r]) +
+                      call.internal[i].z * (v[motion::other_z] - v[motion::v_z])));
     }
 }
 

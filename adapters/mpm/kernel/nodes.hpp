@@ -15,13 +15,13 @@ enum : std::uint8_t { none = 0, r = 1, z = 2 };
 }  // namespace fixed
 
 struct NodeSums {
-    double damping_work = 0.0;  // taken by local damping [J]
-    double gravity_work = 0.0;  // [J]
-    double change = 0.0;        // 1/2 m (v - v_old)^2 [J]
+    Total damping_work;  // taken by local damping [J]
+    Total gravity_work;  // [J]
+    Total change;        // 1/2 m (v - v_old)^2 [J]
     // Work of the internal nodal forces, half a step's, on the velocities that mapping took away: on
     // those that strained the particles in the step before, less those that they handed back [J]. Where
     // stress is updated first, the forces are those of the step before, and their work is gained.
-    double mapped_away = 0.0;
+    Total mapped_away;
 };
 
 struct NodeCall {
@@ -37,6 +37,12 @@ struct NodeCall {
     bool by_other;      // particles are strained by the other velocity (MUSL)
     bool stress_first;  // (USF)
     double damping;     // local damping (Cundall), share of the force [-]
+    bool fixed_point;   // of the sums
+    // [nodes] 1: in the sums; where processes share a node, one of them counts it. null: all
+    const std::uint8_t* counted;
+    void add(Total& sum, std::ptrdiff_t node, double x) const {
+        if (!counted || counted[node]) sum.add(x, fixed_point);
+    }
 };
 
 // With stress first: motions, still of the step before like internal, become v = v_old = p/m.

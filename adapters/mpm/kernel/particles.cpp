@@ -36,6 +36,23 @@ void Particles::add(const NewParticle& q, bool axisymmetric) {
     v[column::mass][p] = q.density * v[column::V0][p];
 }
 
+void Particles::add(int of_id, const double* row) {
+    if (count == stride) grow();
+    for (int c = 0; c < columns; ++c) data[static_cast<std::size_t>(c * stride + count)] = row[c];
+    id.push_back(of_id);
+    ++count;
+}
+
+void Particles::remove(std::ptrdiff_t p) {
+    --count;
+    for (int c = 0; c < columns; ++c) {
+        double* of_column = data.data() + c * stride;
+        of_column[p] = of_column[count];
+    }
+    id[static_cast<std::size_t>(p)] = id.back();
+    id.pop_back();
+}
+
 void Particles::permute(const std::vector<int>& order) {
     spare.resize(data.size());
     spare_id.resize(id.size());

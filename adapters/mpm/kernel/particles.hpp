@@ -61,7 +61,13 @@ class Particles {
     // axisymmetric: mass and volume per radian. The id of a particle is the order of adding.
     void add(const NewParticle& particle, bool axisymmetric);
 
+    // What processes hand to each other: all columns of a particle with its id. The last particle takes the
+    // place of one that is removed.
+    void add(int of_id, const double* row);
+    void remove(std::ptrdiff_t p);
+
     std::ptrdiff_t size() const { return count; }
+    int column_count() const { return columns; }
     ParticleView view() { return {data.data(), stride}; }
     const int* ids() const { return id.data(); }
     double operator()(int c, std::ptrdiff_t p) const {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -17,20 +18,45 @@ struct PressedSand {
     bool ring = true;
     double block_density = 2500.0;
 
+    double growth = 1.0;  // of a cell to the next one
+
+    // The whole grid along r (0) or z (1).
+    Axis axis(int direction) const {
+        const int cells = direction == 0 ? 8 : cells_z;
+        std::vector<double> nodes{0.0};
+        double length = 1.0;
+        for (int i = 0; i < cells; ++i, length *= growth) nodes.push_back(nodes.back() + length);
+        const double scale = 0.05 * cells / nodes.back();
+        for (double& node : nodes) node *= scale;
+        nodes.back() = 0.05 * cells;
+        return Axis(nodes);
+    }
+
     std::unique_ptr<Simulation> build() const {
-        auto out = std::make_unique<Simulation>(
-            Axis::uniform(0.0, 0.4, 8), Axis::uniform(0.0, 0.05 * cells_z, cells_z), settings);
+        const int begin[] = {0, 0}, end[] = {8, cells_z};
+        return build(nullptr, begin, end, [](Body&) {});
+    }
+
+    // Of cells [begin, end), a process that shares the grid; keep: leaves its particles in a body.
+    std::unique_ptr<Simulation> build(Exchange* exchange, const int* begin, const int* end,
+                                      const std::function<void(Body&)>& keep) const {
+        auto out = std::make_unique<Simulation>(axis(0).part(begin[0], end[0]),
+                                                axis(1).part(begin[1], end[1]), settings, exchange);
         Body block = make_box({0.0, 0.2, 0.51, 0.71, 8, 8, block_density}, true,
                               std::make_unique<LinearElastic>(1e7, 0.2));
         block.name = "block";
         const ParticleView v = block.particles.view();
         for (std::ptrdiff_t p = 0; p < block.particles.size(); ++p) v[column::v_z][p] = -10.0;
+        keep(block);
         out->add_body(std::move(block));
-        out->add_body(sand());
+        Body below = sand();
+        keep(below);
+        out->add_body(std::move(below));
         if (ring) {
             Body rigid = make_box({0.25, 0.3, 0.55, 0.65, 2, 4, 1000.0}, true, nullptr);
             rigid.name = "ring";
             rigid.prescribed_velocity = [](double t) { return Vector{0.0, 4.0 + 100.0 * t}; };
+            keep(rigid);
             out->add_body(std::move(rigid));
         }
         for (int id = 56; id < 64; ++id)
@@ -39,7 +65,7 @@ struct PressedSand {
                                }});
         out->add_contact(contact_law(GRIT_CONTACT_GEO, 0.3));
         out->fix_below(1, 0.0);
-        out->absorb_last(0, {200.0, 100.0});
+        if (end[0] == 8) out->absorb_last(0, {200.0, 100.0});
         return out;
     }
 
