@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "element/aside_file.hpp"
+
 extern char** environ;
 
 namespace cli {
@@ -43,12 +45,35 @@ std::string first_line(const fs::path& path) {
     return line;
 }
 
-}  // namespace
-
+// What went wrong, empty if nothing.
 std::string run_gnuplot(const fs::path& script, const fs::path& log) {
     const int status = spawn(script, log);
     if (status < 0) return "gnuplot was not found (Debian: apt-get install gnuplot-nox)";
     if (status > 0) return fmt::format("gnuplot ended with status {}: {}", status, first_line(log));
+    return "";
+}
+
+fs::path with(fs::path stem, const char* ending) { return stem += ending; }
+
+}  // namespace
+
+std::string draw_with_gnuplot(const fs::path& stem, int width, int height, const std::string& data,
+                              const std::string& drawing) {
+    element::AsideFile script(with(stem, ".gnuplot"));
+    const element::AsidePath log(with(stem, ".log"));
+    element::AsidePath svg(with(stem, ".svg")), png(with(stem, ".png"));
+    script.write(data);
+    script.write(fmt::format("set terminal svg size {},{} dynamic enhanced font 'sans-serif,13' "
+                             "background '#ffffff'\nset output {}\n{}unset output\n",
+                             width, height, gnuplot_quoted(svg.path().string()), drawing));
+    script.write(fmt::format("set terminal pngcairo size {},{} enhanced font 'Sans,13'\n"
+                             "set output {}\n{}unset output\n",
+                             width, height, gnuplot_quoted(png.path().string()), drawing));
+    script.flush();
+    std::string problem = run_gnuplot(script.path(), log.path());
+    if (!problem.empty()) return problem;
+    svg.complete();
+    png.complete();
     return "";
 }
 

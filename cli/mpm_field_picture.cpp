@@ -10,7 +10,6 @@
 #include "cli/colour_range.hpp"
 #include "cli/gnuplot.hpp"
 #include "cli/mpm_pictures.hpp"
-#include "element/aside_file.hpp"
 
 namespace cli {
 namespace {
@@ -170,8 +169,6 @@ std::string sheet(const FieldPicture& picture, const Window& w, const Frame& fra
     return out + "splot " + plots + "\n";
 }
 
-fs::path with(fs::path stem, const char* ending) { return stem += ending; }
-
 }  // namespace
 
 std::string draw_field(const fs::path& stem, const FieldPicture& picture, const MpmFields& fields) {
@@ -181,25 +178,11 @@ std::string draw_field(const fs::path& stem, const FieldPicture& picture, const 
     const std::string grey = data(picture, window, shapes, false);
     if (coloured.empty() && grey.empty()) return "no particle is in the window";
     const Frame frame(window, picture.height);
-    element::AsideFile script(with(stem, ".gnuplot"));
-    const element::AsidePath log(with(stem, ".log"));
-    element::AsidePath svg(with(stem, ".svg")), png(with(stem, ".png"));
-    const std::string drawing = sheet(picture, window, frame, colours_of(picture, window, shapes),
-                                      !coloured.empty(), !grey.empty());
-    script.write(fmt::format("$coloured << EOD\n{}EOD\n$grey << EOD\n{}EOD\n", coloured, grey));
-    for (const auto& [terminal, place] :
-         {std::pair{"svg size {},{} dynamic enhanced font 'sans-serif,13' background '#ffffff'",
-                    &svg},
-          std::pair{"pngcairo size {},{} enhanced font 'Sans,13'", &png}})
-        script.write(fmt::format("set terminal {}\nset output {}\n{}unset output\n",
-                                 fmt::format(fmt::runtime(terminal), frame.width, frame.height),
-                                 gnuplot_quoted(place->path().string()), drawing));
-    script.flush();
-    std::string problem = run_gnuplot(script.path(), log.path());
-    if (!problem.empty()) return problem;
-    svg.complete();
-    png.complete();
-    return "";
+    return draw_with_gnuplot(
+        stem, frame.width, frame.height,
+        fmt::format("$coloured << EOD\n{}EOD\n$grey << EOD\n{}EOD\n", coloured, grey),
+        sheet(picture, window, frame, colours_of(picture, window, shapes), !coloured.empty(),
+              !grey.empty()));
 }
 
 }  // namespace cli

@@ -9,7 +9,6 @@
 
 #include "cli/gnuplot.hpp"
 #include "cli/tics.hpp"
-#include "element/aside_file.hpp"
 
 namespace cli {
 namespace {
@@ -163,31 +162,12 @@ std::string sheet(const Picture& picture, const Layout& layout) {
     return out + "unset multiplot\n";
 }
 
-fs::path with(fs::path stem, const char* ending) { return stem += ending; }
-
 }  // namespace
 
 std::string draw(const fs::path& stem, const Picture& picture) {
     const Layout layout(picture);
-    element::AsideFile script(with(stem, ".gnuplot"));
-    const element::AsidePath log(with(stem, ".log"));
-    element::AsidePath svg(with(stem, ".svg")), png(with(stem, ".png"));
-    const std::string drawing = sheet(picture, layout);
-    script.write(data(picture));
-    script.write(fmt::format("set terminal svg size {},{} dynamic enhanced font 'sans-serif,13' "
-                             "background '#ffffff'\nset output {}\n{}unset output\n",
-                             layout.width, layout.height, gnuplot_quoted(svg.path().string()),
-                             drawing));
-    script.write(fmt::format("set terminal pngcairo size {},{} enhanced font 'Sans,13'\n"
-                             "set output {}\n{}unset output\n",
-                             layout.width, layout.height, gnuplot_quoted(png.path().string()),
-                             drawing));
-    script.flush();
-    std::string problem = run_gnuplot(script.path(), log.path());
-    if (!problem.empty()) return problem;
-    svg.complete();
-    png.complete();
-    return "";
+    return draw_with_gnuplot(stem, layout.width, layout.height, data(picture),
+                             sheet(picture, layout));
 }
 
 }  // namespace cli

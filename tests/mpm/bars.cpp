@@ -62,24 +62,34 @@ TEST(Column, UnderItsWeightCarriesWhatLiesAboveAndPressesAgainstItsSides) {
     }
 }
 
-// A pressure that appears at the top of a bar at t = 0.
+// A confined bar whose top has felt a pressure from t = 0 on, when the front has passed 0.6 of it.
+std::unique_ptr<Simulation> pressed_bar(const Settings& settings,
+                                        std::unique_ptr<Material> material, double pressure) {
+    constexpr double E = 1e7, rho = 1000.0, L = 1.0;
+    constexpr int cells = 100;
+    auto out = std::make_unique<Simulation>(Axis::uniform(0.0, 0.04, 4),
+                                            Axis::uniform(0.0, 1.1 * L, 110), settings);
+    out->add_body(make_box({0.0, 0.04, 0.0, L, 4, 2 * cells, rho}, settings.axisymmetric,
+                           std::move(material)));
+    for (int i = 0; i < 4; ++i)
+        out->add_traction({0, (2 * cells - 1) * 4 + i, Edge::top, [pressure](double) {
+                               return Vector{0.0, -pressure};
+                           }});
+    out->fix_above(0, 0.04);
+    out->fix_below(0, 0.0);
+    out->fix_below(1, 0.0);
+    while (out->time() < 0.6 * L / std::sqrt(E / rho)) out->step();
+    return out;
+}
+
 TEST(SteppedBar, MovesWithPressureOverImpedanceBehindAFrontOfTheWaveSpeed) {
     constexpr double E = 1e7, rho = 1000.0, L = 1.0, pressure = 1000.0;
     const double c = std::sqrt(E / rho), v = pressure / (rho * c);
-    constexpr int cells = 100;
     for (const bool axisymmetric : {false, true}) {
         Settings settings{.axisymmetric = axisymmetric, .cfl = 0.2, .pic_rate = 0.0};
-        Simulation simulation(Axis::uniform(0.0, 0.04, 4), Axis::uniform(0.0, 1.1, 110), settings);
-        simulation.add_body(make_box({0.0, 0.04, 0.0, L, 4, 2 * cells, rho}, axisymmetric,
-                                     std::make_unique<LinearElastic>(E, 0.0)));
-        for (int i = 0; i < 4; ++i)
-            simulation.add_traction({0, (2 * cells - 1) * 4 + i, Edge::top, [](double) {
-                                         return Vector{0.0, -pressure};
-                                     }});
-        simulation.fix_above(0, 0.04);
-        simulation.fix_below(0, 0.0);
-        const double T = 0.6 * L / c;
-        while (simulation.time() < T) simulation.step();
+        const auto stepped =
+            pressed_bar(settings, std::make_unique<LinearElastic>(E, 0.0), pressure);
+        Simulation& simulation = *stepped;
         const Particles& q = simulation.body(0).particles;
         double behind = 0.0, count = 0.0, ahead = 0.0, momentum = 0.0, front = L;
         for (std::ptrdiff_t p = 0; p < q.size(); ++p) {
@@ -123,20 +133,10 @@ TEST(Column, InEquilibriumRestsWhicheverComesFirst) {
 }
 
 TEST(SteppedBar, ClosesItsBalanceWhicheverComesFirst) {
-    constexpr double E = 1e7, rho = 1000.0, L = 1.0, pressure = 3e5;
     for (const Scheme scheme : {Scheme::usl, Scheme::musl, Scheme::usf}) {
-        Simulation simulation(Axis::uniform(0.0, 0.04, 4), Axis::uniform(0.0, 1.1, 110),
-                              {.axisymmetric = true, .scheme = scheme, .cfl = 0.4});
-        simulation.add_body(
-            make_box({0.0, 0.04, 0.0, L, 4, 200, rho}, true, std::make_unique<NeoHooke>(E, 0.0)));
-        for (int i = 0; i < 4; ++i)
-            simulation.add_traction({0, 199 * 4 + i, Edge::top, [](double) {
-                                         return Vector{0.0, -pressure};
-                                     }});
-        simulation.fix_above(0, 0.04);
-        simulation.fix_below(1, 0.0);
-        while (simulation.time() < 0.6 * L / std::sqrt(E / rho)) simulation.step();
-        const Energy energy = simulation.energy();
+        const auto simulation = pressed_bar({.axisymmetric = true, .scheme = scheme, .cfl = 0.4},
+                                            std::make_unique<NeoHooke>(1e7, 0.0), 3e5);
+        const Energy energy = simulation->energy();
         EXPECT_NEAR(energy.residual() / energy.external_work, 0.0, 0.005);
     }
 }
@@ -174,21 +174,13 @@ struct Shock {
 };
 
 Shock shock(double linear, double quadratic) {
-    constexpr double E = 1e7, rho = 1000.0, L = 1.0, pressure = 1e6;
+    constexpr double L = 1.0, pressure = 1e6;
     Settings settings{.axisymmetric = true,
                       .cfl = 0.2,
                       .linear_viscosity = linear,
                       .quadratic_viscosity = quadratic};
-    Simulation simulation(Axis::uniform(0.0, 0.04, 4), Axis::uniform(0.0, 1.1, 110), settings);
-    simulation.add_body(
-        make_box({0.0, 0.04, 0.0, L, 4, 200, rho}, true, std::make_unique<NeoHooke>(E, 0.0)));
-    for (int i = 0; i < 4; ++i)
-        simulation.add_traction({0, 199 * 4 + i, Edge::top, [](double) {
-                                     return Vector{0.0, -pressure};
-                                 }});
-    simulation.fix_above(0, 0.04);
-    simulation.fix_below(0, 0.0);
-    while (simulation.time() < 0.6 * L / std::sqrt(E / rho)) simulation.step();
+    const auto stepped = pressed_bar(settings, std::make_unique<NeoHooke>(1e7, 0.0), pressure);
+    Simulation& simulation = *stepped;
     const Particles& q = simulation.body(0).particles;
     double fastest = 0.0, behind = 0.0, count = 0.0;
     for (std::ptrdiff_t p = 0; p < q.size(); ++p) {
