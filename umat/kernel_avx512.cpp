@@ -1,3 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #define GRIT_TARGET avx512
 #include "umat/batch.hpp"
+#include "umat/wave_moduli.hpp"

@@ -9,7 +9,7 @@
 #include "support/versioned.hpp"
 #include "umat/dense_operators.hpp"
 #include "umat/low_stress.hpp"
-#include "umat/principal_bound.hpp"
+#include "umat/wave_modulus.hpp"
 
 using namespace grit;
 using namespace grit::c_api;
@@ -18,14 +18,9 @@ namespace {
 
 bool prepared(const grit_sand* sand) { return sand && material_of(*sand).stamp == material_stamp; }
 
-// The stress the model is evaluated at: shifted by p_t (H10), and on the border of the domain where it
-// lies outside.
+// The stress the model is evaluated at.
 Tensor<double> stress_in_domain(const Material& m, const double stress[6]) {
-    Tensor<double> T = stress_from_voigt(stress);
-    for (int c = 0; c < 3; ++c) T[c] -= m.p_t;
-    if (!(trace(T) * (-1.0 / 3.0) >= m.p_floor)) return isotropic(-m.p_floor);
-    back_into_cone(T, true);
-    return T;
+    return stress_in_domain(m, stress_from_voigt(stress));
 }
 
 bool usable(const grit_sand* sand, const double* stress, double void_ratio) {
@@ -143,21 +138,8 @@ grit_status grit_sand_wave_modulus(const grit_sand* sand, int intergranular_off,
                                    const double stress[6], double void_ratio, double* modulus) {
     if (!usable(sand, stress, void_ratio) || !modulus) return GRIT_BAD_CALL;
     const Material& m = material_of(*sand);
-    const PointFactors k = point_factors(m, stress_in_domain(m, stress), void_ratio);
-    const Tensor<double>& dev = k.shape.T_hat_dev;
-    const double J_2 = 0.5 * contract(dev, dev), J_3 = determinant(dev);
-    const double most = largest_principal_bound(J_2, J_3);
-    const double least = -largest_principal_bound(J_2, -J_3);
-    // Largest |principal value| of times T_hat_dev + 1/3.
-    const auto largest = [&](double times) {
-        return max(times * most + 1.0 / 3.0, -(times * least + 1.0 / 3.0));
-    };
-    // n.(L:nn).n and |n.N.n| for any unit vector n
-    const double scale = k.f.f_s / k.shape.T_hat_sq;
-    const double linear = scale * (square(k.shape.F) + square(m.a * largest(1.0)));
-    const double nonlinear = scale * k.f.f_d * m.a * k.shape.F * largest(2.0);
     const bool igs = m.has_intergranular_strain != 0.0 && !intergranular_off;
-    *modulus = max(igs ? m.m_R * linear : 0.0, linear + nonlinear);
+    *modulus = wave_modulus(m, igs, stress_in_domain(m, stress), void_ratio);
     return GRIT_OK;
 }
 

@@ -56,14 +56,26 @@ struct UpdateOutcome {
     int evaluations = 0;
 };
 
+struct WaveModuliRequest {
+    const Material* material;
+    const grit_sand_points* points;
+    std::ptrdiff_t n;
+    double* moduli;
+    bool igs;
+};
+
+// wave_moduli returns the first point that has none, or -1.
 namespace baseline {
 UpdateOutcome update(const UpdateRequest& request);
-}
+std::ptrdiff_t wave_moduli(const WaveModuliRequest& request);
+}  // namespace baseline
 namespace avx2 {
 UpdateOutcome update(const UpdateRequest& request);
-}
+std::ptrdiff_t wave_moduli(const WaveModuliRequest& request);
+}  // namespace avx2
 namespace avx512 {
 UpdateOutcome update(const UpdateRequest& request);
-}
+std::ptrdiff_t wave_moduli(const WaveModuliRequest& request);
+}  // namespace avx512
 
 }  // namespace grit

@@ -199,6 +199,15 @@ module grit_sand_interface
          real(c_double), value :: void_ratio
          real(c_double), intent(inout) :: modulus
       end function
+      integer(c_int) function grit_sand_wave_moduli(sand, options, n, points, moduli, error) bind(c)
+         import
+         type(grit_sand), intent(in) :: sand
+         type(grit_sand_options), intent(in), optional :: options
+         integer(c_ptrdiff_t), value :: n
+         type(grit_sand_points), intent(in) :: points
+         real(c_double), intent(inout) :: moduli(*)
+         type(grit_error), intent(inout), optional :: error
+      end function
       integer(c_int) function c_sand_rotate(Q, stress, state) bind(c, name='grit_sand_rotate')
          import
          real(c_double), intent(in) :: Q(9)

@@ -54,6 +54,14 @@ GRIT_API grit_status grit_sand_wave_modulus(const grit_sand* sand, int intergran
                                             const double stress[6], double void_ratio,
                                             double* modulus);
 
+/* The same of n points, for hosts that ask at every step: points as in grit_sand_update, of which stress,
+ * state (void ratio), components and index are read; moduli [n]. options (null: defaults):
+ * intergranular_off and instruction_set are read.
+ * GRIT_BAD_STATE: a stress is not finite or a void ratio not in (0, 1e9]; those moduli are NaN. */
+GRIT_API grit_status grit_sand_wave_moduli(const grit_sand* sand, const grit_sand_options* options,
+                                           ptrdiff_t n, const grit_sand_points* points,
+                                           double* moduli, grit_error* error);
+
 /* Rotate stress and h of a point by Q [9] row-major, proper orthogonal; either may be null. */
 GRIT_API grit_status grit_sand_rotate(const double Q[9], double* stress, double* state);
 

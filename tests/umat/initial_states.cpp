@@ -129,4 +129,113 @@ TEST(WaveModulus, BoundsTheStiffnessInEveryDirection) {
         }
 }
 
+// n points with 4 components, some of them separated or outside of the cone, as structure of arrays.
+struct ManyPoints {
+    static constexpr std::ptrdiff_t n = 203;
+    std::vector<double> stress, state, moduli;
+    grit_sand_points points{};
+
+    ManyPoints(const Sand& sand, unsigned seed) : stress(4 * n), state(8 * n), moduli(n, -1.0) {
+        Random random(seed);
+        for (std::ptrdiff_t i = 0; i < n; ++i) {
+            const State x = random_state(sand, random);
+            const double scale = i % 20 == 7 ? 0.0 : 1.0, tension = i % 20 == 11 ? -1.0 : 1.0;
+            const auto voigt = voigt_stress(x.T);
+            for (std::ptrdiff_t c = 0; c < 4; ++c)
+                stress[static_cast<std::size_t>(c * n + i)] = scale * tension *
+                                                              (i % 20 == 3 && c == 0 ? 0.1 : 1.0) *
+                                                              voigt[static_cast<std::size_t>(c)];
+            state[static_cast<std::size_t>(GRIT_SAND_VOID_RATIO * n + i)] = x.e;
+        }
+        points.struct_size = sizeof points;
+        points.components = 4;
+        points.stress = grit_mutable_view_of(stress.data(), 1, n);
+        points.state = grit_mutable_view_of(state.data(), 1, n);
+    }
+    double alone(const Sand& sand, int off, std::size_t i) const {
+        const double voigt[6] = {stress[i], stress[n + i], stress[2 * n + i], stress[3 * n + i], 0,
+                                 0};
+        double modulus = 0.0;
+        EXPECT_EQ(
+            grit_sand_wave_modulus(sand, off, voigt, state[GRIT_SAND_VOID_RATIO * n + i], &modulus),
+            GRIT_OK);
+        return modulus;
+    }
+};
+
+TEST(WaveModulus, OfManyPointsIsThatOfEach) {
+    for (const Sand& sand : four_sands())
+        for (const int off : {0, 1})
+            for (int isa = GRIT_ISA_BASELINE; isa <= GRIT_ISA_AVX512; ++isa) {
+                ManyPoints q(sand, 33);
+                grit_sand_options options;
+                grit_sand_options_init(&options, sizeof options);
+                options.intergranular_off = off;
+                options.instruction_set = isa;
+                const grit_status status =
+                    grit_sand_wave_moduli(sand, &options, q.n, &q.points, q.moduli.data(), nullptr);
+                if (status == GRIT_BAD_CALL && isa > GRIT_ISA_BASELINE)
+                    continue;  // not on this machine
+                ASSERT_EQ(status, GRIT_OK);
+                for (std::size_t i = 0; i < q.moduli.size(); ++i)
+                    EXPECT_NEAR(q.moduli[i] / q.alone(sand, off, i), 1.0, 1e-13) << i;
+                // A point's bits depend neither on n nor on its place.
+                const std::ptrdiff_t order[] = {150, 7, 202, 11, 3};
+                q.points.index = order;
+                double few[5];
+                ASSERT_EQ(grit_sand_wave_moduli(sand, &options, 5, &q.points, few, nullptr),
+                          GRIT_OK);
+                for (int i = 0; i < 5; ++i)
+                    EXPECT_EQ(few[i], q.moduli[static_cast<std::size_t>(order[i])]);
+            }
+}
+
+TEST(WaveModulus, OfABadPointIsNoNumberAndTheOthersAreThere) {
+    const Sand sand = four_sands().front();
+    ManyPoints q(sand, 34), good(sand, 34);
+    ASSERT_EQ(grit_sand_wave_moduli(sand, nullptr, q.n, &good.points, good.moduli.data(), nullptr),
+              GRIT_OK);
+    q.stress[17] = NAN;
+    q.state[GRIT_SAND_VOID_RATIO * q.n + 40] = -0.5;
+    grit_error error;
+    EXPECT_EQ(grit_sand_wave_moduli(sand, nullptr, q.n, &q.points, q.moduli.data(), &error),
+              GRIT_BAD_STATE);
+    EXPECT_EQ(error.point, 17);
+    for (std::size_t i = 0; i < q.moduli.size(); ++i)
+        if (i == 17 || i == 40) EXPECT_TRUE(std::isnan(q.moduli[i]));
+        else EXPECT_EQ(q.moduli[i], good.moduli[i]) << i;
+    q.stress[17] = -1.0;
+    EXPECT_EQ(grit_sand_wave_moduli(sand, nullptr, q.n, &q.points, q.moduli.data(), &error),
+              GRIT_BAD_STATE);
+    EXPECT_STREQ(
+        error.message,
+        "point 40: no wave modulus: stress must be finite and the void ratio in (0, 1e+09], "
+        "got -0.5");
+}
+
+TEST(WaveModulus, RefusesCallsThatMakeNoSense) {
+    const Sand sand = four_sands().front();
+    ManyPoints q(sand, 35);
+    const auto refused = [&](const char* why, const grit_sand_points& points, std::ptrdiff_t n,
+                             double* moduli) {
+        grit_error error;
+        EXPECT_EQ(grit_sand_wave_moduli(sand, nullptr, n, &points, moduli, &error), GRIT_BAD_CALL);
+        EXPECT_NE(std::string(error.message).find(why), std::string::npos) << error.message;
+    };
+    grit_sand_points wrong = q.points;
+    wrong.components = 3;
+    refused("components", wrong, q.n, q.moduli.data());
+    wrong = q.points;
+    wrong.stress.base = nullptr;
+    refused("stress has no base", wrong, q.n, q.moduli.data());
+    wrong = q.points;
+    wrong.state.base = nullptr;
+    refused("state has no base", wrong, q.n, q.moduli.data());
+    refused("moduli is null", q.points, q.n, nullptr);
+    refused("n must be >= 0", q.points, -1, q.moduli.data());
+    EXPECT_EQ(grit_sand_wave_moduli(nullptr, nullptr, 0, &q.points, nullptr, nullptr),
+              GRIT_BAD_CALL);
+    EXPECT_EQ(grit_sand_wave_moduli(sand, nullptr, 0, &q.points, nullptr, nullptr), GRIT_OK);
+}
+
 }  // namespace

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include <grit/sand_operators.h>
+
 #include "single_calls.hpp"
 
 namespace {
@@ -67,6 +69,28 @@ void update(benchmark::State& state) {
                                                          benchmark::Counter::kInvert);
 }
 
+// Wave moduli of points. Argument: 1 in one call, 0 one by one.
+void wave_moduli(benchmark::State& state) {
+    const auto& calls = calls_of(1e-3);
+    const grit_sand sand = lausitz();
+    Arrays work(calls);
+    std::vector<double> moduli(calls.size());
+    const grit_sand_points all = points_of(work, 0);
+    for (auto _ : state) {
+        if (state.range(0) > 0)
+            grit_sand_wave_moduli(&sand, nullptr, static_cast<ptrdiff_t>(calls.size()), &all,
+                                  moduli.data(), nullptr);
+        else
+            for (std::size_t i = 0; i < calls.size(); ++i)
+                grit_sand_wave_modulus(&sand, 0, &work.stress[6 * i],
+                                       work.state[8 * i + GRIT_SAND_VOID_RATIO], &moduli[i]);
+        benchmark::DoNotOptimize(moduli.data());
+    }
+    state.counters["per_point"] = benchmark::Counter(static_cast<double>(calls.size()),
+                                                     benchmark::Counter::kIsIterationInvariantRate |
+                                                         benchmark::Counter::kInvert);
+}
+
 void dependent_exp(benchmark::State& state) {
     double x = -0.5;
     for (auto _ : state) {
@@ -79,6 +103,7 @@ void dependent_exp(benchmark::State& state) {
 }
 
 void register_all() {
+    benchmark::RegisterBenchmark("wave_moduli", wave_moduli)->Arg(0)->Arg(1);
     benchmark::RegisterBenchmark("exp/dependent", dependent_exp);
     for (const int increment : {-6, -4, -3, -2})
         for (const int tolerance : {-3, -5}) {

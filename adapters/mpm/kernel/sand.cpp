@@ -13,6 +13,17 @@ namespace grit::mpm {
 namespace c = column;
 namespace {
 
+// Stress and state of a range as the library sees them.
+grit_sand_points points_of(const Range& range) {
+    const ParticleView& q = range.particles;
+    grit_sand_points points{};
+    points.struct_size = sizeof points;
+    points.components = 4;
+    points.stress = grit_mutable_view_of(q[c::S_rr] + range.begin, 1, q.stride);
+    points.state = grit_mutable_view_of(q[Sand::state] + range.begin, 1, q.stride);
+    return points;
+}
+
 // The point that failed is as it was.
 SandUpdate asked_of(const Range& range, const Increments& d, std::ptrdiff_t i) {
     const ParticleView& q = range.particles;
@@ -68,13 +79,9 @@ void Sand::update(const Range& range, const Increments& d) {
     for (int k = 0; k < 4; ++k)
         for (std::ptrdiff_t i = 0; i < n; ++i) before[k][i] = q[c::S_rr + k][range.begin + i];
 
-    grit_sand_points points{};
-    points.struct_size = sizeof points;
-    points.components = 4;
+    grit_sand_points points = points_of(range);
     points.strain_increment = grit_view_of(d.strain[0], 1, Increments::capacity);
     points.rotation_increment = grit_view_of(d.rotation[0], 1, Increments::capacity);
-    points.stress = grit_mutable_view_of(q[c::S_rr] + range.begin, 1, q.stride);
-    points.state = grit_mutable_view_of(q[state] + range.begin, 1, q.stride);
     grit_error error;
     if (grit_sand_update(&sand, &options, n, &points, nullptr, &error) != GRIT_OK)
         fail(range, d, error);
@@ -89,15 +96,11 @@ void Sand::update(const Range& range, const Increments& d) {
 }
 
 void Sand::wave_moduli(const Range& range, double* moduli) const {
-    const ParticleView& q = range.particles;
-    for (std::ptrdiff_t p = range.begin; p < range.end; ++p) {
-        const double stress[6] = {q[c::S_rr][p], q[c::S_zz][p], q[c::S_tt][p],
-                                  q[c::S_rz][p], 0.0,           0.0};
-        const grit_status status =
-            grit_sand_wave_modulus(&sand, options.intergranular_off, stress,
-                                   q[state + GRIT_SAND_VOID_RATIO][p], moduli + (p - range.begin));
-        if (status != GRIT_OK) throw std::runtime_error("sand: no wave modulus for this state");
-    }
+    grit_error error;
+    const grit_sand_points points = points_of(range);
+    if (grit_sand_wave_moduli(&sand, &options, range.end - range.begin, &points, moduli, &error) !=
+        GRIT_OK)
+        throw std::runtime_error(std::string("sand: ") + error.message);
 }
 
 double Sand::energy(const ParticleView& q, std::ptrdiff_t p) const { return q[work][p]; }
