@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The UMAT: one material point per call, prepared from PROPS every time.
 #include <grit/sand.h>
+#include <grit/sand_operators.h>
 
 #include "adapters/abaqus/complaint.hpp"
 #include "adapters/abaqus/layout.hpp"
@@ -13,6 +14,9 @@ namespace {
 
 // PNEWDT where the cause does not say how much smaller an increment must be.
 constexpr double default_reduction = 0.25;
+
+// The share of L in the symmetric tangent (docs/adr/0006).
+constexpr double share_of_L = 0.5;
 
 grit_status check_call(const UmatArguments& call, grit_error& error) {
     const auto refuse = [&](const char* what) { return refuse_null(what, error); };
@@ -86,6 +90,17 @@ void write_stress(const UmatArguments& call, const Point& start, const Point& en
     if (call.sse) *call.sse += work;
 }
 
+// The symmetric part alone lets Newton's method diverge where N is large; a share of L, symmetric and
+// positive definite, holds it back in the soft directions and costs little in the stiff ones.
+void symmetrise(const Material& material, const Point& end, double tangent[36]) {
+    double L[36];
+    grit_sand_stiffness(&material.sand, end.stress, end.state[GRIT_SAND_VOID_RATIO], L, nullptr);
+    for (int r = 0; r < 6; ++r)
+        for (int c = 0; c <= r; ++c)
+            tangent[6 * r + c] = tangent[6 * c + r] =
+                0.5 * (tangent[6 * r + c] + tangent[6 * c + r]) + share_of_L * L[6 * r + c];
+}
+
 void write_tangent(const UmatArguments& call, const double tangent[36], double K_w) {
     const int n = *call.ntens;
     for (int r = 0; r < n; ++r)
@@ -107,6 +122,7 @@ grit_status run(const UmatArguments& call, grit_sand_report& report, grit_error&
     load_water(material, end);
     write_stress(call, start, end);
     write_state({call.statev, 1, *call.nstatv}, material, end, report.evaluations);
+    if (call.ddsdde && call.symmetric) symmetrise(material, end, tangent);
     if (call.ddsdde) write_tangent(call, tangent, material.K_w);
     return GRIT_OK;
 }

@@ -18,6 +18,7 @@ struct UmatArguments {
     const int *ndi, *nshr;  // optional
     const int *ntens, *nstatv, *nprops;
     const int *noel, *npt;  // optional, for messages
+    bool symmetric;         // DDSDDE for a host that symmetrises it
 };
 
 // The whole call: an update, or a complaint and PNEWDT.

@@ -156,7 +156,7 @@ TEST(UmatLayout, LeavesSseAloneWhenItFails) {
 TEST(UmatLayout, AnswersToEveryNameThatHostsLookUp) {
     UmatCall usual = loaded();
     usual.run();
-    for (const char* name : {"umat_", "umat", "UMAT", "SAND"}) {
+    for (const char* name : {"umat_", "umat", "UMAT"}) {
         const auto function = reinterpret_cast<UmatFunction>(symbol_of(GRIT_UMAT_LIBRARY, name));
         ASSERT_NE(function, nullptr) << name;
         UmatCall call = loaded();
