@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Two processes that share a grid, here two threads: what they hand to each other.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <barrier>
+#include <cstring>
+#include <vector>
+
+#include <adapters/mpm/kernel/exchange.hpp>
+
+namespace mpm_test {
+
+using namespace grit::mpm;
+
+inline constexpr int halo = 2;  // cells
+
+// Two ranges of cells along r (0) or z (1), which meet at a grid line.
+struct Cut {
+    int direction;
+    int cell;  // the first of the upper part
+};
+
+// What both hand to each other. Both are at the same call.
+class Meeting {
+  public:
+    explicit Meeting(const Cut& where) : cut(where) {}
+    // Gives bytes, gets those of the other.
+    std::vector<char> swap(int rank, const void* data, std::size_t size) {
+        const auto* bytes = static_cast<const char*>(data);
+        mail[rank].assign(bytes, bytes + size);
+        both.arrive_and_wait();
+        std::vector<char> out = mail[1 - rank];
+        both.arrive_and_wait();
+        return out;
+    }
+    const Cut cut;
+
+  private:
+    std::vector<char> mail[2];
+    std::barrier<> both{2};
+};
+
+class Neighbour : public Exchange {
+  public:
+    Neighbour(Meeting& with, int number, int global_r, int global_z) : meeting(with), rank(number) {
+        const Cut& cut = meeting.cut;
+        const int cells[] = {global_r, global_z};
+        for (const int k : {0, 1}) {
+            const bool is_cut = k == cut.direction;
+            begin[k] = is_cut && rank == 1 ? cut.cell - halo : 0;
+            end[k] = is_cut && rank == 0 ? cut.cell + halo : cells[k];
+        }
+        const int n_r = end[0] - begin[0] + 1, n_z = end[1] - begin[1] + 1;
+        mine.assign(static_cast<std::size_t>(n_r * n_z), 1);
+        for (int j = 0; j < n_z; ++j)
+            for (int i = 0; i < n_r; ++i) {
+                const int at = (cut.direction == 0 ? i : j) + begin[cut.direction];
+                const auto node = static_cast<std::size_t>(j * n_r + i);
+                mine[node] = (at < cut.cell) == (rank == 0);
+                if (std::abs(at - cut.cell) <= halo) shared_nodes.push_back(node);
+                const bool is_cell = i + 1 < n_r && j + 1 < n_z;
+                if (is_cell && at >= cut.cell - halo && at < cut.cell + halo)
+                    shared_cells.push_back(static_cast<std::size_t>(j * (n_r - 1) + i));
+            }
+    }
+    const std::uint8_t* counted() const override { return mine.data(); }
+    void sum_nodes(NodeRecord* x, std::ptrdiff_t) override { add<8>(x->value, shared_nodes); }
+    void sum_nodes(NodeIntegers* x, std::ptrdiff_t) override { add<8>(x->value, shared_nodes); }
+    void sum_nodes(Vector* x, std::ptrdiff_t) override { add<2>(&x->r, shared_nodes); }
+    void sum_cells(CellIntegers* x, std::ptrdiff_t) override { add<2>(&x->volume, shared_cells); }
+    void min_nodes(double* x, std::ptrdiff_t, int per_node) override {
+        const auto smaller = [](double a, double b) { return std::min(a, b); };
+        ASSERT_EQ(per_node, 2);
+        reduce<2>(x, shared_nodes, smaller);
+    }
+    void max(double* x, int count) override {
+        reduce<1>(x, all(count), [](double a, double b) { return std::max(a, b); });
+    }
+    void sum(double* x, int count) override { add<1>(x, all(count)); }
+    void sum(std::int64_t* x, int count) override { add<1>(x, all(count)); }
+
+    int begin[2], end[2];  // cells
+
+  private:
+    static std::vector<std::size_t> all(int count) {
+        std::vector<std::size_t> out;
+        for (int i = 0; i < count; ++i) out.push_back(static_cast<std::size_t>(i));
+        return out;
+    }
+    template <int each, class Number> void add(Number* x, const std::vector<std::size_t>& places) {
+        // The lower one's first, so that both get the same.
+        reduce<each>(x, places, [this](Number a, Number b) { return rank == 0 ? a + b : b + a; });
+    }
+    template <int each, class Number, class Operation>
+    void reduce(Number* x, const std::vector<std::size_t>& places, const Operation& operation) {
+        std::vector<Number> out;
+        for (const std::size_t place : places)
+            out.insert(out.end(), x + each * place, x + each * (place + 1));
+        const std::vector<char> in = meeting.swap(rank, out.data(), out.size() * sizeof(Number));
+        ASSERT_EQ(in.size(), out.size() * sizeof(Number));
+        std::size_t at = 0;
+        for (const std::size_t place : places)
+            for (int c = 0; c < each; ++c, at += sizeof(Number)) {
+                Number other;
+                std::memcpy(&other, in.data() + at, sizeof other);
+                Number& own = x[each * place + static_cast<std::size_t>(c)];
+                own = operation(own, other);
+            }
+    }
+    Meeting& meeting;
+    int rank;
+    std::vector<std::uint8_t> mine;
+    std::vector<std::size_t> shared_nodes, shared_cells;
+};
+
+}  // namespace mpm_test
