@@ -198,6 +198,31 @@ TEST_P(SharedGrid, InFixedPointTwoProcessesGetTheBitsOfOne) {
     EXPECT_GT(migrated, 0);
 }
 
+// Nothing moves but by tractions, so that their last bits are seen; cuts are where several meet at a node.
+TEST(SharedLoads, AddUpToTheSameBits) {
+    PressedSand problem;
+    problem.settings.fixed_point = true;
+    problem.settings.gravity_z = 0.0;
+    problem.ring = false;
+    problem.block_velocity = 0.0;
+    const Result one = alone(problem, 6);
+    for (const Cut cut : {Cut{0, 1}, Cut{0, 2}, Cut{0, 3}, Cut{1, 14}}) {
+        const Result two = together(problem, cut, 6, 2);
+        EXPECT_TRUE(same_bits(two.rows, one.rows)) << cut.direction << ' ' << cut.cell;
+    }
+}
+
+TEST(SharedAxis, HasTheLimitsOfTheWholeAtItsEnds) {
+    const Axis whole({0.0, 1.0, 3.0, 5.0, 6.0, 8.0, 9.0}), part = whole.part(1, 5);
+    ASSERT_EQ(part.cells(), 4);
+    for (int i = 0; i < 4; ++i) {
+        EXPECT_EQ(part[i], whole[i + 1]);
+        EXPECT_EQ(part.view().limit[i], whole.view().limit[i + 1]);
+    }
+    EXPECT_EQ(part.view().limit[0], 1.0);  // the cell before is no part of it
+    EXPECT_EQ(part[4], 8.0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Schemes, SharedGrid,
                          testing::Combine(testing::Values(Scheme::usl, Scheme::musl, Scheme::usf),
                                           testing::Bool()));

@@ -50,8 +50,8 @@ class Neighbour : public Exchange {
         const int cells[] = {global_r, global_z};
         for (const int k : {0, 1}) {
             const bool is_cut = k == cut.direction;
-            begin[k] = is_cut && rank == 1 ? cut.cell - halo : 0;
-            end[k] = is_cut && rank == 0 ? cut.cell + halo : cells[k];
+            begin[k] = is_cut && rank == 1 ? std::max(cut.cell - halo, 0) : 0;
+            end[k] = is_cut && rank == 0 ? std::min(cut.cell + halo, cells[k]) : cells[k];
         }
         const int n_r = end[0] - begin[0] + 1, n_z = end[1] - begin[1] + 1;
         mine.assign(static_cast<std::size_t>(n_r * n_z), 1);

@@ -16,7 +16,7 @@ struct PressedSand {
     Settings settings{.pic_rate = 20.0, .local_damping = 0.02, .gravity_z = -9.81};
     int cells_z = 24;
     bool ring = true;
-    double block_density = 2500.0;
+    double block_density = 2500.0, block_velocity = -10.0;
 
     double growth = 1.0;  // of a cell to the next one
 
@@ -46,7 +46,8 @@ struct PressedSand {
                               std::make_unique<LinearElastic>(1e7, 0.2));
         block.name = "block";
         const ParticleView v = block.particles.view();
-        for (std::ptrdiff_t p = 0; p < block.particles.size(); ++p) v[column::v_z][p] = -10.0;
+        for (std::ptrdiff_t p = 0; p < block.particles.size(); ++p)
+            v[column::v_z][p] = block_velocity;
         keep(block);
         out->add_body(std::move(block));
         Body below = sand();
