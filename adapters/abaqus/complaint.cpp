@@ -10,7 +10,9 @@
 namespace grit::abaqus {
 namespace {
 
-std::atomic<bool> already_said{false};  // all that a library of this folder keeps between calls
+// All that a library of this folder keeps between calls: of increments that are too large, which many hosts
+// cut back, and of all else.
+std::atomic<bool> already_said[2]{false, false};
 
 // The library counts the points of its call, a host its elements: "point 7: " goes.
 const char* without_count(const char* message) {
@@ -33,7 +35,8 @@ grit_status failure(grit_error& error, grit_status status, const char* format, .
 }
 
 void complain(const grit_error& why, const char* where, ...) {
-    if (already_said.exchange(true, std::memory_order_relaxed)) return;
+    std::atomic<bool>& said = already_said[why.status == GRIT_NOT_CONVERGED ? 0 : 1];
+    if (said.exchange(true, std::memory_order_relaxed)) return;
     char place[128];
     std::va_list arguments;
     va_start(arguments, where);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a failed call speaks to its user: one line on stderr, once in the life of the process. A host
-// repeats its calls by the thousand, and the first failure is the one to look at.
+// How a failed call speaks to its user: one line on stderr, once in the life of the process, and once more
+// where an increment was too large. A host repeats its calls by the thousand, and the first failure is
+// the one to look at.
 #pragma once
 
 #include <grit/status.h>

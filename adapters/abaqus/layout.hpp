@@ -5,6 +5,8 @@
 
 #include <grit/radian_layout.h>
 
+#include "adapters/abaqus/umat_arguments.hpp"
+
 namespace grit::abaqus {
 
 struct Layout {
@@ -18,7 +20,12 @@ struct Layout {
 
 extern const Layout layout;
 
-// Where the host of a UMAT has 11 22 33 12 13 23. STATEV is always in this order.
-extern const int host_order[6];
+// What a library for one host knows of it.
+struct Host {
+    int order[6];        // where it has 11 22 33 12 13 23 of a UMAT; STATEV is always in this order
+    Matrix umat_, umat;  // how it reads what the entries of these names write
+};
+
+extern const Host host;
 
 }  // namespace grit::abaqus

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The UMAT: one material point per call, prepared from PROPS every time.
+#include <cmath>
+
 #include <grit/sand.h>
 #include <grit/sand_operators.h>
 
@@ -41,11 +43,31 @@ grit_status check_call(const UmatArguments& call, grit_error& error) {
 Point read_point(const UmatArguments& call) {
     Point p{};
     for (int c = 0; c < *call.ntens; ++c) {
-        p.strain_increment[c] = call.dstran[host_order[c]];
-        p.stress[c] = call.stress[host_order[c]];
+        p.strain_increment[c] = call.dstran[host.order[c]];
+        p.stress[c] = call.stress[host.order[c]];
     }
     read_state({call.statev, 1, *call.nstatv}, *call.ntens - 3, p);
     return p;
+}
+
+// To the nearest rotation, where Q is nearly one: MOOSE's, a truncated series, is off by 2e-4 at a tenth of
+// a radian. What is farther off is left to the library to refuse. Newton's iteration for the polar factor.
+void project(double Q[9]) {
+    const auto cofactor = [&Q](int r, int c) {
+        const int r1 = (r + 1) % 3, r2 = (r + 2) % 3, c1 = (c + 1) % 3, c2 = (c + 2) % 3;
+        return Q[3 * r1 + c1] * Q[3 * r2 + c2] - Q[3 * r1 + c2] * Q[3 * r2 + c1];
+    };
+    for (int i = 0; i < 4; ++i) {
+        double inverse_transposed[9];
+        const double det = Q[0] * cofactor(0, 0) + Q[1] * cofactor(0, 1) + Q[2] * cofactor(0, 2);
+        double off = 0.0;
+        for (int k = 0; k < 9; ++k) {
+            inverse_transposed[k] = cofactor(k / 3, k % 3) / det;
+            off = std::fmax(off, std::fabs(inverse_transposed[k] - Q[k]));
+        }
+        if (!(off > 1e-14 && off < 1e-2)) return;
+        for (int k = 0; k < 9; ++k) Q[k] = 0.5 * (Q[k] + inverse_transposed[k]);
+    }
 }
 
 // DROT as a row-major Q. False where nothing is to be turned: null, the identity, or all zero, which
@@ -63,7 +85,9 @@ bool read_rotation(const UmatArguments& call, double Q[9]) {
             identity = identity && entry == unit;
             Q[3 * r + c] = entry;
         }
-    return !zero && !identity;
+    if (zero || identity) return false;
+    project(Q);
+    return true;
 }
 
 grit_status update(const UmatArguments& call, const grit_sand& sand, Point& point,
@@ -82,7 +106,7 @@ grit_status update(const UmatArguments& call, const grit_sand& sand, Point& poin
 void write_stress(const UmatArguments& call, const Point& start, const Point& end) {
     double work = 0.0;  // of the total stress, trapezoidal
     for (int c = 0; c < *call.ntens; ++c) {
-        double& stress = call.stress[host_order[c]];
+        double& stress = call.stress[host.order[c]];
         const double before = stress;
         stress = total_stress(start, end, c, before);
         work += 0.5 * (before + stress) * start.strain_increment[c];
@@ -104,9 +128,11 @@ void symmetrise(const Material& material, const Point& end, double tangent[36]) 
 void write_tangent(const UmatArguments& call, const double tangent[36], double K_w) {
     const int n = *call.ntens;
     for (int r = 0; r < n; ++r)
-        for (int c = 0; c < n; ++c)
-            call.ddsdde[host_order[r] + n * host_order[c]] =
+        for (int c = 0; c < n; ++c) {
+            const int row = host.order[r], column = host.order[c];
+            call.ddsdde[call.matrix == Matrix::rows ? n * row + column : row + n * column] =
                 tangent[6 * r + c] + (r < 3 && c < 3 ? K_w : 0.0);
+        }
 }
 
 grit_status run(const UmatArguments& call, grit_sand_report& report, grit_error& error) {
@@ -122,7 +148,7 @@ grit_status run(const UmatArguments& call, grit_sand_report& report, grit_error&
     load_water(material, end);
     write_stress(call, start, end);
     write_state({call.statev, 1, *call.nstatv}, material, end, report.evaluations);
-    if (call.ddsdde && call.symmetric) symmetrise(material, end, tangent);
+    if (call.ddsdde && call.matrix == Matrix::symmetric) symmetrise(material, end, tangent);
     if (call.ddsdde) write_tangent(call, tangent, material.K_w);
     return GRIT_OK;
 }
@@ -134,10 +160,10 @@ void run_umat(const UmatArguments& call) {
     report.step_reduction = 1.0;
     grit_error error{};
     if (run(call, report, error) == GRIT_OK) return;
-    if (call.pnewdt)
-        *call.pnewdt = report.step_reduction < 1.0 ? report.step_reduction : default_reduction;
-    // Where a smaller increment will do, PNEWDT says all there is to know, and it is no error.
-    if (call.pnewdt && error.status == GRIT_NOT_CONVERGED) return;
+    const double reduction =
+        report.step_reduction < 1.0 ? report.step_reduction : default_reduction;
+    // Some hosts hand the same PNEWDT to one point after the other: never raise what one has asked for.
+    if (call.pnewdt && !(*call.pnewdt > 0.0 && *call.pnewdt < reduction)) *call.pnewdt = reduction;
     complain(error, "Grit UMAT: element %d, point %d", call.noel ? *call.noel : 0,
              call.npt ? *call.npt : 0);
 }

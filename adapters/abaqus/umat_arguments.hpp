@@ -4,11 +4,14 @@
 
 namespace grit::abaqus {
 
+// How a host reads DDSDDE; symmetric: by columns, and it symmetrises (docs/adr/0006).
+enum class Matrix { columns, rows, symmetric };
+
 struct UmatArguments {
     // in and out
     double* stress;  // [ntens]
     double* statev;  // [nstatv]
-    double* ddsdde;  // [ntens x ntens] column-major, optional
+    double* ddsdde;  // [ntens x ntens], optional
     double* sse;     // optional
     double* pnewdt;  // optional
     // in
@@ -18,7 +21,7 @@ struct UmatArguments {
     const int *ndi, *nshr;  // optional
     const int *ntens, *nstatv, *nprops;
     const int *noel, *npt;  // optional, for messages
-    bool symmetric;         // DDSDDE for a host that symmetrises it
+    Matrix matrix;          // of DDSDDE
 };
 
 // The whole call: an update, or a complaint and PNEWDT.

@@ -3,7 +3,7 @@
 // Kratos), umat, UMAT, and SAND for CalculiX, which writes names in upper case.
 #include <cstddef>
 
-#include "adapters/abaqus/umat_arguments.hpp"
+#include "adapters/abaqus/layout.hpp"
 
 #define GRIT_ENTRY __attribute__((visibility("default")))
 
@@ -28,16 +28,20 @@ extern "C" {
 
 GRIT_ENTRY void umat_(GRIT_UMAT_PARAMETERS) {
     grit::abaqus::run_umat({STRESS, STATEV, DDSDDE, SSE, PNEWDT, DSTRAN, DROT, PROPS, NDI, NSHR,
-                            NTENS, NSTATV, NPROPS, NOEL, NPT, false});
+                            NTENS, NSTATV, NPROPS, NOEL, NPT, grit::abaqus::host.umat_});
 }
 
-GRIT_ENTRY decltype(umat_) umat __attribute__((alias("umat_")));
-GRIT_ENTRY decltype(umat_) UMAT __attribute__((alias("umat_")));
+GRIT_ENTRY void umat(GRIT_UMAT_PARAMETERS) {
+    grit::abaqus::run_umat({STRESS, STATEV, DDSDDE, SSE, PNEWDT, DSTRAN, DROT, PROPS, NDI, NSHR,
+                            NTENS, NSTATV, NPROPS, NOEL, NPT, grit::abaqus::host.umat});
+}
+
+GRIT_ENTRY decltype(umat) UMAT __attribute__((alias("umat")));
 
 // CalculiX: STRESS and DSTRAN come in axes that do not turn with the material, so h stays too, whatever
 // DROT says; and DDSDDE is symmetrised (docs/adr/0006).
 GRIT_ENTRY void SAND(GRIT_UMAT_PARAMETERS) {
     grit::abaqus::run_umat({STRESS, STATEV, DDSDDE, SSE, PNEWDT, DSTRAN, nullptr, PROPS, NDI, NSHR,
-                            NTENS, NSTATV, NPROPS, NOEL, NPT, true});
+                            NTENS, NSTATV, NPROPS, NOEL, NPT, grit::abaqus::Matrix::symmetric});
 }
 }

@@ -58,6 +58,14 @@ class Block {
         for (int first = 0; first < n; first += chunk) update(first, std::min(chunk, n - first));
     }
 
+    // Where the material is wrong: no memory of the host is left as it was found.
+    void stand_still() {
+        for (int i = 0; i < n; ++i) {
+            keep(i);
+            state_new(i)[GRIT_CLASSIC_EVALUATIONS] = no_evaluations_but_a_failure;
+        }
+    }
+
     // Before the first increment Abaqus/Explicit tries small strains on the points, for the speed of
     // waves, and keeps nothing of them: linear elasticity, lambda = mu, with the bound of the sand's
     // P-wave modulus, and the state as it was.
@@ -167,9 +175,12 @@ class Block {
 grit_status run(const VumatArguments& call, grit_error& error) {
     if (const grit_status s = check_call(call, error)) return s;
     if (const grit_status s = check_precision(call, error)) return s;
-    Material material;
-    if (const grit_status s = read_props(call.props, material, error)) return s;
+    Material material{};
     Block block(call, material);
+    if (const grit_status s = read_props(call.props, material, error)) {
+        block.stand_still();
+        return s;
+    }
     if (call.step_time && call.total_time && *call.step_time == 0.0 && *call.total_time == 0.0)
         block.try_elastic();
     else block.update();

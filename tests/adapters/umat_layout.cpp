@@ -116,6 +116,32 @@ TEST(UmatLayout, SurvivesACallOfNothingButNulls) {
     EXPECT_LT(pnewdt, 1.0);
 }
 
+TEST(UmatLayout, NamesEveryNullPointerThatTheSandNeeds) {
+    for (const char* name : {"STRESS", "STATEV", "DSTRAN", "PROPS", "NTENS", "NSTATV", "NPROPS"}) {
+        UmatCall call = loaded();
+        call.missing = name;
+        const UmatCall before = call;
+        const std::string said = call.complaint();
+        EXPECT_NE(said.find(std::string(name) + " is a null pointer"), std::string::npos) << said;
+        EXPECT_TRUE(call.same_results(before));
+        EXPECT_LT(call.pnewdt, 1.0);
+    }
+}
+
+// Of several points that share a PNEWDT, as in CalculiX, the one that wants least has it.
+TEST(UmatLayout, NeverRaisesAPnewdtThatAnotherPointHasAskedFor) {
+    for (const double strain : {-0.22, std::numeric_limits<double>::infinity()}) {
+        UmatCall call = loaded();
+        call.pnewdt = 0.1;
+        call.set_dstran(strain, 0, 0);
+        call.complaint();
+        EXPECT_EQ(call.pnewdt, 0.1);
+        call.pnewdt = 0.9;
+        call.complaint();
+        EXPECT_LT(call.pnewdt, 0.9);
+    }
+}
+
 TEST(UmatLayout, WritesPnewdtOnlyOnFailureAndThenBelowOne) {
     for (const double given : {1.0, -1.0, std::numeric_limits<double>::max(), 0.5}) {
         UmatCall call = loaded();

@@ -67,6 +67,43 @@ void turn_about(const double axis[3], double angle, double Q[9]) {
             Q[3 * i + j] = (i == j ? c : 0.0) + s * skew[3 * i + j] + (1.0 - c) * axis[i] * axis[j];
 }
 
+// A host whose rotations are truncated series hands over a stretch with them.
+TEST(UmatRotation, TakesTheRotationThatIsNearestToDrotWhereItIsNearly) {
+    const double axis[3] = {1.0 / 3.0, -2.0 / 3.0, 2.0 / 3.0};
+    double Q[9];
+    turn_about(axis, 0.4, Q);
+    const auto turned_by = [](const double R[9]) {
+        UmatCall call = UmatCall::hochstetten();
+        call.set_dstran(-1e-4, 4e-5, 1e-5, 5e-5);
+        const double h[6] = {-5e-5, 2e-5, -3e-5, 4e-5, -1e-5, 2e-5};
+        for (int c = 0; c < 6; ++c) call.statev[c] = h[c];
+        for (int i = 0; i < 9; ++i) call.drot[i % 3 * 3 + i / 3] = R[i];  // column-major
+        return call;
+    };
+    UmatCall exact = turned_by(Q);
+    exact.run();
+    ASSERT_EQ(exact.pnewdt, 1.0);
+    const double stretch[9] = {0.8, -0.3, 0.2, -0.3, -0.5, 0.4, 0.2, 0.4, 0.1};
+    for (const double off : {1e-9, 1e-7, 1e-5, 3e-4, 3e-3}) {
+        double R[9];  // Q (1 + off S)
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) {
+                R[3 * i + j] = Q[3 * i + j];
+                for (int k = 0; k < 3; ++k) R[3 * i + j] += off * Q[3 * i + k] * stretch[3 * k + j];
+            }
+        UmatCall call = turned_by(R);
+        call.run();
+        EXPECT_EQ(call.pnewdt, 1.0) << off;
+        for (int c = 0; c < 6; ++c) {
+            EXPECT_NEAR(call.statev[c], exact.statev[c], 1e-12 * 1e-4) << off;
+            EXPECT_NEAR(call.stress[c], exact.stress[c], 1e-10) << off;
+        }
+    }
+    for (double& entry : Q) entry *= 1.02;
+    UmatCall far = turned_by(Q);
+    EXPECT_NE(far.complaint().find("proper orthogonal"), std::string::npos);
+}
+
 TEST(UmatRotation, TurnsByNinetyDegreesInTenIncrementsAboutAnyAxis) {
     const double quarter = 1.5707963267948966, third = 1.0 / 3.0, half = std::sqrt(0.5);
     const double axes[][3] = {

@@ -153,22 +153,42 @@ void expect_nothing_written(const std::function<void(VumatCall&)>& spoil, const 
     EXPECT_EQ(block.intern_new, before.intern_new);
 }
 
-TEST(VumatFailure, WritesNothingWhereTheCallOrTheMaterialIsWrong) {
+TEST(VumatFailure, WritesNothingWhereTheCallIsWrong) {
     expect_nothing_written([](VumatCall& x) { x.nprops = 15; }, "nprops must be at least 16");
     expect_nothing_written([](VumatCall& x) { x.nstatev = 12; }, "nstatev must be at least 13");
     expect_nothing_written([](VumatCall& x) { x.ndir = 2; }, "ndir must be 3");
     expect_nothing_written([](VumatCall& x) { x.nshr = 2; }, "nshr 3 or 1");
     expect_nothing_written([](VumatCall& x) { x.nblock = -1; }, "nblock must be >= 0");
-    expect_nothing_written([](VumatCall& x) { x.props[0] = 0.576; }, "radians?");
-    expect_nothing_written([](VumatCall& x) { x.props[3] = nan; }, "n");
-    expect_nothing_written([](VumatCall& x) { x.props[14] = -1.0; }, "K_w");
 }
 
-TEST(VumatFailure, SurvivesNullPointers) {
-    VumatCall block(1);
-    block.props.clear();
-    block.props.shrink_to_fit();  // data() is null
-    EXPECT_NE(block.complaint().find("props is a null pointer"), std::string::npos);
+TEST(VumatFailure, LeavesAllPointsStandingWhereTheMaterialIsWrong) {
+    const struct {
+        int place;
+        double value;
+        const char* word;
+    } wrong[] = {{0, 0.576, "radians?"}, {3, nan, "n"}, {14, -1.0, "K_w"}};
+    for (const double time : {0.0, 1e-3})
+        for (const auto& prop : wrong) {
+            VumatCall block = loaded(70);
+            block.step_time = block.total_time = time;
+            block.props[static_cast<std::size_t>(prop.place)] = prop.value;
+            const std::string said = block.complaint();
+            EXPECT_EQ(said.rfind("Grit VUMAT: ", 0), 0U) << said;
+            EXPECT_NE(said.find(prop.word), std::string::npos) << said;
+            EXPECT_EQ(block.stress_new, block.stress_old);
+            EXPECT_EQ(block.intern_new, block.intern_old);
+            for (int i = 0; i < 70; ++i)
+                for (int k = 0; k < 14; ++k)
+                    EXPECT_EQ(block.state_new(i, k), k == 9 ? -1.0 : block.state_old(i, k));
+            EXPECT_TRUE(block.in_bounds());
+        }
+}
+
+TEST(VumatFailure, NamesEveryNullPointerThatTheSandNeeds) {
+    for (const char* name : {"nblock", "ndir", "nshr", "nstatev", "nprops", "props", "strainInc",
+                             "stressOld", "stateOld", "stressNew", "stateNew"})
+        expect_nothing_written([&](VumatCall& x) { x.missing = name; },
+                               (std::string(name) + " is a null pointer").c_str());
 }
 
 TEST(VumatFailure, KnowsASinglePrecisionCallerByItsProps) {

@@ -74,8 +74,13 @@ void UmatCall::run(UmatFunction function) {
                  nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, 0);
         return;
     }
-    function(stress.data(), statev.data(), ddsdde.data(), &energy[0], &energy[1], &energy[2],
-             unused, unused, unused, unused, zero, dstran.data(), time, &dtime, zero, zero, zero,
-             zero, cmname, &ndi, &nshr, &ntens, &nstatv, props.data(), &nprops, zero, drot, &pnewdt,
-             zero, identity, identity, &noel, &npt, &one, &one, &one, &one, sizeof cmname);
+    const auto given = [this](const char* name, auto* argument) {
+        return missing == name ? nullptr : argument;
+    };
+    function(given("STRESS", stress.data()), given("STATEV", statev.data()), ddsdde.data(),
+             &energy[0], &energy[1], &energy[2], unused, unused, unused, unused, zero,
+             given("DSTRAN", dstran.data()), time, &dtime, zero, zero, zero, zero, cmname, &ndi,
+             &nshr, given("NTENS", &ntens), given("NSTATV", &nstatv), given("PROPS", props.data()),
+             given("NPROPS", &nprops), zero, drot, &pnewdt, zero, identity, identity, &noel, &npt,
+             &one, &one, &one, &one, sizeof cmname);
 }

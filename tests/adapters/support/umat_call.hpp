@@ -39,6 +39,7 @@ struct UmatCall {
     int ndi = 3, nshr = 3, ntens = 6, nstatv = 14, nprops = 16;
     int noel = 12, npt = 3;
     bool sparse = false;  // as Kratos: null wherever the law can do without
+    std::string missing;  // the name of an argument that is null
 
     // Hochstetten sand (kPa) at p = 100 kPa, e = 0.70, h = 0: verification of the literature.
     static UmatCall hochstetten();

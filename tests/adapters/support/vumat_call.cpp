@@ -37,9 +37,9 @@ bool BlockArray::operator==(const BlockArray& other) const {
 }
 
 VumatCall::VumatCall(int n, int shears, int statev)
-    : nblock(n), nshr(shears),
-      nstatev(statev), props{33.0, 0.0, 1e6, 0.25, 0.55, 0.95, 1.05, 0.25,
-                             1.5,  5.0, 2.0, 1e-4, 0.5,  6.0,  0.0,  10.70},
+    : nblock(n), nshr(shears), nstatev(statev),
+      missing(), props{33.0, 0.0, 1e6, 0.25, 0.55, 0.95, 1.05, 0.25,
+                       1.5,  5.0, 2.0, 1e-4, 0.5,  6.0,  0.0,  10.70},
       density(static_cast<std::size_t>(n), 1.8), strain_inc(n, 3 + shears, 0.0),
       rel_spin_inc(n, shears, 0.1), stretch(n, 3 + shears, 1.0), defgrad(n, 3 + 2 * shears, 0.5),
       stress_old(n, 3 + shears, 0.0), state_old(n, statev, 0.0), intern_old(n, 1, 5.0),
@@ -56,12 +56,18 @@ void VumatCall::run(VumatFunction function) {
     const double* none = unused.data();
     char cmname[80];
     std::memset(cmname, ' ', sizeof cmname);
-    function(&nblock, &ndir, &nshr, &nstatev, &nfieldv, &nprops, &lanneal, &step_time, &total_time,
-             &dt, cmname, none, none, props.data(), density.data(), strain_inc.data(),
-             rel_spin_inc.data(), none, stretch.data(), defgrad.data(), none, stress_old.data(),
-             state_old.data(), intern_old.data(), inelas_old.data(), none, stretch.data(),
-             defgrad.data(), none, stress_new.data(), state_new.data(), intern_new.data(),
-             inelas_new.data(), sizeof cmname);
+    const auto given = [this](const char* name, auto* argument) {
+        return missing == name ? nullptr : argument;
+    };
+    function(given("nblock", &nblock), given("ndir", &ndir), given("nshr", &nshr),
+             given("nstatev", &nstatev), &nfieldv, given("nprops", &nprops), &lanneal, &step_time,
+             &total_time, &dt, cmname, none, none, given("props", props.data()), density.data(),
+             given("strainInc", strain_inc.data()), rel_spin_inc.data(), none, stretch.data(),
+             defgrad.data(), none, given("stressOld", stress_old.data()),
+             given("stateOld", state_old.data()), intern_old.data(), inelas_old.data(), none,
+             stretch.data(), defgrad.data(), none, given("stressNew", stress_new.data()),
+             given("stateNew", state_new.data()), intern_new.data(), inelas_new.data(),
+             sizeof cmname);
 }
 
 void VumatCall::run() { run(vumat()); }

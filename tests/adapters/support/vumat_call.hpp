@@ -43,6 +43,7 @@ struct VumatCall {
 
     int nblock, ndir = 3, nshr, nstatev, nprops = 16;
     double step_time = 1e-3, total_time = 1e-3;
+    std::string missing;  // the name of an argument that is null
     std::vector<double> props, density;
     BlockArray strain_inc, rel_spin_inc, stretch, defgrad, stress_old, state_old, intern_old,
         inelas_old, stress_new, state_new, intern_new, inelas_new;

@@ -3,6 +3,6 @@
 
 namespace grit::abaqus {
 
-const int host_order[6] = {0, 1, 2, 3, 4, 5};
+const Host host = {{0, 1, 2, 3, 4, 5}, Matrix::columns, Matrix::columns};
 
 }  // namespace grit::abaqus
