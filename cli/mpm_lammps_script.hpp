@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <adapters/mpm/case.hpp>
+
+namespace cli {
+
+// The numbers of the atoms that each traction acts on.
+using TractionAtoms = std::vector<std::vector<int>>;
+
+// The input script. stem: of the other files. Throws BadInput for what LAMMPS does not have.
+std::string lammps_script(const grit::mpm::Case& plan, const std::string& stem,
+                          const TractionAtoms& tractions);
+
+}  // namespace cli
