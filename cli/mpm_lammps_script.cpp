@@ -183,8 +183,7 @@ std::string columns_comment() {
 
 }  // namespace
 
-std::string lammps_script(const Case& plan, const std::string& stem,
-                          const TractionAtoms& tractions) {
+std::string lammps_fix(const Case& plan, const std::string& stem) {
     FixWords fix;
     fix.out = fmt::format("fix mpm all grit/mpm {}",
                           plan.settings.axisymmetric ? "axisymmetric" : "plane_strain");
@@ -198,18 +197,23 @@ std::string lammps_script(const Case& plan, const std::string& stem,
     add_contacts(plan, fix);
     fix.add("driven {} {}", plan.history.body,
             plan.history.depth_of == DepthOf::lowest_point ? "lowest_point" : "centre_of_mass");
+    return fmt::format("neigh_modify once yes\n{}\n\n{}"
+                       "thermo_style custom step f_mpm[*]\n"
+                       "thermo_modify format float %.17g line one\n",
+                       fix.out, columns_comment());
+}
 
+std::string lammps_script(const Case& plan, const std::string& stem,
+                          const TractionAtoms& tractions) {
     std::string out = fmt::format(
         "# {}\n# Written by Grit {}; needs fix grit/mpm, see docs/lammps.md.\n"
         "variable thermo_steps index 100\nvariable most_steps index 2000000000\n\n"
         "units si\ndimension 2\nboundary f f p\natom_style atomic\natom_modify map yes\n"
-        "neigh_modify once yes\nread_data {}.data\n",
+        "read_data {}.data\n",
         plan.title, version(), stem);
     for (std::size_t i = 0; i < tractions.size(); ++i)
         out += fmt::format("group traction_{} id{}\n", i + 1, id_list(tractions[i]));
-    out += fmt::format("\n{}\n\n{}", fix.out, columns_comment());
-    out += "thermo_style custom step f_mpm[*]\nthermo_modify format float %.17g line one\n"
-           "thermo ${thermo_steps}\n";
+    out += fmt::format("include {}.fix\nthermo ${{thermo_steps}}\n", stem);
     for (const StagePlan& stage : plan.stages) out += fmt::format("\n{}", of_stage(stage));
     return out;
 }

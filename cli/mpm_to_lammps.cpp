@@ -90,6 +90,12 @@ void write_points(Simulation& simulation, std::size_t body, const std::filesyste
     file.close();
 }
 
+void write_text(const std::string& text, const std::filesystem::path& path) {
+    TextFile file(path);
+    file.print("{}", text);
+    file.close();
+}
+
 TractionAtoms traction_atoms(const Case& plan, Simulation& simulation) {
     TractionAtoms out;
     for (const TractionPlan& traction : plan.tractions) {
@@ -108,15 +114,15 @@ TractionAtoms traction_atoms(const Case& plan, Simulation& simulation) {
 void write_lammps_files(const Case& plan, const std::filesystem::path& folder) {
     const BuiltCase built = build_case(plan);
     Simulation& simulation = *built.simulation;
+    const std::string fix = lammps_fix(plan, plan.name);
     const std::string script = lammps_script(plan, plan.name, traction_atoms(plan, simulation));
     make_output_folder(folder);
     write_data(plan, simulation, folder / (plan.name + ".data"));
     for (std::size_t i = 0; i < plan.bodies.size(); ++i)
         write_points(simulation, i,
                      folder / fmt::format("{}_{}.points", plan.name, plan.bodies[i].name));
-    TextFile file(folder / (plan.name + ".in"));
-    file.print("{}", script);
-    file.close();
+    write_text(fix, folder / (plan.name + ".fix"));
+    write_text(script, folder / (plan.name + ".in"));
 }
 
 }  // namespace cli

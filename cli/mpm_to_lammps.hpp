@@ -8,7 +8,7 @@
 
 namespace cli {
 
-// Writes FOLDER/<case>.in, .data, and _<body>.points for each body. Throws BadInput for what the other host
+// Writes FOLDER/<case>.in, .fix, .data, and _<body>.points for each body. Throws BadInput for what the other host
 // does not have.
 void write_lammps_files(const grit::mpm::Case& plan, const std::filesystem::path& folder);
 

@@ -275,6 +275,7 @@ double FixGritMpm::memory_usage() {
 void FixGritMpm::post_run() {
     if (!run->started()) return;
     timer->reset_timeout();
+    guarded([this] { show_columns(); });
     report_traffic();
 }
 
