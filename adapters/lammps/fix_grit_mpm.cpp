@@ -85,15 +85,31 @@ void FixGritMpm::check_host() const {
         refuse("brick sub-domains, not those of balance rcb: comm_style brick");
 }
 
+void FixGritMpm::fail(const std::string& why) {
+    if (comm->nprocs == 1) error->all(FLERR, "Fix grit/mpm: " + why);
+    error->one(FLERR, "Fix grit/mpm: " + why);
+}
+
+void FixGritMpm::check_variables() const {
+    std::vector<std::string> names = run->description().traction_variables;
+    for (const MotionVariables& motion : run->description().motion)
+        names.insert(names.end(), {motion.r, motion.z});
+    for (const std::string& name : names) {
+        if (name.empty()) continue;
+        const int number = input->variable->find(name.c_str());
+        if (number < 0 || !input->variable->equalstyle(number))
+            error->all(FLERR, "Fix grit/mpm: there is no equal-style variable \"" + name + '"');
+    }
+}
+
 void FixGritMpm::init() {
     check_host();
+    check_variables();
     int integrators = 0;
     for (int i = 0; i < modify->nfix; ++i) integrators += modify->fix[i]->time_integrate;
     if (integrators > 1)
         error->all(FLERR, std::string("Fix grit/mpm cannot share the atoms with another fix that "
                                       "moves them"));
-    if (run->started() && run->run().finished())
-        error->all(FLERR, std::string("Fix grit/mpm: all stages have ended"));
 }
 
 // The sub-domains, as Domain::set_local_box cuts them.
@@ -142,6 +158,8 @@ void FixGritMpm::setup_pre_neighbor() {
         error->all(FLERR, "Fix grit/mpm: " + std::to_string(wanted[0]) +
                               " atoms in its group, but " + std::to_string(wanted[1]) +
                               " material points");
+    if (run->run().finished())
+        error->all(FLERR, std::string("Fix grit/mpm: all stages have ended"));
     way = 0.0;
     update->dt = run->simulation().next_step() > 0.0 ? run->simulation().next_step() : update->dt;
     traffic_before = run->halo().traffic();
@@ -150,19 +168,16 @@ void FixGritMpm::setup_pre_neighbor() {
 }
 
 void FixGritMpm::pre_neighbor() {
-    guarded([this] { run->settle(); });
+    guarded_here([this] { run->settle(); });
     way = 0.0;
 }
 
 void FixGritMpm::initial_integrate(int) {
-    guarded([this] {
-        if (run->run().finished()) throw std::runtime_error("all stages have ended");
-        const mpm::Ended before = run->run().ended();
+    guarded_here([this] {
         const int stage = run->run().state().stage;
         run->run().step();
         show_atoms();
-        if (run->run().state().stage != stage || run->run().ended() != before)
-            timer->force_timeout();
+        if (run->run().state().stage != stage) timer->force_timeout();
     });
     const mpm::Simulation& simulation = run->simulation();
     update->atime = simulation.time();
@@ -200,11 +215,11 @@ void FixGritMpm::show_atoms() {
 
 // Only when somebody looks.
 void FixGritMpm::end_of_step() {
-    if (update->ntimestep == output->next) guarded([this] { show_columns(); });
+    if (update->ntimestep == output->next) guarded_here([this] { show_columns(); });
 }
 
 void FixGritMpm::setup(int) {
-    guarded([this] { show_columns(); });
+    guarded_here([this] { show_columns(); });
 }
 
 void FixGritMpm::show_columns() {
@@ -224,8 +239,7 @@ void FixGritMpm::show_columns() {
 
 double FixGritMpm::variable_at(const std::string& name, double t) {
     const int number = input->variable->find(name.c_str());
-    if (number < 0 || !input->variable->equalstyle(number))
-        throw std::invalid_argument("there is no equal-style variable \"" + name + '"');
+    if (number < 0) throw std::runtime_error("variable \"" + name + "\" is gone");
     const double time = update->atime;
     const LAMMPS_NS::bigint step = update->atimestep;
     update->atime = t;
@@ -256,7 +270,7 @@ void FixGritMpm::begin_stage(const std::vector<std::string>& words) {
 double FixGritMpm::compute_vector(int i) {
     if (!run->started()) return 0.0;
     if (row_step != update->ntimestep) {
-        guarded([this] {
+        guarded_here([this] {
             const mpm::HistoryRow now = run->run().row();
             row.clear();
             for (const mpm::HistoryColumn& column : mpm::history_columns())
@@ -275,7 +289,7 @@ double FixGritMpm::memory_usage() {
 void FixGritMpm::post_run() {
     if (!run->started()) return;
     timer->reset_timeout();
-    guarded([this] { show_columns(); });
+    guarded_here([this] { show_columns(); });
     report_traffic();
 }
 

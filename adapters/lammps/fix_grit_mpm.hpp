@@ -42,6 +42,9 @@ class FixGritMpm : public LAMMPS_NS::Fix {
   private:
     // Of a call into Grit: what it throws becomes an error of LAMMPS.
     template <class Work> void guarded(const Work& work);
+    template <class Work> void guarded_here(const Work& work);
+    [[noreturn]] void fail(const std::string& why);
+    void check_variables() const;
     void check_host() const;
     void read_points(std::size_t body);
     std::vector<std::vector<int>> traction_ids();

@@ -30,7 +30,7 @@ int FixGritMpm::pack_exchange(int i, double* to) {
         return 1;
     }
     int size = 0;
-    guarded([&] {
+    guarded_here([&] {
         size = pack(run->row(atom->tag[i]), to);
         run->leave(atom->tag[i]);
     });
@@ -49,14 +49,14 @@ int FixGritMpm::pack_restart(int i, double* to) {
         return 1;
     }
     int size = 0;
-    guarded([&] { size = pack(run->row(atom->tag[i]), to); });
+    guarded_here([&] { size = pack(run->row(atom->tag[i]), to); });
     return size;
 }
 
 int FixGritMpm::size_restart(int i) {
     int size = 1;
     if (is_mine(i))
-        guarded([&] { size = static_cast<int>(run->row(atom->tag[i]).columns.size()) + 2; });
+        guarded_here([&] { size = static_cast<int>(run->row(atom->tag[i]).columns.size()) + 2; });
     return size;
 }
 

@@ -9,16 +9,22 @@
 
 namespace grit::lammps {
 
-// What is wrong with a command is wrong on all processes; what fails later may fail on one.
+// What is wrong with a command is wrong on all processes; what fails in a step may fail on one.
 template <class Work> void FixGritMpm::guarded(const Work& work) {
     try {
         work();
     } catch (const std::invalid_argument& wrong) {
         error->all(FLERR, std::string("Illegal fix grit/mpm command: ") + wrong.what());
     } catch (const std::exception& failure) {
-        const std::string words = std::string("Fix grit/mpm: ") + failure.what();
-        if (comm->nprocs == 1) error->all(FLERR, words);
-        error->one(FLERR, words);
+        fail(failure.what());
+    }
+}
+
+template <class Work> void FixGritMpm::guarded_here(const Work& work) {
+    try {
+        work();
+    } catch (const std::exception& failure) {
+        fail(failure.what());
     }
 }
 

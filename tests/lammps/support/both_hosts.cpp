@@ -82,10 +82,17 @@ Told BothHosts::in_driver(long steps) const {
     return out;
 }
 
+// As root, as in containers, OpenMPI wants to be told.
+std::string BothHosts::start(int processes, const std::string& program) {
+    if (processes == 1) return "timeout 120 " + program;
+    return "timeout 120 env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 " MPIEXEC
+           " --oversubscribe --mca mpi_yield_when_idle 1 -np " +
+           std::to_string(processes) + ' ' + program;
+}
+
 Answer BothHosts::lammps(int processes, const std::string& script) const {
     folder.write("script.in", script);
-    return folder.run(std::string(MPIEXEC) + " --oversubscribe --mca mpi_yield_when_idle 1 -np " +
-                      std::to_string(processes) + " " GRIT_LMP " -in script.in -log none");
+    return folder.run(start(processes, GRIT_LMP " -in script.in -log none"));
 }
 
 Told BothHosts::in_lammps(int r, int z, const std::string& script_given) const {
@@ -95,9 +102,13 @@ Told BothHosts::in_lammps(int r, int z, const std::string& script_given) const {
                           std::to_string(z) + " 1\n" + wanted +
                           "write_dump all custom end.dump id f_mpm[*] modify format float %.17g\n");
     EXPECT_EQ(answer.status, 0) << answer.text;
+    return read_told(answer.text);
+}
+
+Told BothHosts::read_told(const std::string& printed) const {
     Told out;
     const std::size_t count = grit::mpm::history_columns().size();
-    for (const std::vector<double>& row : numbers_in(answer.text, count + 1)) {
+    for (const std::vector<double>& row : numbers_in(printed, count + 1)) {
         // The step is in front; a run begins with the last row of the one before.
         std::vector<double> values(row.begin() + 1, row.end());
         if (out.rows.empty() || out.rows.back()[1] != values[1]) out.rows.push_back(values);

@@ -27,6 +27,10 @@ class BothHosts {
     Told in_lammps(int r, int z, const std::string& script = "") const;
     // ... as a program is run that may fail.
     Answer lammps(int processes, const std::string& script) const;
+    // How a program is started on so many processes, more than processors too.
+    static std::string start(int processes, const std::string& program);
+    // From what LAMMPS has printed and dumped.
+    Told read_told(const std::string& printed) const;
     std::string script() const { return "include " + name + ".in\n"; }
 
     const Folder folder;
