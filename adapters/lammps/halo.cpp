@@ -65,7 +65,9 @@ void Halo::exchange_along(int direction, Number* values, int per_place, Of what,
     // Runs of numbers: a part of each row, or rows.
     const int runs = direction == 0 ? n_z : 1;
     const auto each = [&](const Shared& s) {
-        return static_cast<std::size_t>(s.count * (direction == 0 ? 1 : n_r) * per_place);
+        return static_cast<std::size_t>(s.count) *
+               static_cast<std::size_t>(direction == 0 ? 1 : n_r) *
+               static_cast<std::size_t>(per_place);
     };
     const auto at = [&](const Shared& s, int run) {
         const std::ptrdiff_t place =

@@ -62,7 +62,7 @@ struct Runner::Blows {
     }
 };
 
-Runner::Runner(Case given) : Runner(given, build_case(given)) {}
+Runner::Runner(const Case& given) : Runner(given, build_case(given)) {}
 
 Runner::Runner(Case given, BuiltCase ready) : plan(std::move(given)), built(std::move(ready)) {
     if (plan.stages.empty()) throw std::invalid_argument("a case needs a stage");

@@ -45,7 +45,7 @@ enum class Ended { not_yet, by_time, by_depth, by_blows, at_rest };
 class Runner {
   public:
     // Throws std::invalid_argument, see build_case.
-    explicit Runner(Case plan);
+    explicit Runner(const Case& plan);
     // Of a simulation that was built of it otherwise.
     Runner(Case plan, BuiltCase built);
 
