@@ -30,6 +30,17 @@ TEST(LammpsFlight, LosesNoPointAcrossAllBordersOfSubdomains) {
     EXPECT_EQ(first_difference(driver, lammps), "");
 }
 
+TEST(LammpsFlight, LosesNoPointOnTheWayBack) {
+    std::string text = block_case("-4, -3.5", "3.2");
+    text.replace(text.find("[2, 6]"), 6, "[18, 22]");
+    text.replace(text.find("[3, 6]"), 6, "[18, 21]");
+    const BothHosts hosts(text);
+    const Told lammps = hosts.in_lammps(2, 2);
+    EXPECT_LT(lowest(lammps, c::r), 8.0);
+    EXPECT_LT(lowest(lammps, c::z), 9.0);
+    EXPECT_EQ(first_difference(hosts.in_driver(1000000), lammps), "");
+}
+
 TEST(LammpsFlight, CrossesThreeSubdomainsInARow) {
     const BothHosts hosts(block_case("6, 1", "2.4"));
     const Told lammps = hosts.in_lammps(3, 1);
