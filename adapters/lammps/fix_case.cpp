@@ -205,6 +205,9 @@ FixCase read_fix(const std::vector<std::string>& given, const double (&box)[2][2
     if (plan.stages.empty()) plan.stages.push_back(first_stage(plan, "run"));
     for (mpm::StagePlan& stage : plan.stages) stage = first_stage(plan, stage.name);
     check_names(plan);
+    for (const MotionVariables& motion : out.motion)
+        if (plan.settings.threads > 1 && !(motion.r.empty() && motion.z.empty()))
+            throw std::invalid_argument("a motion by variables needs threads 1");
     return out;
 }
 

@@ -40,11 +40,18 @@ TEST(LammpsDoors, ThePackagedProgramHasTheBitsOfTheDriver) {
 
 TEST(LammpsDoors, AnotherVersionIsLeftAlone) {
     const Folder folder;
-    const Answer answer = folder.run(OTHER_HOST " " GRIT_LAMMPS);
-    EXPECT_EQ(answer.status, 0) << answer.text;
-    EXPECT_TRUE(answer.says("ERROR: Grit was built for LAMMPS 20210929 (29 Sep 2021), this is "
-                            "20230802: nothing was added to it"))
-        << answer.text;
+    const Answer answer = folder.run(OTHER_HOST " " GRIT_LAMMPS " 20230802");
+    EXPECT_EQ(answer.status, 1);
+    const std::string refusal = "ERROR: Grit was built for LAMMPS 20210929 (29 Sep 2021), this is "
+                                "20230802: nothing was added to it\n";
+    EXPECT_EQ(answer.text, refusal + refusal);  // as a plugin, and else
+}
+
+TEST(LammpsDoors, APluginIsRegisteredAsHostsWantIt) {
+    const Folder folder;
+    const Answer answer = folder.run(OTHER_HOST " " GRIT_LAMMPS " 20210929");
+    EXPECT_EQ(answer.status, 0);
+    EXPECT_EQ(answer.text, "plugin fix grit/mpm for 29 Sep 2021\n");
 }
 
 TEST(LammpsDoors, TheFixIsThereAgainAfterAClear) {
