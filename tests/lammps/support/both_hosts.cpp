@@ -84,8 +84,8 @@ Told BothHosts::in_driver(long steps) const {
 
 // As root, as in containers, OpenMPI wants to be told.
 std::string BothHosts::start(int processes, const std::string& program) {
-    if (processes == 1) return "timeout 120 " + program;
-    return "timeout 120 env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 " MPIEXEC
+    if (processes == 1) return "timeout 250 " + program;
+    return "timeout 250 env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 " MPIEXEC
            " --oversubscribe --mca mpi_yield_when_idle 1 -np " +
            std::to_string(processes) + ' ' + program;
 }
