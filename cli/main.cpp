@@ -36,6 +36,8 @@ void add_mpm_options(CLI::App& app, cli::MpmRequest& request) {
                    "leaves one")
         ->check(CLI::PositiveNumber);
     app.add_flag("--restart", request.restart, "Go on from the checkpoint in DIR");
+    app.add_option("--to-lammps", request.to_lammps,
+                   "Folder for the case as input of LAMMPS, see docs/lammps.md; computes nothing");
     app.add_flag("--no-plot", request.no_plot, "Data only");
     app.add_flag("--quiet", request.quiet, "Nothing but errors");
 }

@@ -8,6 +8,7 @@
 #include "cli/abnormal_end.hpp"
 #include "cli/mpm_case_file.hpp"
 #include "cli/mpm_run.hpp"
+#include "cli/mpm_to_lammps.hpp"
 #include "cli/outputs.hpp"
 
 namespace cli {
@@ -39,11 +40,24 @@ Runner prepare(const MpmRequest& request, const MpmCaseFile& file) {
     }
 }
 
+ExitCode convert(const MpmRequest& request, const Case& plan) {
+    try {
+        write_lammps_files(plan, request.to_lammps);
+    } catch (const std::invalid_argument& error) {
+        throw BadInput(fmt::format("{}: {}", request.file.string(), error.what()));
+    }
+    if (!request.quiet)
+        fmt::print("{}: grit-lmp -in {}.in in {}\n", plan.name, plan.name,
+                   request.to_lammps.string());
+    return ok;
+}
+
 }  // namespace
 
 ExitCode run_mpm(const MpmRequest& request) {
     MpmCaseFile file = read_mpm_case(request.file);
     const Case& plan = file.plan;
+    if (!request.to_lammps.empty()) return convert(request, plan);
     if (request.threads) file.plan.settings.threads = *request.threads;
     const MpmRunOptions options{request.out / (plan.name + ".csv"),
                                 request.out / (plan.name + ".checkpoint"),

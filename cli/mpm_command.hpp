@@ -16,6 +16,7 @@ struct MpmRequest {
     bool restart = false;
     bool no_plot = false;
     bool quiet = false;
+    std::filesystem::path to_lammps;  // write the case for LAMMPS there, and no more; empty: run it
 };
 
 // Run a case, write DIR/<case>.csv. DIR/<case>.checkpoint is written every so many minutes, and when the

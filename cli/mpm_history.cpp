@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/mpm_history.hpp"
 
+#include <adapters/mpm/history.hpp>
 #include <fmt/format.h>
 
 #include "cli/version.hpp"
@@ -8,55 +9,25 @@
 namespace cli {
 namespace {
 
-using grit::mpm::HistoryRow;
-
-struct HistoryColumn {
-    const char* name;
-    const char* unit;
-    double (*value)(const HistoryRow&);
-};
+using grit::mpm::HistoryColumn;
 
 constexpr double kilo = 1e-3;
 
-constexpr HistoryColumn columns[] = {
-    {"stage", "", [](const HistoryRow& r) { return static_cast<double>(r.stage); }},
-    {"step", "", [](const HistoryRow& r) { return static_cast<double>(r.step); }},
-    {"t", "s", [](const HistoryRow& r) { return r.t; }},
-    {"blow", "", [](const HistoryRow& r) { return static_cast<double>(r.blow); }},
-    {"depth", "m", [](const HistoryRow& r) { return r.depth; }},
-    {"velocity", "m/s", [](const HistoryRow& r) { return r.velocity; }},
-    {"tip_force", "kN", [](const HistoryRow& r) { return kilo * r.tip_force; }},
-    {"shaft_force", "kN", [](const HistoryRow& r) { return kilo * r.shaft_force; }},
-    {"hammer_force", "kN", [](const HistoryRow& r) { return kilo * r.hammer_force; }},
-    {"base_force", "kN", [](const HistoryRow& r) { return kilo * r.base_force; }},
-    {"kinetic_energy", "J", [](const HistoryRow& r) { return r.energy.kinetic; }},
-    {"stored_energy", "J", [](const HistoryRow& r) { return r.energy.stored - r.energy.stored_0; }},
-    {"external_work", "J", [](const HistoryRow& r) { return r.energy.external_work; }},
-    {"rigid_work", "J", [](const HistoryRow& r) { return r.energy.rigid_work; }},
-    {"contact_loss", "J", [](const HistoryRow& r) { return r.energy.contact; }},
-    {"damping_loss", "J", [](const HistoryRow& r) { return r.energy.damping; }},
-    {"viscosity_loss", "J", [](const HistoryRow& r) { return r.energy.viscosity; }},
-    {"absorbed", "J", [](const HistoryRow& r) { return r.energy.absorbed; }},
-    {"transfer_loss", "J", [](const HistoryRow& r) { return r.energy.transfer; }},
-    {"pic_loss", "J", [](const HistoryRow& r) { return r.energy.pic; }},
-    {"energy_residual", "J", [](const HistoryRow& r) { return r.energy.residual(); }},
-    {"residual_share", "-", [](const HistoryRow& r) { return r.residual_share; }},
-    {"dt", "s", [](const HistoryRow& r) { return r.dt; }},
-    {"largest_gap", "m", [](const HistoryRow& r) { return r.largest_gap; }},
-    {"unbalanced_share", "-", [](const HistoryRow& r) { return r.unbalanced_share; }},
-};
+bool is_force(const HistoryColumn& column) { return column.unit == std::string("N"); }
 
 }  // namespace
 
 std::vector<Column> history_columns() {
     std::vector<Column> out;
-    for (const HistoryColumn& column : columns) out.push_back({column.name, column.unit, {}, {}});
+    for (const HistoryColumn& column : grit::mpm::history_columns())
+        out.push_back({column.name, is_force(column) ? "kN" : column.unit, {}, {}});
     return out;
 }
 
-std::vector<double> history_values(const HistoryRow& row) {
+std::vector<double> history_values(const grit::mpm::HistoryRow& row) {
     std::vector<double> out;
-    for (const HistoryColumn& column : columns) out.push_back(column.value(row));
+    for (const HistoryColumn& column : grit::mpm::history_columns())
+        out.push_back((is_force(column) ? kilo : 1.0) * column.value(row));
     return out;
 }
 

@@ -53,13 +53,8 @@ void add_bodies(const Case& plan, const Axis& r, const Axis& z, const BuiltCase&
         body.particles = fill(body_plan, r, z, plan.settings.axisymmetric,
                               body.material ? body.material->own_columns() : 0);
         set_initial_state(body_plan, plan.gravity, body.particles);
-        if (const auto* rigid = std::get_if<RigidPlan>(&body_plan.material))
-            body.prescribed_velocity = [since = Since(plan, built.clock, rigid->from_stage),
-                                        motion = *rigid](double t) {
-                const double s = since(t);
-                return s < 0.0 ? Vector{0.0, 0.0}
-                               : Vector{motion.velocity_r.at(s), motion.velocity_z.at(s)};
-            };
+        if (body_plan.rigid())
+            body.prescribed_velocity = rigid_velocity(plan, body_plan, built.clock);
         for (std::size_t i = 0; i < built.simulation->bodies(); ++i) {
             Body& other = built.simulation->body(i);
             const std::string names = other.name + " and " + body.name;
@@ -74,11 +69,7 @@ void add_bodies(const Case& plan, const Axis& r, const Axis& z, const BuiltCase&
 void add_tractions(const Case& plan, const Axis& r, const Axis& z, const BuiltCase& built) {
     for (const TractionPlan& traction : plan.tractions) {
         const std::size_t body = plan.body(traction.body);
-        const auto stress = [since = Since(plan, built.clock, traction.from_stage),
-                             traction](double t) {
-            const double s = since(t), size = s < 0.0 ? 0.0 : value_at(traction.stress, s);
-            return Vector{size * traction.direction.r, size * traction.direction.z};
-        };
+        const auto stress = edge_stress(plan, traction, built.clock);
         for (const int id : outermost(built.simulation->body(body).particles, r, z, traction))
             built.simulation->add_traction({body, id, traction.edge, stress});
     }
@@ -94,23 +85,6 @@ void add_penalty_contact(const Case& plan, const ContactPlan& contact, Simulatio
     law.line_a = given.stiff_line;
     law.line_b = given.soft_line;
     simulation.add_contact(law);
-}
-
-void add_contacts(const Case& plan, Simulation& simulation) {
-    for (const ContactPlan& contact : plan.contacts) {
-        if (contact.penalty) {
-            add_penalty_contact(plan, contact, simulation);
-            continue;
-        }
-        ContactLaw law =
-            contact_law(contact.law, contact.friction_coefficient, contact.penalty_power);
-        law.a = plan.body(contact.stiff);
-        law.b = plan.body(contact.soft);
-        law.normal = contact.normal;
-        law.measure = contact.measure;
-        law.gated = contact.gated;
-        simulation.add_contact(law);
-    }
 }
 
 // A side of the grid: across r (0) or z (1), its first or its last nodes.
@@ -146,6 +120,51 @@ void check_rest(const Case& plan, const SideOfGrid& edge) {
     }
 }
 
+}  // namespace
+
+std::size_t Case::body(const std::string& wanted) const {
+    return find_name(bodies, wanted, "body");
+}
+
+std::size_t Case::stage(const std::string& wanted) const {
+    return find_name(stages, wanted, "stage");
+}
+
+std::function<Vector(double)> rigid_velocity(const Case& plan, const BodyPlan& body,
+                                             const std::shared_ptr<Clock>& clock) {
+    const auto& motion = std::get<RigidPlan>(body.material);
+    return [since = Since(plan, clock, motion.from_stage), motion](double t) {
+        const double s = since(t);
+        return s < 0.0 ? Vector{0.0, 0.0}
+                       : Vector{motion.velocity_r.at(s), motion.velocity_z.at(s)};
+    };
+}
+
+std::function<Vector(double)> edge_stress(const Case& plan, const TractionPlan& traction,
+                                          const std::shared_ptr<Clock>& clock) {
+    return [since = Since(plan, clock, traction.from_stage), traction](double t) {
+        const double s = since(t), size = s < 0.0 ? 0.0 : value_at(traction.stress, s);
+        return Vector{size * traction.direction.r, size * traction.direction.z};
+    };
+}
+
+void add_contacts(const Case& plan, Simulation& simulation) {
+    for (const ContactPlan& contact : plan.contacts) {
+        if (contact.penalty) {
+            add_penalty_contact(plan, contact, simulation);
+            continue;
+        }
+        ContactLaw law =
+            contact_law(contact.law, contact.friction_coefficient, contact.penalty_power);
+        law.a = plan.body(contact.stiff);
+        law.b = plan.body(contact.soft);
+        law.normal = contact.normal;
+        law.measure = contact.measure;
+        law.gated = contact.gated;
+        simulation.add_contact(law);
+    }
+}
+
 void add_boundary(const Case& plan, Simulation& simulation) {
     for (const Side side : {Side::left, Side::right, Side::bottom, Side::top}) {
         const Boundary boundary = plan.boundary[static_cast<int>(side)];
@@ -161,16 +180,6 @@ void add_boundary(const Case& plan, Simulation& simulation) {
         if (edge.first) simulation.fix_below(edge.direction, edge.at, hold);
         else simulation.fix_above(edge.direction, edge.at, hold);
     }
-}
-
-}  // namespace
-
-std::size_t Case::body(const std::string& wanted) const {
-    return find_name(bodies, wanted, "body");
-}
-
-std::size_t Case::stage(const std::string& wanted) const {
-    return find_name(stages, wanted, "stage");
 }
 
 BuiltCase build_case(const Case& plan) {

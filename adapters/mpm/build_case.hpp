@@ -2,6 +2,7 @@
 // From a case to a simulation that is ready for its first step.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "adapters/mpm/case.hpp"
@@ -21,6 +22,15 @@ struct BuiltCase {
 
 // Throws std::invalid_argument naming body, traction or contact and the limit.
 BuiltCase build_case(const Case& plan);
+
+// The parts of build_case that need no outlines, for hosts with particles of their own.
+std::function<Vector(double)> rigid_velocity(const Case& plan, const BodyPlan& body,
+                                             const std::shared_ptr<Clock>& clock);
+std::function<Vector(double)> edge_stress(const Case& plan, const TractionPlan& traction,
+                                          const std::shared_ptr<Clock>& clock);
+// Fixed nodes are known to a contact when it is made: after these.
+void add_boundary(const Case& plan, Simulation& simulation);
+void add_contacts(const Case& plan, Simulation& simulation);
 
 // The stage's gravity, damping, PIC rate and CFL from now on.
 void apply_stage(const Case& plan, const StagePlan& stage, Simulation& simulation);

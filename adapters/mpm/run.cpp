@@ -62,12 +62,26 @@ struct Runner::Blows {
     }
 };
 
-Runner::Runner(Case given) : plan(std::move(given)), built(build_case(plan)) {
+Runner::Runner(const Case& given) : Runner(given, build_case(given)) {}
+
+Runner::Runner(Case given, BuiltCase ready) : plan(std::move(given)), built(std::move(ready)) {
     if (plan.stages.empty()) throw std::invalid_argument("a case needs a stage");
     driven = plan.body(plan.history.body);
     whole = plan.settings.axisymmetric ? 2.0 * std::numbers::pi : 1.0;
     check_blows();
-    double weight = 0.0, stiffness = 0.0, fastest = 0.0;
+    measure_bodies();
+    check_interval("history.interval_s", plan.history.interval);
+    state_now.stage_time = built.clock->began;
+    state_now.start_level = level();
+    begin_stage();
+}
+
+void Runner::measure_bodies() {
+    enum { weight, stiffness, count };
+    const bool fixed_point = plan.settings.fixed_point;
+    std::array<Total, count> sums;
+    double extremes[] = {0.0, -std::min(built.simulation->axis_r().shortest(),
+                                        built.simulation->axis_z().shortest())};
     for (std::size_t i = 0; i < plan.bodies.size(); ++i) {
         Body& body = built.simulation->body(i);
         const ParticleView q = body.particles.view();
@@ -75,19 +89,17 @@ Runner::Runner(Case given) : plan(std::move(given)), built(build_case(plan)) {
         for (std::ptrdiff_t p = 0; p < body.particles.size() && !body.rigid(); ++p) {
             double modulus = 0.0;
             body.material->wave_moduli({q, p, p + 1}, &modulus);
-            weight += plan.gravity * q[column::mass][p];
-            stiffness += modulus * q[column::V0][p];
-            fastest = std::max(fastest, modulus * q[column::V0][p] / q[column::mass][p]);
+            sums[weight].add(plan.gravity * q[column::mass][p], fixed_point);
+            sums[stiffness].add(modulus * q[column::V0][p], fixed_point);
+            extremes[0] = std::max(extremes[0], modulus * q[column::V0][p] / q[column::mass][p]);
         }
     }
-    const double cell =
-        std::min(built.simulation->axis_r().shortest(), built.simulation->axis_z().shortest());
+    built.simulation->shared().sum(sums, fixed_point);
+    built.simulation->shared().max(extremes, 2);
+    const double fastest = extremes[0], cell = -extremes[1];
     wave_time = fastest > 0.0 ? cell / std::sqrt(fastest) : 0.0;
-    check_interval("history.interval_s", plan.history.interval);
-    least_energy = std::max(weight * cell, 0.5 * least_strain * least_strain * stiffness);
-    state_now.stage_time = built.clock->began;
-    state_now.start_level = level();
-    begin_stage();
+    least_energy = std::max(sums[weight].value() * cell,
+                            0.5 * least_strain * least_strain * sums[stiffness].value());
 }
 
 void Runner::check_interval(const std::string& name, double interval) const {
@@ -105,6 +117,28 @@ void Runner::begin_stage() {
     built.clock->began[i] = state_now.stage_time[i] = built.simulation->time();
     state_now.stage_level = level();
     apply_stage(plan, plan.stages[i], *built.simulation);
+}
+
+void Runner::begin(const std::string& stage,
+                   const std::function<StagePlan(const StagePlan&)>& describe) {
+    const std::size_t wanted = plan.stage(stage);
+    const auto now = static_cast<std::size_t>(state_now.stage);
+    if (wanted != now && wanted != now + 1)
+        throw std::invalid_argument("stage " + stage + " is not the next one");
+    const StagePlan given = describe(plan.stages[wanted]);
+    for (std::size_t i = wanted; i < plan.stages.size(); ++i) {
+        StagePlan next = given;
+        next.name = plan.stages[i].name;
+        if (i > wanted) next.end = {};
+        plan.stages[i] = next;
+    }
+    check_blows();
+    if (wanted != now) {
+        ++state_now.stage;
+        begin_stage();
+    } else {
+        apply_stage(plan, plan.stages[wanted], *built.simulation);
+    }
 }
 
 void Runner::resume(const RunState& state) {

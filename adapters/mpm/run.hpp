@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 
 #include "adapters/mpm/build_case.hpp"
 
@@ -44,7 +45,9 @@ enum class Ended { not_yet, by_time, by_depth, by_blows, at_rest };
 class Runner {
   public:
     // Throws std::invalid_argument, see build_case.
-    explicit Runner(Case plan);
+    explicit Runner(const Case& plan);
+    // Of a simulation that was built of it otherwise.
+    Runner(Case plan, BuiltCase built);
 
     bool finished() const { return state_now.stage == static_cast<int>(plan.stages.size()); }
     // Throws std::runtime_error naming time, step, term and limit if the energy balance breaks, or if a
@@ -70,6 +73,15 @@ class Runner {
     double depth() { return state_now.start_level - level(); }
 
     const RunState& state() const { return state_now; }
+    // What matters in an energy balance at the least, measured at the start [J].
+    double energy_scale() const { return least_energy; }
+    void set_energy_scale(double energy) { least_energy = energy; }
+    // For hosts that describe a stage when it begins: the next one, or what is left of this one. describe
+    // gets it as it is planned; later ones begin with the same, but without an end. Throws
+    // std::invalid_argument if it is neither, or waits for blows that its train does not have.
+    void begin(const std::string& stage,
+               const std::function<StagePlan(const StagePlan&)>& describe);
+
     // Goes on from there; the state of the simulation is to be restored afterwards.
     void resume(const RunState& state);
 
@@ -78,6 +90,7 @@ class Runner {
     double level();
     Ended end_of_stage();
     bool at_rest();
+    void measure_bodies();
     void check_energy();
     struct Blows;
     Blows blows() const;

@@ -128,6 +128,7 @@ void Simulation::particles_changed(std::size_t body) {
     const int* ids = particles.ids();
     const int most = particles.size() > 0 ? *std::max_element(ids, ids + particles.size()) : -1;
     part.slot.resize(static_cast<std::size_t>(most) + 1);
+    find_places(part);
     if (!part.cells.empty()) part.deferred.resize(static_cast<std::size_t>(particles.size()));
     drift = std::numeric_limits<double>::infinity();  // sorts before the next step
 }

@@ -86,6 +86,7 @@ class Simulation {
 
   private:
     friend struct CheckpointMembers;
+    friend struct SharedState;
     struct Part {
         Body body;
         Strips strips;

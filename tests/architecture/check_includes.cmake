@@ -51,6 +51,8 @@ foreach(adapter IN LISTS adapters)
   set(beside "adapters/${adapter}")
   if(adapter STREQUAL python) # the element tests are for the program and for Python
     set(beside "(adapters/python|element)")
+  elseif(adapter STREQUAL lammps) # the driver's kernels and its loop are for the other host too
+    set(beside "adapters/(lammps|mpm)")
   endif()
   check_folder(adapters/${adapter} ${third_party} "\"${beside}/[a-z_0-9/]+\\.hpp\"")
 endforeach()

@@ -19,6 +19,8 @@ class Material {
   public:
     virtual ~Material() = default;
     virtual int own_columns() const { return 0; }
+    // As many as there are.
+    virtual std::vector<const char*> own_column_names() const { return {}; }
     // Its law and each of its numbers, exactly: materials with the same words are the same.
     virtual std::vector<std::string> words() const = 0;
     // F is already that of the end of the step.

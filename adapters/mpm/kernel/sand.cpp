@@ -51,6 +51,10 @@ SandUpdate asked_of(const Range& range, const Increments& d, std::ptrdiff_t i) {
 Sand::Sand(const grit_sand& prepared, const grit_sand_options& given)
     : sand(prepared), options(given) {}
 
+std::vector<const char*> Sand::own_column_names() const {
+    return {"h_rr", "h_zz", "h_tt", "h_rz", "h_rt", "h_zt", "e", "separation", "work"};
+}
+
 std::vector<std::string> Sand::words() const {
     std::vector<std::string> out{"sand"};
     const auto add = [&out](const char* name, double value) {

@@ -15,6 +15,7 @@ class Sand : public Material {
 
     Sand(const grit_sand& sand, const grit_sand_options& options);
     int own_columns() const override { return GRIT_SAND_STATE_SIZE + 1; }
+    std::vector<const char*> own_column_names() const override;
     std::vector<std::string> words() const override;
     void update(const Range& range, const Increments& increments) override;
     void wave_moduli(const Range& range, double* moduli) const override;

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// What the words of a fix command describe: a case of the driver, and what LAMMPS has for it.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "adapters/mpm/case.hpp"
+
+namespace grit::lammps {
+
+// Equal-style variables, by name, in the place of functions of time; empty: none.
+struct MotionVariables {
+    std::string r, z;
+};
+
+// The atoms of a body.
+struct Members {
+    int type = 0;       // 0: a group instead
+    std::string group;  // its name
+};
+
+struct FixCase {
+    mpm::Case plan;                               // bodies without outlines
+    std::vector<Members> members;                 // of each body
+    std::vector<std::string> points;              // files, of each body; empty: none
+    std::vector<MotionVariables> motion;          // of each body
+    std::vector<std::string> traction_groups;     // of each traction
+    std::vector<std::string> traction_variables;  // ... or empty
+};
+
+// The words after the style's name. box: where the grid begins and ends along r and z.
+// Throws std::invalid_argument.
+FixCase read_fix(const std::vector<std::string>& words, const double (&box)[2][2]);
+
+// A stage as fix_modify describes it; what it does not name is as before.
+mpm::StagePlan read_stage(const std::vector<std::string>& words, const mpm::StagePlan& before);
+
+}  // namespace grit::lammps

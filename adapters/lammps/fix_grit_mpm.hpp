@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// fix grit/mpm: the atoms of a group are the material points of a run of Grit. See docs/lammps.md.
+#pragma once
+
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "adapters/lammps/local_run.hpp"
+#include "adapters/lammps/shim/host.hpp"
+
+namespace grit::lammps {
+
+class FixGritMpm : public LAMMPS_NS::Fix {
+  public:
+    FixGritMpm(LAMMPS_NS::LAMMPS* host, int count, char** words);
+    ~FixGritMpm() override;
+
+    int setmask() override;
+    void init() override;
+    void setup_pre_neighbor() override;
+    void initial_integrate(int) override;
+    void pre_neighbor() override;
+    void setup(int) override;
+    void end_of_step() override;
+    void post_run() override;
+    int modify_param(int count, char** words) override;
+
+    double compute_vector(int i) override;
+    double memory_usage() override;
+
+    int pack_exchange(int i, double* to) override;
+    int unpack_exchange(int i, double* from) override;
+    int pack_restart(int i, double* to) override;
+    void unpack_restart(int i, int which) override;
+    int size_restart(int i) override;
+    int maxsize_restart() override;
+    void write_restart(FILE* file) override;
+    void restart(char* bytes) override;
+
+  private:
+    // Of a call into Grit: what it throws becomes an error of LAMMPS.
+    template <class Work> void guarded(const Work& work);
+    template <class Work> void guarded_here(const Work& work);
+    [[noreturn]] void fail(const std::string& why);
+    void check_variables() const;
+    void check_host() const;
+    void read_points(std::size_t body);
+    std::vector<std::vector<int>> traction_ids();
+    std::vector<int> ids_in(int bit) const;
+    Cuts cuts() const;
+    int body_of(int atom) const;
+    void begin_stage(const std::vector<std::string>& words);
+    double variable_at(const std::string& name, double t);
+    void show_atoms();
+    void show_columns();
+    void report_traffic();
+    bool is_mine(int atom) const;
+
+    std::unique_ptr<LocalRun> run;
+    std::vector<int> member_bits;                      // of bodies by group, 0: by type
+    std::vector<std::vector<std::string>> stages_due;  // of fix_modify before the run is built
+    std::vector<double> row;                           // of the history ...
+    LAMMPS_NS::bigint row_step = -1;                   // ... at this step
+    std::vector<double> shown;                         // columns of all atoms here, for output ...
+    std::vector<double*> shown_rows;                   // ... and where each begins
+    double way = 0.0;                                  // since the last migration, at most [m]
+    std::size_t most_columns = 0;
+    Halo::Traffic traffic_before;
+    double run_began = 0.0;
+    LAMMPS_NS::bigint first_step = 0;
+};
+
+}  // namespace grit::lammps

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "adapters/lammps/local_run.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "adapters/mpm/column_names.hpp"
+#include "adapters/mpm/initial_state.hpp"
+#include "adapters/mpm/shared_state.hpp"
+
+namespace grit::lammps {
+
+using mpm::Body;
+using mpm::BuiltCase;
+using mpm::SharedState;
+using mpm::Simulation;
+using mpm::Vector;
+
+LocalRun::LocalRun(FixCase given, VariableAt values)
+    : plan(std::move(given)), variables(std::move(values)), axis_r(mpm::make_axis(plan.plan.r)),
+      axis_z(mpm::make_axis(plan.plan.z)), cut{} {
+    if (plan.plan.settings.axisymmetric && axis_r[0] < 0.0)
+        throw std::invalid_argument("the grid must not reach across the axis");
+}
+
+double LocalRun::slack() const { return std::min(axis_r.shortest(), axis_z.shortest()); }
+
+std::vector<std::string> LocalRun::column_names(std::size_t body) const {
+    return mpm::column_names(mpm::make_material(plan.plan.bodies[body]).get());
+}
+
+std::ptrdiff_t LocalRun::particles() const {
+    auto count = static_cast<std::ptrdiff_t>(waiting.size());
+    for (std::size_t b = 0; runner && b < simulation().bodies(); ++b)
+        count += simulation().body(b).particles.size();
+    return count;
+}
+
+std::size_t LocalRun::body_of(int id) const {
+    for (std::size_t b = 0; runner && b < simulation().bodies(); ++b)
+        if (simulation().find(b, id) >= 0) return b;
+    throw std::runtime_error("atom " + std::to_string(id) + " is no material point of the fix");
+}
+
+PointRow LocalRun::row(int id) const {
+    if (const auto found = waiting.find(id); found != waiting.end()) return found->second;
+    PointRow out{body_of(id), {}};
+    const mpm::Particles& particles = simulation().body(out.body).particles;
+    const std::ptrdiff_t p = simulation().find(out.body, id);
+    for (int c = 0; c < particles.column_count(); ++c) out.columns.push_back(particles(c, p));
+    return out;
+}
+
+void LocalRun::leave(int id) {
+    if (waiting.erase(id) == 0) leaving.push_back(id);
+}
+
+void LocalRun::settle() {
+    if (!runner || (waiting.empty() && leaving.empty())) return;
+    std::vector<std::vector<std::ptrdiff_t>> places(simulation().bodies());
+    for (const int id : leaving) {
+        const std::size_t body = body_of(id);
+        places[body].push_back(simulation().find(body, id));
+    }
+    for (std::size_t b = 0; b < places.size(); ++b) {
+        mpm::Particles& particles = simulation().body(b).particles;
+        // From behind: the last one takes the place of one that leaves.
+        std::sort(places[b].rbegin(), places[b].rend());
+        for (const std::ptrdiff_t p : places[b]) particles.remove(p);
+    }
+    for (auto& [id, row] : waiting)
+        simulation().body(row.body).particles.add(id, row.columns.data());
+    leaving.clear();
+    waiting.clear();
+    for (std::size_t b = 0; b < places.size(); ++b) simulation().particles_changed(b);
+}
+
+bool LocalRun::is_cut(const Cuts& cuts) const { return cut.at == cuts.at && cut.here == cuts.here; }
+
+void LocalRun::start(const Cuts& cuts, const std::vector<std::vector<int>>& traction_ids) {
+    settle();
+    if (runner && is_cut(cuts)) return;
+    if (runner) {
+        go_on_from(store());
+        take_particles_out();
+    }
+    cut = cuts;
+    HaloLayout layout{cuts.world, {}, cuts.here, {}};
+    std::copy(&cuts.neighbour[0][0], &cuts.neighbour[0][0] + 4, &layout.neighbour[0][0]);
+    layout.slices = {slices(axis_r, cuts.at[0], slack()), slices(axis_z, cuts.at[1], slack())};
+    runner.reset();
+    exchange = std::make_unique<Halo>(std::move(layout));
+    if (stored) plan.plan.stages = stored->stages;
+    runner = std::make_unique<mpm::Runner>(plan.plan, build(traction_ids));
+    waiting.clear();
+    if (!stored) return;
+    runner->resume(stored->state);
+    runner->set_energy_scale(stored->energy_scale);
+    SharedState::take_common(simulation(), stored->common);
+    SharedState::take_nodes(simulation(), nodes_here(stored->nodes));
+    stored.reset();
+}
+
+void LocalRun::take_particles_out() {
+    for (std::size_t b = 0; b < simulation().bodies(); ++b) {
+        const mpm::Particles& particles = simulation().body(b).particles;
+        for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
+            const int id = particles.ids()[p];
+            waiting[id] = row(id);
+        }
+    }
+}
+
+BuiltCase LocalRun::build(const std::vector<std::vector<int>>& traction_ids) {
+    const Slice &r = exchange->slice(0), &z = exchange->slice(1);
+    BuiltCase out{std::make_shared<mpm::Clock>(),
+                  std::make_unique<Simulation>(axis_r.part(r.first_node, r.axis_last),
+                                               axis_z.part(z.first_node, z.axis_last),
+                                               plan.plan.settings, exchange.get())};
+    out.clock->began.assign(plan.plan.stages.size(), mpm::unlimited);
+    add_bodies(out);
+    for (std::size_t i = 0; i < plan.plan.tractions.size(); ++i) {
+        const mpm::TractionPlan& traction = plan.plan.tractions[i];
+        auto stress = mpm::edge_stress(plan.plan, traction, out.clock);
+        if (const std::string name = plan.traction_variables[i]; !name.empty())
+            stress = [this, name, direction = traction.direction](double t) {
+                const double size = variables(name, t);
+                return Vector{size * direction.r, size * direction.z};
+            };
+        for (const int id : traction_ids[i])
+            out.simulation->add_traction(
+                {plan.plan.body(traction.body), id, traction.edge, stress});
+    }
+    mpm::add_boundary(plan.plan, *out.simulation);
+    mpm::add_contacts(plan.plan, *out.simulation);
+    return out;
+}
+
+void LocalRun::add_bodies(const BuiltCase& built) {
+    for (std::size_t b = 0; b < plan.plan.bodies.size(); ++b) {
+        const mpm::BodyPlan& of_plan = plan.plan.bodies[b];
+        Body body;
+        body.name = of_plan.name;
+        body.material = mpm::make_material(of_plan);
+        body.particles = mpm::Particles(body.material ? body.material->own_columns() : 0);
+        for (const auto& [id, row] : waiting)
+            if (row.body == b) body.particles.add(id, row.columns.data());
+        if (of_plan.rigid()) {
+            body.prescribed_velocity = mpm::rigid_velocity(plan.plan, of_plan, built.clock);
+            const MotionVariables& names = plan.motion[b];
+            if (!names.r.empty() || !names.z.empty())
+                body.prescribed_velocity = [this, names,
+                                            table = body.prescribed_velocity](double t) {
+                    Vector v = table(t);
+                    if (!names.r.empty()) v.r = variables(names.r, t);
+                    if (!names.z.empty()) v.z = variables(names.z, t);
+                    return v;
+                };
+        }
+        built.simulation->add_body(std::move(body));
+    }
+}
+
+StoredRun LocalRun::store() {
+    StoredRun out{runner->state(),
+                  runner->energy_scale(),
+                  runner->description().stages,
+                  SharedState::common(simulation()),
+                  {}};
+    const std::vector<std::uint64_t> mine = SharedState::nodes(simulation());
+    const std::size_t each = SharedState::words_per_node(simulation());
+    const auto n_r = static_cast<std::size_t>(axis_r.nodes());
+    out.nodes.resize(n_r * static_cast<std::size_t>(axis_z.nodes()) * each);
+    const Slice &r = exchange->slice(0), &z = exchange->slice(1);
+    std::size_t node = 0;
+    for (int j = z.first_node; j <= z.axis_last; ++j)
+        for (int i = r.first_node; i <= r.axis_last; ++i, ++node)
+            if (exchange->counted()[node])
+                std::copy_n(mine.begin() + static_cast<std::ptrdiff_t>(node * each), each,
+                            out.nodes.begin() +
+                                static_cast<std::ptrdiff_t>((static_cast<std::size_t>(j) * n_r +
+                                                             static_cast<std::size_t>(i)) *
+                                                            each));
+    MPI_Allreduce(MPI_IN_PLACE, out.nodes.data(), static_cast<int>(out.nodes.size()), MPI_UINT64_T,
+                  MPI_BOR, cut.world);
+    return out;
+}
+
+std::vector<std::uint64_t> LocalRun::nodes_here(const std::vector<std::uint64_t>& all) const {
+    const auto n_r = static_cast<std::size_t>(axis_r.nodes());
+    const std::size_t nodes = n_r * static_cast<std::size_t>(axis_z.nodes());
+    if (all.size() % nodes != 0) throw std::runtime_error("the state is not that of this grid");
+    const std::size_t each = all.size() / nodes;
+    std::vector<std::uint64_t> out;
+    const Slice &r = exchange->slice(0), &z = exchange->slice(1);
+    for (int j = z.first_node; j <= z.axis_last; ++j) {
+        const auto row =
+            all.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(j) * n_r * each);
+        out.insert(out.end(), row + static_cast<std::ptrdiff_t>(each) * r.first_node,
+                   row + static_cast<std::ptrdiff_t>(each) * (r.axis_last + 1));
+    }
+    return out;
+}
+
+}  // namespace grit::lammps

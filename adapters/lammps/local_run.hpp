@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// The run of a case on this process's part of the grid, with the particles that are here. Knows no LAMMPS.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "adapters/lammps/fix_case.hpp"
+#include "adapters/lammps/halo.hpp"
+#include "adapters/mpm/run.hpp"
+
+namespace grit::lammps {
+
+// All columns of a particle.
+struct PointRow {
+    std::size_t body = 0;
+    std::vector<double> columns;
+};
+
+// How the grid is cut.
+struct Cuts {
+    MPI_Comm world;
+    std::array<std::vector<double>, 2> at;  // along r and z, with both ends [m]
+    std::array<int, 2> here;
+    int neighbour[2][2];
+};
+
+// A run between two steps, but for its particles; independent of how the grid is cut.
+struct StoredRun {
+    mpm::RunState state;
+    double energy_scale = 0.0;  // [J]
+    std::vector<mpm::StagePlan> stages;
+    std::string common;                // see SharedState
+    std::vector<std::uint64_t> nodes;  // of the whole grid
+};
+
+// The value of a variable at a time.
+using VariableAt = std::function<double(const std::string& name, double t)>;
+
+class LocalRun {
+  public:
+    LocalRun(FixCase plan, VariableAt variables);
+
+    // Particles come here, to be there from settle() on; they may be taken away again before that.
+    void put(int id, PointRow row) { waiting[id] = std::move(row); }
+    // The columns of a particle that is here. Throws std::runtime_error if it is not.
+    PointRow row(int id) const;
+    // It leaves with the next settle().
+    void leave(int id);
+    void settle();
+
+    // Builds what a run needs, once more if the grid is cut in another way. traction_ids: particles of each.
+    // Every process must call it. Throws what build_case throws.
+    void start(const Cuts& cuts, const std::vector<std::vector<int>>& traction_ids);
+    // Of the step that the next start() begins with.
+    void go_on_from(StoredRun run) { stored = std::make_unique<StoredRun>(std::move(run)); }
+    // Every process must call it.
+    StoredRun store();
+
+    bool started() const { return runner != nullptr; }
+    mpm::Runner& run() { return *runner; }
+    mpm::Simulation& simulation() const { return runner->simulation(); }
+    Halo& halo() { return *exchange; }
+    const FixCase& description() const { return plan; }
+    // How far particles may get since they were last sent to where they belong [m].
+    double slack() const;
+    std::vector<std::string> column_names(std::size_t body) const;
+    std::ptrdiff_t particles() const;
+
+  private:
+    bool is_cut(const Cuts& cuts) const;
+    void take_particles_out();
+    mpm::BuiltCase build(const std::vector<std::vector<int>>& traction_ids);
+    void add_bodies(const mpm::BuiltCase& built);
+    std::size_t body_of(int id) const;
+    std::vector<std::uint64_t> nodes_here(const std::vector<std::uint64_t>& all) const;
+
+    FixCase plan;
+    VariableAt variables;
+    mpm::Axis axis_r, axis_z;  // of the whole grid
+    Cuts cut;
+    std::unique_ptr<Halo> exchange;
+    std::unique_ptr<mpm::Runner> runner;
+    std::unique_ptr<StoredRun> stored;
+    std::map<int, PointRow> waiting;
+    std::vector<int> leaving;
+};
+
+}  // namespace grit::lammps

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// What LAMMPS does not know of its atoms, from a text file: a line of names, "id" and columns of particles or
+// "density" in the place of "mass", then a line for each atom of a body. # begins a comment.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace grit::lammps {
+
+// A body's columns, and which of them the file must have, may have, or leaves to the atoms.
+class PointsFile {
+  public:
+    // names: of all columns. first_line: of the file. Throws std::invalid_argument.
+    PointsFile(std::vector<std::string> names, const std::string& first_line, bool axisymmetric);
+
+    // The number in front of a line; 0: an empty line.
+    static int id_of(const char* line);
+    // row, which has the position and velocity of the atom already, gets the rest. Throws
+    // std::invalid_argument.
+    void read(const char* line, std::vector<double>& row) const;
+
+  private:
+    std::vector<std::string> names;
+    std::vector<int> column;  // of each number in a line behind the first, -1: density
+    bool axisymmetric, has_mass, has_volume;
+};
+
+}  // namespace grit::lammps

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "adapters/lammps/read_body.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include <grit/sand_catalogue.h>
+
+#include "adapters/lammps/read_function.hpp"
+
+namespace grit::lammps {
+namespace {
+
+mpm::ElasticPlan read_elastic(Words& words, bool neo_hooke) {
+    mpm::ElasticPlan out{};
+    out.neo_hooke = neo_hooke;
+    out.youngs_modulus = words.positive("Young's modulus");
+    out.poissons_ratio = words.number("Poisson's ratio", -1.0, 0.5);
+    return out;
+}
+
+int parameter_called(const std::string& name) {
+    for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i)
+        if (name == grit_sand_parameter_describe(i)->name) return i;
+    return -1;
+}
+
+mpm::SandPlan read_sand(Words& words) {
+    mpm::SandPlan out{};
+    grit_sand_parameters_init(&out.parameters, sizeof out.parameters);
+    grit_sand_options_init(&out.options, sizeof out.options);
+    out.options.tolerance = 1e-3;
+    const std::string name = words.word("the name of a sand");
+    if (name != "custom") {
+        const int record = grit_sand_record_find(name.c_str());
+        if (record < 0) throw std::invalid_argument("no sand is called \"" + name + '"');
+        grit_sand_record_parameters(record, 1000.0, &out.parameters);
+    }
+    for (;;) {
+        const int index = parameter_called(words.peek());
+        if (index >= 0) {
+            const std::string parameter = words.word("a parameter");
+            grit_sand_parameter_set(&out.parameters, index, words.number(parameter));
+        } else if (words.take("tolerance")) {
+            out.options.tolerance = words.number("tolerance", 1e-12, 0.1);
+        } else if (words.take("evaluation_limit")) {
+            out.options.evaluation_limit = words.integer("evaluation_limit", 2, 1000000);
+        } else if (words.take("intergranular")) {
+            out.options.intergranular_off = words.choice("intergranular", {"on", "off"});
+        } else {
+            break;
+        }
+    }
+    grit_sand sand;
+    grit_error error{};
+    if (grit_sand_prepare(&out.parameters, &sand, &error) != GRIT_OK)
+        throw std::invalid_argument(std::string("sand ") + name + ": " + error.message);
+    return out;
+}
+
+}  // namespace
+
+void read_body(Words& words, FixCase& out) {
+    mpm::BodyPlan body{};
+    body.name = words.word("the name of a body");
+    for (const mpm::BodyPlan& other : out.plan.bodies)
+        if (other.name == body.name)
+            throw std::invalid_argument("two bodies are called \"" + body.name + '"');
+    Members members;
+    if (words.choice("what a body is made of", {"type", "group"}) == 0)
+        members.type = words.integer("an atom type", 1, 1000000);
+    else members.group = words.word("the group of a body");
+    switch (words.choice("the material of a body", {"rigid", "elastic", "neo_hooke", "sand"})) {
+        case 0: body.material = mpm::RigidPlan{{{0.0}, {0.0}}, {{0.0}, {0.0}}}; break;
+        case 1: body.material = read_elastic(words, false); break;
+        case 2: body.material = read_elastic(words, true); break;
+        default: body.material = read_sand(words);
+    }
+    out.plan.bodies.push_back(std::move(body));
+    out.members.push_back(members);
+    out.points.emplace_back();
+    out.motion.emplace_back();
+}
+
+void read_motion(Words& words, FixCase& out) {
+    const std::size_t body = out.plan.body(words.word("the body of a motion"));
+    auto* rigid = std::get_if<mpm::RigidPlan>(&out.plan.bodies[body].material);
+    if (!rigid)
+        throw std::invalid_argument("body " + out.plan.bodies[body].name +
+                                    " is not rigid: nothing prescribes its motion");
+    const auto component = [&words](const char* what, mpm::TimeTable& table,
+                                    std::string& variable) {
+        Function function = read_function(words, what);
+        variable = std::move(function.variable);
+        auto* given = std::get_if<mpm::TimeTable>(&function.time);
+        if (!given) throw std::invalid_argument(std::string(what) + " cannot be pulses");
+        table = std::move(*given);
+    };
+    component("the velocity along r", rigid->velocity_r, out.motion[body].r);
+    component("the velocity along z", rigid->velocity_z, out.motion[body].z);
+    if (words.take("from")) rigid->from_stage = words.word("the stage of a motion");
+}
+
+void read_points(Words& words, FixCase& out) {
+    const std::size_t body = out.plan.body(words.word("the body of points"));
+    out.points[body] = words.word("the file of points");
+}
+
+}  // namespace grit::lammps

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "adapters/lammps/read_function.hpp"
+
+#include <stdexcept>
+
+namespace grit::lammps {
+namespace {
+
+mpm::TimeTable read_table(Words& words, const std::string& what) {
+    mpm::TimeTable out;
+    for (int n = words.integer("the number of points of " + what, 1, 1000000); n > 0; --n) {
+        out.time.push_back(words.number("a time of " + what));
+        out.value.push_back(words.number("a value of " + what));
+        if (out.time.size() > 1 && !(out.time.back() > out.time[out.time.size() - 2]))
+            throw std::invalid_argument("the times of " + what + " must ascend");
+    }
+    return out;
+}
+
+mpm::PulseTrain read_pulses(Words& words) {
+    mpm::PulseTrain out;
+    out.form = words.choice("the form of a pulse", {"half_sine", "triangle"}) == 0
+                   ? mpm::PulseForm::half_sine
+                   : mpm::PulseForm::triangle;
+    out.peak = words.number("the peak of a pulse");
+    out.duration = words.positive("the duration of a pulse");
+    out.peak_time = words.number("the time of its peak", 0.0, out.duration);
+    out.interval = words.number("the interval of pulses", out.duration, 1e300);
+    out.start = words.number("the start of the first pulse", 0.0, 1e300);
+    out.count = words.integer("the number of pulses", 1, 1000000000);
+    return out;
+}
+
+}  // namespace
+
+Function read_function(Words& words, const std::string& what) {
+    Function out;
+    if (words.take("table")) out.time = read_table(words, what);
+    else if (words.take("pulses")) out.time = read_pulses(words);
+    else if (words.peek().starts_with("v_")) out.variable = words.word(what).substr(2);
+    else out.time = mpm::TimeTable{{0.0}, {words.number(what)}};
+    return out;
+}
+
+}  // namespace grit::lammps

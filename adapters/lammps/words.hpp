@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// The words of a command, one after the other.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace grit::lammps {
+
+// All of these throw std::invalid_argument that says what was expected and what is there.
+class Words {
+  public:
+    explicit Words(std::vector<std::string> given) : words(std::move(given)) {}
+
+    bool done() const { return at == words.size(); }
+    // The next word is this one; it is taken then.
+    bool take(const std::string& word);
+    const std::string& peek() const;
+    std::string word(const std::string& what);
+    double number(const std::string& what);
+    // A number within limits.
+    double number(const std::string& what, double lowest, double highest);
+    double positive(const std::string& what);
+    int integer(const std::string& what, int lowest, int highest);
+    bool yes_or_no(const std::string& what);
+    // Which of these it is.
+    int choice(const std::string& what, std::initializer_list<const char*> names);
+
+  private:
+    std::vector<std::string> words;
+    std::size_t at = 0;
+};
+
+}  // namespace grit::lammps

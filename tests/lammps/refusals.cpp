@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is wrong ends LAMMPS with an error that says why, as its own fixes do.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "support/block.hpp"
+#include "support/both_hosts.hpp"
+
+namespace {
+
+class LammpsRefuses : public ::testing::Test {
+  protected:
+    // ... the script, or its fix, with other words in the place of these, by LAMMPS's own kind of error.
+    void expect(const std::string& words, const std::string& other, const std::string& why,
+                int processes = 1) {
+        std::string script = hosts.folder.read("both.in"), fix = hosts.folder.read("both.fix");
+        std::string& text = fix.find(words) == std::string::npos ? script : fix;
+        ASSERT_NE(text.find(words), std::string::npos);
+        text.replace(text.find(words), words.size(), other);
+        script.replace(script.find("both.fix"), 8, "changed.fix");
+        hosts.folder.write("changed.fix", fix);
+        const Answer answer = hosts.lammps(processes, script);
+        EXPECT_NE(answer.status, 0);
+        EXPECT_TRUE(answer.says("ERROR")) << answer.text;
+        EXPECT_TRUE(answer.says(why)) << answer.text;
+        EXPECT_FALSE(answer.says("terminate called") || answer.says("Segmentation")) << answer.text;
+    }
+    const BothHosts hosts{block_case("1, 0.5", "0.1", R"([[traction]]
+body = "block"
+edge = "top"
+time_s = [0]
+stress_kPa = [1]
+)")};
+};
+
+TEST_F(LammpsRefuses, NothingInTheCaseAsItIs) {
+    const Answer answer = hosts.lammps(2, hosts.script());
+    EXPECT_EQ(answer.status, 0) << answer.text;
+}
+
+TEST_F(LammpsRefuses, AGroupThatIsNotThere) {
+    expect("fix mpm all", "fix mpm nobody", "Could not find fix group ID");
+    expect("traction block traction_1", "traction block nobody",
+           "Could not find fix grit/mpm traction group ID nobody");
+    expect("body block type 1", "body block group nobody",
+           "Could not find fix grit/mpm body group ID nobody");
+}
+
+TEST_F(LammpsRefuses, AnAtomTypeThatIsNotThere) {
+    expect("body block type 1", "body block type 7", "there is no atom type 7");
+}
+
+TEST_F(LammpsRefuses, AKeywordThatIsNone) {
+    expect("cell_mean", "cel_mean", "unknown keyword \"cel_mean\"");
+    expect("stage flight gravity", "stage flight gravty", "unknown keyword \"gravty\" of a stage");
+}
+
+TEST_F(LammpsRefuses, ANumberThatIsNone) {
+    expect("cfl 0.4", "cfl big0.4", "cfl must be a number, got \"big0.4");
+}
+
+TEST_F(LammpsRefuses, ACommandThatEndsTooEarly) {
+    expect("driven block lowest_point", "driven block", "the command ends where");
+}
+
+TEST_F(LammpsRefuses, AStageThatIsNotTheNext) {
+    expect("stage flight gravity", "stage landing gravity", "no stage is called \"landing\"");
+}
+
+TEST_F(LammpsRefuses, AGridThatIsNotTheBox) {
+    expect("grid r 24", "grid r 23", "grid r ends at 23");
+}
+
+TEST_F(LammpsRefuses, AFileOfPointsThatIsNotThere) {
+    expect("both_block.points", "nowhere.points", "cannot open file nowhere.points");
+}
+
+TEST_F(LammpsRefuses, PeriodicSides) {
+    expect("boundary f f p", "boundary p f p", "boundary f f p");
+}
+
+TEST_F(LammpsRefuses, AtomsWithoutMap) { expect("atom_modify map yes", "", "atom_modify map yes"); }
+
+TEST_F(LammpsRefuses, TiledSubdomains) {
+    expect("include both.fix", "comm_style tiled\nbalance 1.0 rcb\ninclude both.fix",
+           "brick sub-domains", 2);
+    expect("run ${most_steps}", "comm_style tiled\nbalance 1.0 rcb\nrun ${most_steps}",
+           "brick sub-domains", 2);
+}
+
+TEST_F(LammpsRefuses, SubdomainsThinnerThanTheHalo) {
+    expect("units si", "processors 6 1 1\nunits si", "is too thin for the cells there", 6);
+}
+
+TEST_F(LammpsRefuses, AnotherFixThatMovesTheAtoms) {
+    expect("run ${most_steps}", "fix other all nve\nrun ${most_steps}",
+           "another fix that moves them");
+}
+
+TEST_F(LammpsRefuses, AtomsThatHaveNoPoint) {
+    expect("run ${most_steps}", "create_atoms 1 single 12 12 0\nrun ${most_steps}",
+           "49 atoms in its group, but 48 material points", 2);
+}
+
+TEST_F(LammpsRefuses, AVariableThatIsNotThere) {
+    expect("-1 1000", "-1 v_nothing", "there is no equal-style variable \"nothing\"", 2);
+}
+
+TEST_F(LammpsRefuses, ParticlesThatLeaveTheGrid) {
+    const BothHosts fast{block_case("40, 0.5", "1")};
+    const Answer answer = fast.lammps(2, fast.script());
+    EXPECT_NE(answer.status, 0);
+    EXPECT_TRUE(answer.says("ERROR") && answer.says("particles left the grid")) << answer.text;
+}
+
+TEST_F(LammpsRefuses, ToGoOnWhenAllStagesHaveEnded) {
+    const Answer answer = hosts.lammps(1, hosts.script() + "run 10\n");
+    EXPECT_NE(answer.status, 0);
+    EXPECT_TRUE(answer.says("ERROR: Fix grit/mpm: all stages have ended")) << answer.text;
+}
+
+}  // namespace

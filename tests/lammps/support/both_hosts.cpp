@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "support/both_hosts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <sstream>
+
+#include <adapters/mpm/history.hpp>
+#include <cli/mpm_case_file.hpp>
+#include <cli/mpm_to_lammps.hpp>
+
+namespace {
+
+// Lines of numbers, all of them, that begin with an integer.
+std::vector<std::vector<double>> numbers_in(const std::string& text, std::size_t count) {
+    std::vector<std::vector<double>> out;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        std::vector<double> row;
+        const char* at = line.c_str();
+        for (char* end = nullptr;; at = end) {
+            const double x = std::strtod(at, &end);
+            if (end == at) break;
+            row.push_back(x);
+        }
+        if (row.size() == count && at[std::strspn(at, " ")] == '\0') out.push_back(row);
+    }
+    return out;
+}
+
+bool same_bits(const std::vector<double>& one, const std::vector<double>& other) {
+    if (one.size() != other.size()) return false;
+    for (std::size_t i = 0; i < one.size(); ++i)
+        if (std::memcmp(&one[i], &other[i], sizeof(double)) != 0 &&
+            !(one[i] != one[i] && other[i] != other[i]))
+            return false;
+    return true;
+}
+
+std::string shown(const std::vector<double>& one, const std::vector<double>& other) {
+    std::ostringstream out;
+    out.precision(17);
+    for (std::size_t i = 0; i < std::min(one.size(), other.size()); ++i)
+        if (!same_bits({one[i]}, {other[i]}))
+            out << " column " << i + 1 << ": " << one[i] << " and " << other[i] << ';';
+    return out.str();
+}
+
+}  // namespace
+
+BothHosts::BothHosts(const std::string& toml) : name("both"), toml_name("both.toml") {
+    folder.write(toml_name, toml);
+    cli::write_lammps_files(cli::read_mpm_case(folder.path() / toml_name).plan, folder.path());
+}
+
+Told BothHosts::in_driver(long steps) const {
+    using namespace grit::mpm;
+    Runner runner(cli::read_mpm_case(folder.path() / toml_name).plan);
+    Told out;
+    const auto tell = [&] {
+        const HistoryRow row = runner.row();
+        std::vector<double>& values = out.rows.emplace_back();
+        for (const HistoryColumn& column : history_columns()) values.push_back(column.value(row));
+    };
+    tell();
+    for (; steps > 0 && !runner.finished(); --steps) {
+        runner.step();
+        tell();
+    }
+    Simulation& simulation = runner.simulation();
+    int first = 1;
+    for (std::size_t b = 0; b < simulation.bodies(); ++b) {
+        const Particles& particles = simulation.body(b).particles;
+        for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
+            std::vector<double>& row = out.points[first + particles.ids()[p]];
+            for (int c = 0; c < particles.column_count(); ++c) row.push_back(particles(c, p));
+        }
+        first += static_cast<int>(particles.size());
+    }
+    return out;
+}
+
+// As root, as in containers, OpenMPI wants to be told.
+std::string BothHosts::start(int processes, const std::string& program) {
+    if (processes == 1) return "timeout 250 " + program;
+    return "timeout 250 env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 " MPIEXEC
+           " --oversubscribe --mca mpi_yield_when_idle 1 -np " +
+           std::to_string(processes) + ' ' + program;
+}
+
+Answer BothHosts::lammps(int processes, const std::string& script) const {
+    folder.write("script.in", script);
+    return folder.run(start(processes, GRIT_LMP " -in script.in -log none"));
+}
+
+Told BothHosts::in_lammps(int r, int z, const std::string& script_given) const {
+    const std::string wanted = script_given.empty() ? script() : script_given;
+    const Answer answer =
+        lammps(r * z, "variable thermo_steps index 1\nprocessors " + std::to_string(r) + " " +
+                          std::to_string(z) + " 1\n" + wanted +
+                          "write_dump all custom end.dump id f_mpm[*] modify format float %.17g\n");
+    EXPECT_EQ(answer.status, 0) << answer.text;
+    return read_told(answer.text);
+}
+
+Told BothHosts::read_told(const std::string& printed) const {
+    Told out;
+    const std::size_t count = grit::mpm::history_columns().size();
+    for (const std::vector<double>& row : numbers_in(printed, count + 1)) {
+        // The step is in front; a run begins with the last row of the one before.
+        std::vector<double> values(row.begin() + 1, row.end());
+        if (out.rows.empty() || out.rows.back()[1] != values[1]) out.rows.push_back(values);
+    }
+    const std::string dump = folder.read("end.dump");
+    const std::string head = dump.substr(0, dump.find("\n", dump.find("ITEM: ATOMS")));
+    std::size_t columns = 0;
+    for (std::size_t at = head.find("f_mpm"); at != std::string::npos;
+         at = head.find("f_mpm", at + 1))
+        ++columns;
+    for (const std::vector<double>& row : numbers_in(dump, columns + 1))
+        out.points[static_cast<int>(row[0])] = {row.begin() + 1, row.end()};
+    return out;
+}
+
+std::string first_difference(const Told& one, const Told& other) {
+    for (std::size_t i = 0; i < std::min(one.rows.size(), other.rows.size()); ++i)
+        if (!same_bits(one.rows[i], other.rows[i]))
+            return "history, row " + std::to_string(i) + ':' + shown(one.rows[i], other.rows[i]);
+    if (one.rows.size() != other.rows.size())
+        return std::to_string(one.rows.size()) + " and " + std::to_string(other.rows.size()) +
+               " rows";
+    if (one.points.size() != other.points.size())
+        return std::to_string(one.points.size()) + " and " + std::to_string(other.points.size()) +
+               " particles";
+    for (const auto& [id, row] : one.points) {
+        const auto found = other.points.find(id);
+        if (found == other.points.end()) return "there is no particle " + std::to_string(id);
+        // Bodies with fewer columns have zeros behind them in LAMMPS.
+        std::vector<double> a = row, b = found->second;
+        a.resize(std::max(a.size(), b.size()), 0.0);
+        b.resize(a.size(), 0.0);
+        if (!same_bits(a, b)) return "particle " + std::to_string(id) + ':' + shown(a, b);
+    }
+    return {};
+}

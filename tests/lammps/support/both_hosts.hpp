@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One case in both hosts: the reference driver, and LAMMPS.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "support/folder.hpp"
+
+// What both hosts tell: the history, a row for each step, and all columns of particles at the end by the
+// numbers of the atoms.
+struct Told {
+    std::vector<std::vector<double>> rows;
+    std::map<int, std::vector<double>> points;
+};
+
+class BothHosts {
+  public:
+    // A TOML case; its history has a row for each step.
+    explicit BothHosts(const std::string& toml);
+
+    // steps: the most of them.
+    Told in_driver(long steps) const;
+    // processors: of LAMMPS along r and z. script: that of the case unless another one is wanted. The test
+    // fails if LAMMPS does.
+    Told in_lammps(int r, int z, const std::string& script = "") const;
+    // ... as a program is run that may fail.
+    Answer lammps(int processes, const std::string& script) const;
+    // How a program is started on so many processes, more than processors too.
+    static std::string start(int processes, const std::string& program);
+    // From what LAMMPS has printed and dumped.
+    Told read_told(const std::string& printed) const;
+    std::string script() const { return "include " + name + ".in\n"; }
+
+    const Folder folder;
+    std::string name;
+
+  private:
+    std::string toml_name;
+};
+
+// For messages: where a row differs, bit for bit; empty: nowhere.
+std::string first_difference(const Told& one, const Told& other);

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a step leaves apart from particles, for hosts that store it in their own files.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include <adapters/mpm/shared_state.hpp>
+
+#include "support/pressed_sand.hpp"
+
+namespace {
+
+using namespace mpm_test;
+
+TEST(SharedState, IsTakenByASimulationOfTheSameCase) {
+    const PressedSand made;
+    const auto one = made.build(), other = made.build();
+    for (int i = 0; i < 60; ++i) one->step();
+    const std::vector<std::uint64_t> nodes = SharedState::nodes(*one);
+    const std::string common = SharedState::common(*one);
+    ASSERT_NE(SharedState::nodes(*other), nodes);
+    ASSERT_NE(SharedState::common(*other), common);
+    SharedState::take_common(*other, common);
+    SharedState::take_nodes(*other, nodes);
+    EXPECT_EQ(SharedState::nodes(*other), nodes);
+    EXPECT_EQ(SharedState::common(*other), common);
+    EXPECT_EQ(other->time(), one->time());
+}
+
+// A node that pressed stays closed, so what pressed must be known.
+TEST(SharedState, KnowsWhichNodesPressed) {
+    const PressedSand made;
+    const auto one = made.build(), other = made.build();
+    const auto pressed = [](Simulation& simulation) {
+        const std::size_t each = SharedState::words_per_node(simulation);
+        const std::vector<std::uint64_t> words = SharedState::nodes(simulation);
+        std::vector<std::uint64_t> out;
+        for (std::size_t i = each - 1; i < words.size(); i += each) out.push_back(words[i]);
+        return out;
+    };
+    for (int i = 0; i < 60; ++i) one->step();
+    const std::vector<std::uint64_t> wanted = pressed(*one);
+    ASSERT_GT(std::count(wanted.begin(), wanted.end(), 1u), 0);
+    SharedState::take_nodes(*other, SharedState::nodes(*one));
+    EXPECT_EQ(pressed(*other), wanted);
+}
+
+TEST(SharedState, OfAnotherCaseIsRefused) {
+    PressedSand made;
+    const auto one = made.build();
+    made.ring = false;
+    const auto other = made.build();
+    EXPECT_THROW(SharedState::take_common(*other, SharedState::common(*one)), std::runtime_error);
+    EXPECT_THROW(SharedState::take_nodes(*other, SharedState::nodes(*one)), std::runtime_error);
+}
+
+}  // namespace
