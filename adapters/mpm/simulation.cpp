@@ -124,13 +124,21 @@ std::size_t Simulation::add_body(Body body) {
 
 void Simulation::particles_changed(std::size_t body) {
     Part& part = parts[body];
-    const Particles& particles = part.body.particles;
-    const int* ids = particles.ids();
-    const int most = particles.size() > 0 ? *std::max_element(ids, ids + particles.size()) : -1;
-    part.slot.resize(static_cast<std::size_t>(most) + 1);
+    const auto count = static_cast<std::size_t>(part.body.particles.size());
+    part.by_id.resize(count);
     find_places(part);
-    if (!part.cells.empty()) part.deferred.resize(static_cast<std::size_t>(particles.size()));
+    if (!part.cells.empty()) part.deferred.resize(count);
     drift = std::numeric_limits<double>::infinity();  // sorts before the next step
+}
+
+// A search: a process may have few of very many ids.
+std::ptrdiff_t Simulation::find(std::size_t body, int id) const {
+    const Part& part = parts[body];
+    const int* ids = part.body.particles.ids();
+    const auto at =
+        std::lower_bound(part.by_id.begin(), part.by_id.end(), id,
+                         [ids](std::ptrdiff_t p, int wanted) { return ids[p] < wanted; });
+    return at != part.by_id.end() && ids[*at] == id ? *at : -1;
 }
 
 void Simulation::add_traction(Traction traction) {

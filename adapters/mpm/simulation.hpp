@@ -73,10 +73,7 @@ class Simulation {
     const Axis& axis_z() const { return z_axis; }
     const Settings& current_settings() const { return settings; }
     // Particle with this id; -1: another process has it.
-    std::ptrdiff_t find(std::size_t body, int id) const {
-        const std::vector<std::ptrdiff_t>& slot = parts[body].slot;
-        return static_cast<std::size_t>(id) < slot.size() ? slot[static_cast<std::size_t>(id)] : -1;
-    }
+    std::ptrdiff_t find(std::size_t body, int id) const;
     // Between steps, after particles of a body came from or went to other processes.
     void particles_changed(std::size_t body);
     // Goes over all particles of all processes.
@@ -101,7 +98,7 @@ class Simulation {
         CellMean mean = {};  // of the vectors that follow, if wanted
         std::vector<CellIntegers> cells = {};
         std::vector<Deferred> deferred = {};
-        std::vector<std::ptrdiff_t> slot = {};  // of an id
+        std::vector<std::ptrdiff_t> by_id = {};  // particles, ids ascending
         double least_mass = 0.0;
         std::vector<GatherSums> gather_sums = {};  // of each strip
         std::vector<double> speed = {};            // largest v + c of each strip [m/s]

@@ -2,6 +2,7 @@
 // The passes of a step over particles and over nodes. Tasks are (body, strip), whatever the threads.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "adapters/mpm/for_strips.hpp"
 #include "adapters/mpm/simulation.hpp"
@@ -45,9 +46,9 @@ void Simulation::sort() {
 
 void Simulation::find_places(Part& part) {
     const int* ids = part.body.particles.ids();
-    std::fill(part.slot.begin(), part.slot.end(), -1);
-    for (std::ptrdiff_t p = 0; p < part.body.particles.size(); ++p)
-        part.slot[static_cast<std::size_t>(ids[p])] = p;
+    std::iota(part.by_id.begin(), part.by_id.end(), 0);
+    std::sort(part.by_id.begin(), part.by_id.end(),
+              [ids](std::ptrdiff_t a, std::ptrdiff_t b) { return ids[a] < ids[b]; });
 }
 
 void Simulation::clear() {
