@@ -6,6 +6,7 @@ file(WRITE ${WORK}/deck.inp "** until 1.
 ** compare sxx = stress_11 within 1e-6
 ** compare syy = stress_12 within 1e-6 of 100
 ** compare sdv1 = void_ratio within 1e-6
+** compare sdv2 = -void_ratio-stress_11 within 1e-6
 ")
 
 function(verdict expected first second void_ratio result)
@@ -17,8 +18,8 @@ function(verdict expected first second void_ratio result)
 
  internal state variables (elem, integ.pnt.,s1,s2) for set SAND and time  0.1000000E+01
 
-         1   1  ${void_ratio}
-         1   2  0.6000000E+00
+         1   1  ${void_ratio}  0.9940000E+02
+         1   2  0.6000000E+00  0.9940000E+02
 ")
   file(WRITE ${WORK}/deck.csv "# how the run ended\nstress_11[kPa], stress_12[kPa], void_ratio\n"
                               "-1, -1, -1\n${result}\n# end\n")
