@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a sand is made from, and copies of it: parameters are all that a copy or a pickle needs.
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -86,6 +87,12 @@ py::str repr_of(const Sand& sand) {
     return "grit.Sand(" + text + ")";
 }
 
+// Protocols 0 and 1 would make an instance of pybind11's base, which ends the process.
+py::object reduce(const py::object& self, int protocol) {
+    const py::object base = py::module_::import("builtins").attr("object");
+    return base.attr("__reduce_ex__")(self, std::max(protocol, 2));
+}
+
 Sand restored(const py::dict& parameters) {
     return make(py::none(), 1.0, py::reinterpret_borrow<py::kwargs>(parameters));
 }
@@ -98,6 +105,7 @@ py::class_<Sand> add_sand_type(py::module_& module) {
     sand.attr("__module__") = "grit";  // where pickles look for it
     sand.def(py::init(&make), arg("name") = py::none(), arg("stress_scale") = 1.0);
     sand.def(py::pickle(&parameters_of, &restored));
+    sand.def("__reduce_ex__", &reduce);
     sand.def("__repr__", &repr_of);
     sand.def_property_readonly("parameters", &parameters_of,
                                "Parameters by name: angle [rad], stresses in the unit given.");

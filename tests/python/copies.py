@@ -41,7 +41,7 @@ class Copies(unittest.TestCase):
         for name, sand in SANDS.items():
             self.same(sand, copy.copy(sand), name)
             self.same(sand, copy.deepcopy({"sand": [sand]})["sand"][0], name)
-            for protocol in range(2, pickle.HIGHEST_PROTOCOL + 1):
+            for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
                 self.same(sand, pickle.loads(pickle.dumps(sand, protocol)), name)
 
     def test_update_to_the_same_bits_in_another_process(self):
