@@ -16,7 +16,8 @@ module grit_sand_arrays
    !   n points: strain_increment, stress (c, n), c = 6 or 4; state (8, n); tangent (c, c, n);
    !             rotation_increment (3, 3, n); substep (n); reports (n), with index of its size
    !   one point: strain_increment, stress (c); state (8); tangent (c, c); rotation (3, 3)
-   ! tangent(i, j) = d stress(i) / d strain(j), by default the consistent one where it is present.
+   ! tangent(i, j) = d stress(i) / d strain(j): where it is present it is written, the consistent one
+   ! unless the options ask for the continuum's.
    ! index: points to be taken, from 0. Sections of arrays are used in place. As C has it, with views:
    ! grit_sand_update(sand, options, n, points, reports, error).
    interface grit_sand_update
@@ -143,10 +144,10 @@ contains
       integer(c_int) :: status
       if (present(options)) then
          out = options
-         return
+      else
+         status = grit_sand_options_init(out)
       end if
-      status = grit_sand_options_init(out)
-      if (wanted) out%tangent = grit_tangent_consistent
+      if (wanted .and. out%tangent == grit_tangent_none) out%tangent = grit_tangent_consistent
    end function
 
    integer(c_int) function grit_sand_parameters_init(parameters) result(status)

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cmath>
-#include <string>
+#include <algorithm>
+#include <utility>
 
 #include <pybind11/numpy.h>
-#include <pybind11/stl.h>
 
 #include "adapters/python/arrays.hpp"
 #include "adapters/python/errors.hpp"
@@ -11,20 +10,6 @@
 
 namespace grit_python {
 namespace {
-
-constexpr const char* sand_doc = R"(A sand, prepared: immutable, may be used from several threads.
-
-    Sand("lausitz")                     published parameters, stresses in kPa
-    Sand("lausitz", stress_scale=1000)  the same in Pa
-    Sand(critical_friction_angle=..., granulate_hardness=..., ...)
-
-Parameters by name, a name before them gives the values to start from: critical_friction_angle
-phi_c [rad], granulate_hardness h_s [stress], stiffness_exponent n, densest_void_ratio e_d0,
-critical_void_ratio e_c0, loosest_void_ratio e_i0, pyknotropy_exponent alpha, stiffness_void_exponent
-beta, pressure_shift p_t [stress]; and all of the intergranular strain or none: reversal_stiffness m_R,
-transverse_stiffness m_T, elastic_strain_radius R, evolution_exponent beta_r,
-stiffness_interpolation_exponent chi. Any consistent units: stresses take the unit of h_s.
-Raises BadParameter with name, value, limit and unit. sands() lists the names.)";
 
 constexpr const char* update_doc = R"(Integrate n points over their strain increments, in place.
 
@@ -103,69 +88,13 @@ py::array update(const Sand& sand, const py::object& strain_increment, const py:
     return reports;
 }
 
-Sand make(const py::object& name, double stress_scale, const py::kwargs& given) {
-    grit_sand_parameters parameters{};
-    check(grit_sand_parameters_init(&parameters, sizeof parameters), "grit_sand_parameters_init");
-    if (!name.is_none()) {
-        const std::string key = name.cast<std::string>();
-        const int record = grit_sand_record_find(key.c_str());
-        if (record < 0) refuse("there is no sand \"%s\": sands() lists the names", key.c_str());
-        if (!(stress_scale > 0.0) || !std::isfinite(stress_scale))
-            refuse("stress_scale must be > 0, got %g", stress_scale);
-        check(grit_sand_record_parameters(record, stress_scale, &parameters), key.c_str());
-    }
-    for (const auto& [key, value] : given) {
-        const std::string wanted = py::str(key);
-        int at = 0;
-        while (at < GRIT_SAND_PARAMETER_COUNT && wanted != grit_sand_parameter_describe(at)->name)
-            ++at;
-        if (at == GRIT_SAND_PARAMETER_COUNT)
-            refuse("a sand has no parameter \"%s\"", wanted.c_str());
-        check(grit_sand_parameter_set(&parameters, at, value.cast<double>()), wanted.c_str());
-    }
-    Sand out;
-    grit_error error{};
-    check(grit_sand_prepare(&parameters, &out.prepared, &error), error);
-    return out;
-}
-
-py::dict parameters_of(const Sand& sand) {
-    grit_sand_parameters parameters{};
-    check(grit_sand_parameters_init(&parameters, sizeof parameters), "grit_sand_parameters_init");
-    check(grit_sand_parameters_of(&sand.prepared, &parameters), "grit_sand_parameters_of");
-    py::dict out;
-    for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i) {
-        double value = 0.0;
-        check(grit_sand_parameter_get(&parameters, i, &value), "grit_sand_parameter_get");
-        if (!std::isnan(value)) out[grit_sand_parameter_describe(i)->name] = value;
-    }
-    return out;
-}
-
-py::dict sands() {
-    py::dict out;
-    for (int i = 0; i < grit_sand_record_count(); ++i) {
-        const grit_sand_record* record = grit_sand_record_at(i);
-        py::dict each;
-        each["title"] = record->title;
-        each["status"] = record->status;
-        each["source"] = record->source;
-        each["note"] = record->note;
-        out[record->name] = each;
-    }
-    return out;
-}
-
 }  // namespace
 
 void add_sand(py::module_& module) {
     using py::arg;
     PYBIND11_NUMPY_DTYPE(grit_sand_report, status, flags, substeps, evaluations, error_estimate,
                          step_reduction);
-    py::class_<Sand> sand(module, "Sand", sand_doc);
-    sand.def(py::init(&make), arg("name") = py::none(), arg("stress_scale") = 1.0);
-    sand.def_property_readonly("parameters", &parameters_of,
-                               "Parameters by name: angle [rad], stresses in the unit given.");
+    py::class_<Sand> sand = add_sand_type(module);
     sand.def("update", &update, arg("strain_increment"), arg("stress"), arg("state"), py::kw_only(),
              arg("tangent") = py::none(), arg("rotation_increment") = py::none(),
              arg("substep") = py::none(), arg("index") = py::none(), arg("continuum") = false,
@@ -173,10 +102,6 @@ void add_sand(py::module_& module) {
              arg("intergranular_strain") = true, arg("stress_is_rotated") = false,
              arg("validate_only") = false, update_doc);
     add_sand_operators(sand);
-    module.def(
-        "sands", &sands,
-        "Sands with published parameters: name -> title, status (\"A\": two independent sources "
-        "agree, \"B\": one, or a conflict), source, note.");
     module.attr("STATE_SIZE") = static_cast<int>(GRIT_SAND_STATE_SIZE);
     module.attr("VOID_RATIO") = static_cast<int>(GRIT_SAND_VOID_RATIO);
     module.attr("SEPARATION") = static_cast<int>(GRIT_SAND_SEPARATION);

@@ -1,23 +1,39 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""pip install --no-build-isolation --no-deps .    (in a virtual environment that sees NumPy)
+"""pip install --no-build-isolation --no-deps ./adapters/python    (in a virtual environment that sees NumPy)
 
-CMake builds the module out of the source tree that this folder stands in, in build/python there."""
+CMake builds the module out of the source tree that this folder stands in, in build/python there, or in a
+temporary folder where that cannot be written."""
 
+import atexit
 import os
 import pathlib
 import re
 import shutil
 import subprocess
 import sys
+import tempfile
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
 here = pathlib.Path(__file__).resolve().parent
 root = here.parent.parent
-work = root / "build" / "python"
-(work / "info").mkdir(parents=True, exist_ok=True)
 version = re.search(r"VERSION (\d+\.\d+\.\d+)", (root / "CMakeLists.txt").read_text()).group(1)
+
+
+def folder_to_build_in():
+    folder = root / "build" / "python"
+    try:
+        (folder / "info").mkdir(parents=True, exist_ok=True)
+        tempfile.TemporaryFile(dir=folder / "info").close()
+    except OSError:
+        folder = pathlib.Path(tempfile.mkdtemp(prefix="grit-python-"))
+        atexit.register(shutil.rmtree, folder, ignore_errors=True)
+        (folder / "info").mkdir()
+    return folder
+
+
+work = folder_to_build_in()
 
 
 class BuildWithCMake(build_ext):

@@ -5,6 +5,7 @@
 #include <element/simulate.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/mgis_law.hpp"
@@ -56,9 +57,11 @@ double difference(const std::string& hypothesis, const Program& program, double 
     if (hypothesis == "PlaneStrain") {
         EXPECT_EQ(y.strain[2], 0.0);
     }
-    double worst = (x.effective_stress - y.effective_stress).norm() / norm;
-    worst = std::max(worst, std::abs(x.pore_pressure - y.pore_pressure) / norm);
-    return std::max(worst, std::abs(x.void_ratio - y.void_ratio));
+    const double stress = (x.effective_stress - y.effective_stress).norm() / norm;
+    const double pore_pressure = std::abs(x.pore_pressure - y.pore_pressure) / norm;
+    const double void_ratio = std::abs(x.void_ratio - y.void_ratio);
+    EXPECT_TRUE(std::isfinite(stress + pore_pressure + void_ratio)) << "std::max passes over NaN";
+    return std::max({stress, pore_pressure, void_ratio});
 }
 
 Program with_increments(Program program, int n) {

@@ -61,12 +61,12 @@ file(GLOB parts RELATIVE ${SOURCE}/verification ${SOURCE}/verification/*)
 foreach(part IN LISTS parts)
   check_folder(verification/${part} ${third_party} "\"((${part}|element)/)?[a-z_0-9]+\\.hpp\"")
 endforeach()
-# tests/X/support holds what the tests of X share; it is not the library's support. Only tests/X/kernel
-# looks at the parts that X is made of.
+# tests/X/support holds what the tests of X share; it is not the library's support. tests/larger.hpp is
+# for all of them. Only tests/X/kernel looks at the parts that X is made of.
 file(GLOB parts RELATIVE ${SOURCE}/tests ${SOURCE}/tests/*)
 foreach(part IN LISTS parts)
   if(NOT part STREQUAL "architecture")
-    check_folder(tests/${part} ${third_party} "\"(support/)?[a-z_0-9]+\\.hp?p?\"")
+    check_folder(tests/${part} ${third_party} "\"((support/)?[a-z_0-9]+|\\.\\./larger)\\.hp?p?\"")
     check_folder(tests/${part}/kernel ${third_party}
                  "\"(support|${part}|tests/${part}/support)/[a-z_0-9]+\\.hpp\"")
   endif()

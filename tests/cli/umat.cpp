@@ -38,6 +38,7 @@ TEST_P(CliThroughALibrary, ComputesTheSame) {
             ASSERT_GT(a.size(), 10U);
             double largest = 0.0, apart = 0.0;
             for (std::size_t i = 0; i < a.size(); ++i) {
+                ASSERT_TRUE(std::isfinite(a[i]) && std::isfinite(b[i])) << name << ", " << column;
                 largest = std::max(largest, std::abs(a[i]));
                 apart = std::max(apart, std::abs(a[i] - b[i]));
             }

@@ -3,6 +3,7 @@
 // space, penalty powers 0.5 ... 20, friction 0 ... 1, Geo-contact and frictional contact.
 #include <functional>
 
+#include "../larger.hpp"
 #include "support/nodes.hpp"
 
 namespace {
@@ -57,7 +58,7 @@ Vec tangential(const Vec& w, const Vec& n) { return w - dot(w, n) * n; }
 TEST(NodalContact, KeepsMomentum) {
     double worst = 0.0;
     on_all_nodes([&](const auto&, const Node& x, const Node& y, const auto&) {
-        worst = std::max(worst, norm(y.momentum() - x.momentum()) / size_of(x));
+        worst = larger(worst, norm(y.momentum() - x.momentum()) / size_of(x));
     });
     EXPECT_LE(worst, 5e-16);
 }
@@ -66,7 +67,7 @@ TEST(NodalContact, NeverGainsEnergy) {
     double worst = 0.0;
     on_all_nodes([&](const auto&, const Node& x, const Node& y, const auto&) {
         // Of the relative motion: that of the centre of mass would drown it.
-        worst = std::max(worst, norm(y.w()) / norm(x.w()) - 1.0);
+        worst = larger(worst, norm(y.w()) / norm(x.w()) - 1.0);
     });
     EXPECT_LE(worst, 1e-15);
 }
@@ -77,7 +78,7 @@ TEST(NodalContact, LeavesTheShareOfTheApproachThatThePenaltyLeaves) {
         if (r.state < GRIT_CONTACT_STICK) return;
         const double w_n = dot(x.w(), x.n);
         const double left = dot(y.w(), x.n) - (1.0 - r.penalty_factor) * w_n;
-        worst = std::max(worst, std::fabs(left) / (norm(x.v_a) + norm(x.v_b)));
+        worst = larger(worst, std::fabs(left) / (norm(x.v_a) + norm(x.v_b)));
     });
     EXPECT_LE(worst, 1e-15);
 }
@@ -86,7 +87,7 @@ TEST(NodalContact, SticksToOneTangentialVelocity) {
     double worst = 0.0;
     on_all_nodes([&](const auto&, const Node& x, const Node& y, const grit_contact_report& r) {
         if (r.state != GRIT_CONTACT_STICK) return;
-        worst = std::max(worst, norm(tangential(y.w(), x.n)) / (norm(x.v_a) + norm(x.v_b)));
+        worst = larger(worst, norm(tangential(y.w(), x.n)) / (norm(x.v_a) + norm(x.v_b)));
     });
     EXPECT_LE(worst, 1e-15);
 }
@@ -103,8 +104,8 @@ TEST(NodalContact, SlipsAtTheLimitOfCoulombTakenAfterThePenalty) {
         const double over = J_t - o.friction_coefficient * J_n;
         // Tangential parts of w below its roundoff say nothing.
         const double scale = std::max(o.friction_coefficient * J_n, 0.1 * x.m_r() * norm(x.w()));
-        if (r.state == GRIT_CONTACT_SLIP) worst = std::max(worst, std::fabs(over) / scale);
-        else worst = std::max(worst, over / scale);
+        if (r.state == GRIT_CONTACT_SLIP) worst = larger(worst, std::fabs(over) / scale);
+        else worst = larger(worst, over / scale);
     });
     EXPECT_LE(worst, 1.6e-14);
 }
@@ -234,7 +235,7 @@ TEST(NodalContact, IsAPlainSentenceInHigherPrecision) {
             EXPECT_NEAR(r.penalty_factor, double(f_p), 4e-16 * (1 + o.penalty_power));
         }
         for (int c = 0; c < 3; ++c)
-            worst = std::max(worst, std::fabs(double(y.v_a[c] - v_a[c])) / (1.0 + norm(x.w())));
+            worst = larger(worst, std::fabs(double(y.v_a[c] - v_a[c])) / (1.0 + norm(x.w())));
     };
     on_all_nodes(check);
     EXPECT_LE(worst, 4e-15);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The stable step, and impacts in explicit steps.
+#include "../larger.hpp"
 #include "support/penalty.hpp"
 
 namespace {
@@ -45,7 +46,7 @@ struct Oscillator {
             v_b += dt * (b.sum()[1] + load) / m_b;
             a.move({0.0, dt * v_a});
             b.move({0.0, dt * v_b});
-            largest = std::fmax(largest, std::fabs(b.x[0][1] - a.x[2][1] - 0.01));
+            largest = larger(largest, std::fabs(b.x[0][1] - a.x[2][1] - 0.01));
             if (largest > 0.009) return infinite;
         }
         return largest;
@@ -139,7 +140,7 @@ TEST(PenaltyImpact, WithoutFrictionConservesEnergy) {
             const double v_before = v;
             v += dt * a.sum()[1] / m;
             const double kinetic = 0.5 * m * v_before * v;  // at the time of the forces
-            largest = std::fmax(largest, std::fabs(kinetic + contact.totals.energy_normal - 1.0));
+            largest = larger(largest, std::fabs(kinetic + contact.totals.energy_normal - 1.0));
             a.move({0.0, dt * v});
         } while (++steps < 100000 && (v < 0.0 || contact.totals.contacts_a > 0));
         EXPECT_LE(largest, 2e-3) << parts;

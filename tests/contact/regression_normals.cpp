@@ -2,6 +2,7 @@
 // Normals by regression: what is known of the plane that parts two clouds.
 #include <grit/version.h>
 
+#include "../larger.hpp"
 #include "support/clouds.hpp"
 
 namespace {
@@ -121,7 +122,7 @@ TEST(RegressionNormal, IsWithinDegreesOfThePlaneThatPartsParticlesOnARegularGrid
         }
         const double angle = std::acos(std::min(1.0, regressed(2, cloud).dot(n)));
         sum += angle;
-        worst = std::max(worst, angle);
+        worst = larger(worst, angle);
     }
     EXPECT_LT(sum / nodes, 0.1);  // 5 degrees and a bit: particles half a cell apart know no more
     EXPECT_LT(worst, 0.4);

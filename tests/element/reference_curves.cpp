@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "../larger.hpp"
 #include "support/csv.hpp"
 #include "support/lausitz.hpp"
 
@@ -88,11 +89,13 @@ Worst run(const Curve& curve, double tolerance, int parts) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const Record& record = history.records[i];
         const Vector6 difference = record.effective_stress - vector(rows[i], stress);
-        worst.stress = std::max(worst.stress, difference.cwiseAbs().maxCoeff() / largest);
-        worst.strain =
-            std::max(worst.strain, (record.strain - vector(rows[i], strain)).cwiseAbs().maxCoeff());
+        worst.stress =
+            larger(worst.stress, difference.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() / largest);
+        worst.strain = larger(
+            worst.strain,
+            (record.strain - vector(rows[i], strain)).cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
         worst.void_ratio =
-            std::max(worst.void_ratio, std::abs(record.void_ratio - rows[i][void_ratio]));
+            larger(worst.void_ratio, std::abs(record.void_ratio - rows[i][void_ratio]));
         worst.iterations += record.iterations;
     }
     worst.increments = static_cast<long>(rows.size() - 1) * parts;

@@ -6,6 +6,7 @@
 
 #include <element/errors.hpp>
 
+#include "../larger.hpp"
 #include "support/lausitz.hpp"
 
 namespace {
@@ -46,10 +47,10 @@ double worst_difference(const Program& program, double K_w = 0.0) {
     double worst = 0.0;
     for (std::size_t i = 0; i < std::min(of_grit.records.size(), of_umat.records.size()); ++i) {
         const Record &x = of_grit.records[i], &y = of_umat.records[i];
-        worst = std::max(worst, (x.stress - y.stress).norm() / x.stress.norm());
-        worst = std::max(worst, (x.strain - y.strain).norm());
-        worst = std::max(worst, std::abs(x.void_ratio - y.void_ratio));
-        worst = std::max(worst, std::abs(x.pore_pressure - y.pore_pressure) / 100.0);
+        worst = larger(worst, (x.stress - y.stress).norm() / x.stress.norm());
+        worst = larger(worst, (x.strain - y.strain).norm());
+        worst = larger(worst, std::abs(x.void_ratio - y.void_ratio));
+        worst = larger(worst, std::abs(x.pore_pressure - y.pore_pressure) / 100.0);
     }
     return worst;
 }

@@ -66,6 +66,7 @@ program sand_arrays
       call holds('points of the index only', &
                  all(stress(:, i) == merge(stress_c(:, i), start, i == 4 .or. i == 2)))
    end do
+   call tangents()
    call rotations()
    call plane()
    call operators()
@@ -107,6 +108,39 @@ contains
       call holds('backwards', grit_sand_update(sand, strain(:, n:1:-1), stress(:, n:1:-1), &
                                                state(:, n:1:-1)) == grit_ok)
       call holds('bits of backwards', all(stress == stress_c) .and. all(state == state_c))
+   end subroutine
+
+   ! A tangent that is present is written, whatever the options say; one that is not cannot be.
+   subroutine tangents()
+      type(grit_sand_options) :: none, continuum, consistent
+      real(c_double) :: M(6, 6, n), one(6, 6)
+      consistent = options
+      none = options
+      none%tangent = grit_tangent_none
+      none%tolerance = 1d-6
+      consistent%tolerance = none%tolerance
+      continuum = none
+      continuum%tangent = grit_tangent_continuum
+      call begin(stress, state)
+      call holds('consistent', grit_sand_update(sand, strain, stress, state, tangent, &
+                                                options=consistent) == grit_ok)
+      M = -7
+      call begin(stress, state)
+      call holds('none', grit_sand_update(sand, strain, stress, state, M, options=none) == grit_ok)
+      call holds('none is the consistent one', all(M == tangent))
+      one = -7
+      call begin(stress, state)
+      call holds('none, one point', grit_sand_update(sand, strain(:, 2), stress(:, 2), state(:, 2), &
+                                                     one, options=none) == grit_ok)
+      call holds('none is the consistent one of one point', all(one == tangent(:, :, 2)))
+      call begin(stress, state)
+      call holds('continuum', grit_sand_update(sand, strain, stress, state, M, options=continuum) == &
+                 grit_ok)
+      call holds('the continuum''s is another', maxval(abs(M - tangent)) > 1)
+      call begin(stress, state)
+      call holds('no tangent', grit_sand_update(sand, strain, stress, state, options=none) == grit_ok)
+      call refused(grit_sand_update(sand, strain, stress, state, options=consistent, error=error), &
+                   error, 'tangent 2 is asked for')
    end subroutine
 
    ! Q by columns, as Fortran writes it: turning about 3 by 90 degrees takes 11 to 22.

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <random>
 
+#include "../larger.hpp"
 #include "support/box.hpp"
 #include "support/one_particle.hpp"
 
@@ -88,7 +89,7 @@ std::vector<double> shuffled(bool fixed_point, Scheme scheme, unsigned seed) {
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b, int c) {
     double difference = 0.0;
     for (std::size_t i = static_cast<std::size_t>(c); i < a.size(); i += column::own)
-        difference = std::max(difference, std::fabs(a[i] - b[i]));
+        difference = larger(difference, std::fabs(a[i] - b[i]));
     return difference;
 }
 

@@ -8,6 +8,7 @@
 
 #include <grit/sand_operators.h>
 
+#include "../larger.hpp"
 #include "support/lausitz.hpp"
 
 namespace {
@@ -68,7 +69,7 @@ TEST(CellMean, GivesAllParticlesOfACellTheirMeanVolumetricStrainAndLeavesShearAl
                 if (scheme != Scheme::usf) {  // there stress acts in the same step
                     EXPECT_NEAR(mean.shear[p], own.shear[p], 1e-14);
                 }
-                scatter = std::max(scatter, std::fabs(own.volumetric[p] - expected));
+                scatter = larger(scatter, std::fabs(own.volumetric[p] - expected));
             }
             EXPECT_GT(scatter, 1e-4);  // there was something to average
         }
@@ -132,7 +133,7 @@ Cylinder inflate(bool cell_mean) {
         const std::ptrdiff_t p = simulation.find(0, i);
         const double radial = share * (1.0 - b * b / std::pow(q(column::r, p), 2));
         out.stress_error =
-            std::max(out.stress_error, std::fabs(q(column::S_rr, p) - radial) / pressure);
+            larger(out.stress_error, std::fabs(q(column::S_rr, p) - radial) / pressure);
     }
     return out;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../larger.hpp"
 #include "support/reference.hpp"
 #include "support/update.hpp"
 
@@ -49,12 +50,12 @@ Delivered delivered(const std::vector<Task>& tasks, Intergranular igs, double to
         const double error =
             (x.T - t.exact.T).norm() / std::fmax(t.exact.T.norm(), t.start.T.norm()) / tolerance;
         d.within += (error <= 1.0) / static_cast<double>(tasks.size());
-        d.worst = std::fmax(d.worst, error);
+        d.worst = larger(d.worst, error);
         if (igs == Intergranular::on) {
             const double error_h = (x.h - t.exact.h).norm() / t.sand->p.elastic_strain_radius;
-            d.worst_h = std::fmax(d.worst_h, error_h);
+            d.worst_h = larger(d.worst_h, error_h);
         }
-        d.worst_e = std::fmax(d.worst_e, std::fabs(x.e - t.exact.e));
+        d.worst_e = larger(d.worst_e, std::fabs(x.e - t.exact.e));
     }
     return d;
 }

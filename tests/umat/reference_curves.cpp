@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Exact responses to piecewise linear strain paths (long double, Dormand-Prince at 1e-13), row by
 // row.
+#include "../larger.hpp"
 #include "support/csv.hpp"
 #include "support/update.hpp"
 
@@ -24,9 +25,9 @@ Worst worst_along(const std::string& file, double tolerance) {
         const Vec dE = strain_from(&rows[i][strain]) - strain_from(&rows[i - 1][strain]);
         x = updated(sand, x, dE, options_with(tolerance));
         const Vec T = stress_from(&rows[i][stress]);
-        worst.stress = std::fmax(worst.stress, (x.T - T).norm() / T.norm());
-        worst.h = std::fmax(worst.h, (x.h - strain_from(&rows[i][memory])).norm() / 1e-4);
-        worst.e = std::fmax(worst.e, std::fabs(x.e - rows[i][void_ratio]));
+        worst.stress = larger(worst.stress, (x.T - T).norm() / T.norm());
+        worst.h = larger(worst.h, (x.h - strain_from(&rows[i][memory])).norm() / 1e-4);
+        worst.e = larger(worst.e, std::fabs(x.e - rows[i][void_ratio]));
     }
     return worst;
 }

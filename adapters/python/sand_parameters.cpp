@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a sand is made from, and copies of it: parameters are all that a copy or a pickle needs.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "adapters/python/errors.hpp"
+#include "adapters/python/parts.hpp"
+
+namespace grit_python {
+namespace {
+
+constexpr const char* sand_doc = R"(A sand, prepared: immutable, may be used from several threads.
+
+    Sand("lausitz")                     published parameters, stresses in kPa
+    Sand("lausitz", stress_scale=1000)  the same in Pa
+    Sand(critical_friction_angle=..., granulate_hardness=..., ...)
+
+Parameters by name, a name before them gives the values to start from: critical_friction_angle
+phi_c [rad], granulate_hardness h_s [stress], stiffness_exponent n, densest_void_ratio e_d0,
+critical_void_ratio e_c0, loosest_void_ratio e_i0, pyknotropy_exponent alpha, stiffness_void_exponent
+beta, pressure_shift p_t [stress]; and all of the intergranular strain or none: reversal_stiffness m_R,
+transverse_stiffness m_T, elastic_strain_radius R, evolution_exponent beta_r,
+stiffness_interpolation_exponent chi. Any consistent units: stresses take the unit of h_s.
+Raises BadParameter with name, value, limit and unit. sands() lists the names.)";
+
+Sand make(const py::object& name, double stress_scale, const py::kwargs& given) {
+    grit_sand_parameters parameters{};
+    check(grit_sand_parameters_init(&parameters, sizeof parameters), "grit_sand_parameters_init");
+    if (!name.is_none()) {
+        const std::string key = name.cast<std::string>();
+        const int record = grit_sand_record_find(key.c_str());
+        if (record < 0) refuse("there is no sand \"%s\": sands() lists the names", key.c_str());
+        if (!(stress_scale > 0.0) || !std::isfinite(stress_scale))
+            refuse("stress_scale must be > 0, got %g", stress_scale);
+        check(grit_sand_record_parameters(record, stress_scale, &parameters), key.c_str());
+    }
+    for (const auto& [key, value] : given) {
+        const std::string wanted = py::str(key);
+        int at = 0;
+        while (at < GRIT_SAND_PARAMETER_COUNT && wanted != grit_sand_parameter_describe(at)->name)
+            ++at;
+        if (at == GRIT_SAND_PARAMETER_COUNT)
+            refuse("a sand has no parameter \"%s\"", wanted.c_str());
+        check(grit_sand_parameter_set(&parameters, at, value.cast<double>()), wanted.c_str());
+    }
+    Sand out;
+    grit_error error{};
+    check(grit_sand_prepare(&parameters, &out.prepared, &error), error);
+    return out;
+}
+
+py::dict parameters_of(const Sand& sand) {
+    grit_sand_parameters parameters{};
+    check(grit_sand_parameters_init(&parameters, sizeof parameters), "grit_sand_parameters_init");
+    check(grit_sand_parameters_of(&sand.prepared, &parameters), "grit_sand_parameters_of");
+    py::dict out;
+    for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i) {
+        double value = 0.0;
+        check(grit_sand_parameter_get(&parameters, i, &value), "grit_sand_parameter_get");
+        if (!std::isnan(value)) out[grit_sand_parameter_describe(i)->name] = value;
+    }
+    return out;
+}
+
+py::dict sands() {
+    py::dict out;
+    for (int i = 0; i < grit_sand_record_count(); ++i) {
+        const grit_sand_record* record = grit_sand_record_at(i);
+        py::dict each;
+        each["title"] = record->title;
+        each["status"] = record->status;
+        each["source"] = record->source;
+        each["note"] = record->note;
+        out[record->name] = each;
+    }
+    return out;
+}
+
+// As it would be made; floats are written so that they are read as the same.
+py::str repr_of(const Sand& sand) {
+    std::string text;
+    for (const auto& [key, value] : parameters_of(sand)) {
+        if (!text.empty()) text += ", ";
+        text += std::string(py::str(key)) + "=" + std::string(py::repr(value));
+    }
+    return "grit.Sand(" + text + ")";
+}
+
+// Protocols 0 and 1 would make an instance of pybind11's base, which ends the process.
+py::object reduce(const py::object& self, int protocol) {
+    const py::object base = py::module_::import("builtins").attr("object");
+    return base.attr("__reduce_ex__")(self, std::max(protocol, 2));
+}
+
+Sand restored(const py::dict& parameters) {
+    return make(py::none(), 1.0, py::reinterpret_borrow<py::kwargs>(parameters));
+}
+
+}  // namespace
+
+py::class_<Sand> add_sand_type(py::module_& module) {
+    using py::arg;
+    py::class_<Sand> sand(module, "Sand", sand_doc);
+    sand.attr("__module__") = "grit";  // where pickles look for it
+    sand.def(py::init(&make), arg("name") = py::none(), arg("stress_scale") = 1.0);
+    sand.def(py::pickle(&parameters_of, &restored));
+    sand.def("__reduce_ex__", &reduce);
+    sand.def("__repr__", &repr_of);
+    sand.def_property_readonly("parameters", &parameters_of,
+                               "Parameters by name: angle [rad], stresses in the unit given.");
+    module.def(
+        "sands", &sands,
+        "Sands with published parameters: name -> title, status (\"A\": two independent sources "
+        "agree, \"B\": one, or a conflict), source, note.");
+    return sand;
+}
+
+}  // namespace grit_python

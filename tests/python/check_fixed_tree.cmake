@@ -1,0 +1,21 @@
+cmake_minimum_required(VERSION 3.25)
+# setup.py in a tree where it can make no folder: `build` is a file, which stops root too. It leaves nothing
+# behind there or among temporary files.
+file(REMOVE_RECURSE ${WORK})
+file(MAKE_DIRECTORY ${WORK}/tree/adapters ${WORK}/temporary)
+file(COPY ${SOURCE}/CMakeLists.txt DESTINATION ${WORK}/tree)
+file(COPY ${SOURCE}/adapters/python DESTINATION ${WORK}/tree/adapters)
+file(WRITE ${WORK}/tree/build "")
+file(GLOB_RECURSE before ${WORK}/tree/*)
+set(ENV{TMPDIR} ${WORK}/temporary)
+set(ENV{PYTHONDONTWRITEBYTECODE} 1)
+execute_process(COMMAND ${PYTHON} setup.py --quiet egg_info WORKING_DIRECTORY ${WORK}/tree/adapters/python
+                RESULT_VARIABLE result OUTPUT_VARIABLE printed ERROR_VARIABLE printed)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "setup.py ended with ${result}:\n${printed}")
+endif()
+file(GLOB_RECURSE after ${WORK}/tree/*)
+file(GLOB temporary ${WORK}/temporary/*)
+if(NOT after STREQUAL before OR temporary)
+  message(FATAL_ERROR "setup.py left files behind: ${after} ${temporary}, before: ${before}")
+endif()
