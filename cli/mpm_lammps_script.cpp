@@ -153,7 +153,9 @@ std::string of_stage(const StagePlan& stage) {
     if (end.unbalanced_share > 0.0)
         out += fmt::format(" until_unbalanced {}", exact(end.unbalanced_share));
     if (end.kinetic_share > 0.0) out += fmt::format(" until_kinetic {}", exact(end.kinetic_share));
-    out += "\nrun ${most_steps}\n";
+    out += fmt::format("\nrun ${{most_steps}}\n"
+                       "print \"stage {}: depth $(f_mpm[5]) m at $(f_mpm[3]) s\"\n",
+                       stage.name);
     return out;
 }
 

@@ -9,6 +9,7 @@
 #include "adapters/lammps/read_body.hpp"
 #include "adapters/lammps/read_function.hpp"
 #include "adapters/lammps/words.hpp"
+#include "adapters/mpm/checksum.hpp"
 #include "adapters/mpm/contact_pair.hpp"
 
 namespace grit::lammps {
@@ -169,15 +170,21 @@ void check_grid(const mpm::AxisPlan& axis, double end, const char* name) {
 void check_names(const Case& plan) {
     if (plan.bodies.empty()) throw std::invalid_argument("there is no body");
     for (const mpm::TractionPlan& traction : plan.tractions) {
-        plan.body(traction.body);
+        if (plan.bodies[plan.body(traction.body)].rigid())
+            throw std::invalid_argument("a traction on body " + traction.body +
+                                        ": it is rigid, no load moves it");
         if (!traction.from_stage.empty()) plan.stage(traction.from_stage);
     }
     for (const mpm::BodyPlan& body : plan.bodies)
         if (const auto* rigid = std::get_if<mpm::RigidPlan>(&body.material))
             if (!rigid->from_stage.empty()) plan.stage(rigid->from_stage);
     for (const mpm::ContactPlan& contact : plan.contacts) {
-        plan.body(contact.stiff);
-        plan.body(contact.soft);
+        const std::size_t stiff = plan.body(contact.stiff), soft = plan.body(contact.soft);
+        if (stiff == soft)
+            throw std::invalid_argument("a contact of body " + contact.stiff + " with itself");
+        if (plan.bodies[stiff].rigid() && plan.bodies[soft].rigid())
+            throw std::invalid_argument("a contact of " + contact.stiff + " with " + contact.soft +
+                                        ": both bodies are rigid");
     }
     plan.body(plan.history.body);
 }
@@ -192,22 +199,23 @@ FixCase read_fix(const std::vector<std::string>& given, const double (&box)[2][2
         words.choice("the geometry", {"axisymmetric", "plane_strain"}) == 0;
     plan.r.from = box[0][0];
     plan.z.from = box[1][0];
+    std::string matters = words.taken_since(0);
     while (!words.done()) {
+        const std::size_t first = words.taken();
         const std::string keyword = words.word("a keyword");
         const auto reader = readers().find(keyword);
         if (reader == readers().end())
             throw std::invalid_argument("unknown keyword \"" + keyword + '"');
         reader->second(words, out);
+        if (keyword != "points" && keyword != "threads") matters += words.taken_since(first);
     }
+    out.fingerprint = mpm::checksum(matters.data(), matters.size());
     check_grid(plan.r, box[0][1], "r");
     check_grid(plan.z, box[1][1], "z");
     if (plan.history.body.empty() && !plan.bodies.empty()) plan.history.body = plan.bodies[0].name;
     if (plan.stages.empty()) plan.stages.push_back(first_stage(plan, "run"));
     for (mpm::StagePlan& stage : plan.stages) stage = first_stage(plan, stage.name);
     check_names(plan);
-    for (const MotionVariables& motion : out.motion)
-        if (plan.settings.threads > 1 && !(motion.r.empty() && motion.z.empty()))
-            throw std::invalid_argument("a motion by variables needs threads 1");
     return out;
 }
 

@@ -2,6 +2,7 @@
 // What the words of a fix command describe: a case of the driver, and what LAMMPS has for it.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -28,6 +29,7 @@ struct FixCase {
     std::vector<MotionVariables> motion;          // of each body
     std::vector<std::string> traction_groups;     // of each traction
     std::vector<std::string> traction_variables;  // ... or empty
+    std::uint64_t fingerprint = 0;                // of all words but names of files and threads
 };
 
 // The words after the style's name. box: where the grid begins and ends along r and z.

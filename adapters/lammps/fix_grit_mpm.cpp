@@ -25,6 +25,10 @@ FixGritMpm::FixGritMpm(LAMMPS* host, int count, char** words) : Fix(host, count,
             [this](const std::string& name, double t) { return variable_at(name, t); });
     });
     const FixCase& plan = run->description();
+    guarded([&] {
+        for (std::size_t b = 0; b < plan.members.size(); ++b)
+            most_columns = std::max(most_columns, run->column_names(b).size());
+    });
     for (std::size_t b = 0; b < plan.members.size(); ++b) {
         const Members& of = plan.members[b];
         const int number = of.type > 0 ? 0 : group->find(of.group);
@@ -32,7 +36,6 @@ FixGritMpm::FixGritMpm(LAMMPS* host, int count, char** words) : Fix(host, count,
         if (of.type > atom->ntypes)
             error->all(FLERR, "Fix grit/mpm: there is no atom type " + std::to_string(of.type));
         member_bits.push_back(of.type > 0 ? 0 : group->bitmask[number]);
-        most_columns = std::max(most_columns, run->column_names(b).size());
     }
     for (const std::string& name : plan.traction_groups)
         if (group->find(name) < 0)
@@ -53,6 +56,7 @@ FixGritMpm::FixGritMpm(LAMMPS* host, int count, char** words) : Fix(host, count,
     peratom_freq = 1;
     nevery = 1;
     maxexchange = static_cast<int>(most_columns) + 2;
+    FixGritMpm::grow_arrays(atom->nmax);
     atom->add_callback(0);
     atom->add_callback(1);
     for (std::size_t b = 0; b < plan.points.size(); ++b)
@@ -66,7 +70,7 @@ FixGritMpm::~FixGritMpm() {
 
 int FixGritMpm::setmask() {
     using namespace LAMMPS_NS::FixConst;
-    return INITIAL_INTEGRATE | PRE_NEIGHBOR | END_OF_STEP | POST_RUN;
+    return INITIAL_INTEGRATE | PRE_NEIGHBOR | POST_RUN;
 }
 
 void FixGritMpm::check_host() const {
@@ -81,8 +85,14 @@ void FixGritMpm::check_host() const {
                 refuse("fixed boundaries along x and y: boundary f f p");
     if (!atom->tag_enable || atom->map_style == 0)
         refuse("atom IDs and a map: atom_modify map yes");
-    if (comm->layout == Comm::LAYOUT_TILED)
-        refuse("brick sub-domains, not those of balance rcb: comm_style brick");
+    check_bricks();
+}
+
+void FixGritMpm::check_bricks() const {
+    if (comm->layout == Comm::LAYOUT_TILED || comm->style != 0)
+        error->all(FLERR,
+                   std::string("Fix grit/mpm requires brick sub-domains, not those of balance "
+                               "rcb: comm_style brick"));
 }
 
 void FixGritMpm::fail(const std::string& why) {
@@ -90,21 +100,13 @@ void FixGritMpm::fail(const std::string& why) {
     error->one(FLERR, "Fix grit/mpm: " + why);
 }
 
-void FixGritMpm::check_variables() const {
-    std::vector<std::string> names = run->description().traction_variables;
-    for (const MotionVariables& motion : run->description().motion)
-        names.insert(names.end(), {motion.r, motion.z});
-    for (const std::string& name : names) {
-        if (name.empty()) continue;
-        const int number = input->variable->find(name.c_str());
-        if (number < 0 || !input->variable->equalstyle(number))
-            error->all(FLERR, "Fix grit/mpm: there is no equal-style variable \"" + name + '"');
-    }
-}
-
 void FixGritMpm::init() {
     check_host();
     check_variables();
+    if (update->whichflag == 2)
+        error->all(FLERR, std::string("Fix grit/mpm cannot be used with minimize"));
+    if (std::string(update->integrate_style) != "verlet")
+        error->all(FLERR, std::string("Fix grit/mpm requires run_style verlet"));
     int integrators = 0;
     for (int i = 0; i < modify->nfix; ++i) integrators += modify->fix[i]->time_integrate;
     if (integrators > 1)
@@ -161,6 +163,7 @@ void FixGritMpm::setup_pre_neighbor() {
     if (run->run().finished())
         error->all(FLERR, std::string("Fix grit/mpm: all stages have ended"));
     way = 0.0;
+    ask_variables(&LocalRun::ask_for_motion_now);
     update->dt = run->simulation().next_step() > 0.0 ? run->simulation().next_step() : update->dt;
     traffic_before = run->halo().traffic();
     run_began = MPI_Wtime();
@@ -168,15 +171,41 @@ void FixGritMpm::setup_pre_neighbor() {
 }
 
 void FixGritMpm::pre_neighbor() {
-    guarded_here([this] { run->settle(); });
+    check_bricks();
+    follow_cuts();
     way = 0.0;
 }
 
+// Sub-domains are the same for all processes: all of them start anew, or none.
+void FixGritMpm::follow_cuts() {
+    guarded_here([this] {
+        if (run->is_cut_anew(cuts())) run->start(cuts(), traction_ids());
+        else run->settle();
+    });
+}
+
+void FixGritMpm::setup(int) {
+    guarded_here([this] { show_columns(); });
+}
+
+// A run with "pre no" has no setup: it goes on with what the run before and commands have left.
+void FixGritMpm::begin_run() {
+    if (run->run().finished())
+        error->all(FLERR, std::string("Fix grit/mpm: all stages have ended"));
+    if (run->is_cut_anew(cuts()))
+        error->all(FLERR, std::string("Fix grit/mpm: the sub-domains are other ones now, this run "
+                                      "cannot be one with pre no"));
+    guarded_here([this] { run->settle(); });
+}
+
 void FixGritMpm::initial_integrate(int) {
+    if (update->ntimestep == update->firststep + 1) begin_run();
+    ask_variables(&LocalRun::ask_for_step);
     guarded_here([this] {
         const int stage = run->run().state().stage;
         run->run().step();
         show_atoms();
+        if (is_looked_at()) show_columns();
         if (run->run().state().stage != stage) timer->force_timeout();
     });
     const mpm::Simulation& simulation = run->simulation();
@@ -186,68 +215,6 @@ void FixGritMpm::initial_integrate(int) {
     // The driver's sort has the same measure: one more step moves less than the other half.
     run->halo().max(&way, 1);
     if (way > 0.5 * run->slack()) next_reneighbor = update->ntimestep;
-}
-
-// Positions and velocities for all that looks at atoms.
-void FixGritMpm::show_atoms() {
-    double farthest2 = 0.0;
-    for (std::size_t b = 0; b < run->simulation().bodies(); ++b) {
-        mpm::Particles& particles = run->simulation().body(b).particles;
-        const mpm::ParticleView q = particles.view();
-        const double *r = q[mpm::column::r], *z = q[mpm::column::z];
-        const double *v_r = q[mpm::column::v_r], *v_z = q[mpm::column::v_z];
-        for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
-            const int i = atom->map(particles.ids()[p]);
-            if (i < 0 || i >= atom->nlocal)
-                throw std::runtime_error("LAMMPS has lost atom " +
-                                         std::to_string(particles.ids()[p]));
-            double* x = atom->x[i];
-            const double d_r = r[p] - x[0], d_z = z[p] - x[1];
-            farthest2 = std::max(farthest2, d_r * d_r + d_z * d_z);
-            x[0] = r[p];
-            x[1] = z[p];
-            atom->v[i][0] = v_r[p];
-            atom->v[i][1] = v_z[p];
-        }
-    }
-    way += std::sqrt(farthest2);
-}
-
-// Only when somebody looks.
-void FixGritMpm::end_of_step() {
-    if (update->ntimestep == output->next) guarded_here([this] { show_columns(); });
-}
-
-void FixGritMpm::setup(int) {
-    guarded_here([this] { show_columns(); });
-}
-
-void FixGritMpm::show_columns() {
-    const auto atoms = static_cast<std::size_t>(atom->nlocal);
-    shown.assign(atoms * most_columns, 0.0);
-    shown_rows.resize(std::max<std::size_t>(atoms, 1));
-    for (std::size_t i = 0; i < atoms; ++i) shown_rows[i] = shown.data() + i * most_columns;
-    array_atom = shown_rows.data();
-    for (std::size_t b = 0; b < run->simulation().bodies(); ++b) {
-        const mpm::Particles& particles = run->simulation().body(b).particles;
-        for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
-            double* to = shown_rows[static_cast<std::size_t>(atom->map(particles.ids()[p]))];
-            for (int c = 0; c < particles.column_count(); ++c) to[c] = particles(c, p);
-        }
-    }
-}
-
-double FixGritMpm::variable_at(const std::string& name, double t) {
-    const int number = input->variable->find(name.c_str());
-    if (number < 0) throw std::runtime_error("variable \"" + name + "\" is gone");
-    const double time = update->atime;
-    const LAMMPS_NS::bigint step = update->atimestep;
-    update->atime = t;
-    update->atimestep = update->ntimestep;
-    const double value = input->variable->compute_equal(number);
-    update->atime = time;
-    update->atimestep = step;
-    return value;
 }
 
 int FixGritMpm::modify_param(int count, char** words) {
@@ -265,25 +232,6 @@ void FixGritMpm::begin_stage(const std::vector<std::string>& words) {
     runner.begin(words[0], [&](const mpm::StagePlan& before) {
         return read_stage({words.begin() + 1, words.end()}, before);
     });
-}
-
-double FixGritMpm::compute_vector(int i) {
-    if (!run->started()) return 0.0;
-    if (row_step != update->ntimestep) {
-        guarded_here([this] {
-            const mpm::HistoryRow now = run->run().row();
-            row.clear();
-            for (const mpm::HistoryColumn& column : mpm::history_columns())
-                row.push_back(column.value(now));
-        });
-        row_step = update->ntimestep;
-    }
-    return row[static_cast<std::size_t>(i)];
-}
-
-double FixGritMpm::memory_usage() {
-    return static_cast<double>(run->particles()) * static_cast<double>(most_columns) *
-           sizeof(double);
 }
 
 void FixGritMpm::post_run() {

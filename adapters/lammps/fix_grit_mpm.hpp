@@ -23,13 +23,15 @@ class FixGritMpm : public LAMMPS_NS::Fix {
     void initial_integrate(int) override;
     void pre_neighbor() override;
     void setup(int) override;
-    void end_of_step() override;
     void post_run() override;
     int modify_param(int count, char** words) override;
 
     double compute_vector(int i) override;
     double memory_usage() override;
 
+    void grow_arrays(int most_atoms) override;
+    void copy_arrays(int from, int to, int) override;
+    void set_arrays(int i) override;
     int pack_exchange(int i, double* to) override;
     int unpack_exchange(int i, double* from) override;
     int pack_restart(int i, double* to) override;
@@ -46,13 +48,21 @@ class FixGritMpm : public LAMMPS_NS::Fix {
     [[noreturn]] void fail(const std::string& why);
     void check_variables() const;
     void check_host() const;
+    void check_bricks() const;
     void read_points(std::size_t body);
     std::vector<std::vector<int>> traction_ids();
-    std::vector<int> ids_in(int bit) const;
+    std::vector<int> ids_in(int bit, std::size_t body) const;
     Cuts cuts() const;
     int body_of(int atom) const;
     void begin_stage(const std::vector<std::string>& words);
+    void ask_variables(void (LocalRun::*ask)());
     double variable_at(const std::string& name, double t);
+    void follow_cuts();
+    void begin_run();
+    void put(int atom, PointRow given);
+    bool is_looked_at() const;
+    int atom_of(int point) const;
+    void show(int atom, const std::vector<double>& columns);
     void show_atoms();
     void show_columns();
     void report_traffic();
@@ -62,10 +72,12 @@ class FixGritMpm : public LAMMPS_NS::Fix {
     std::vector<int> member_bits;                      // of bodies by group, 0: by type
     std::vector<std::vector<std::string>> stages_due;  // of fix_modify before the run is built
     std::vector<double> row;                           // of the history ...
-    LAMMPS_NS::bigint row_step = -1;                   // ... at this step
-    std::vector<double> shown;                         // columns of all atoms here, for output ...
-    std::vector<double*> shown_rows;                   // ... and where each begins
-    double way = 0.0;                                  // since the last migration, at most [m]
+    long row_step = -1;                                // ... after this step of the run
+    bool row_is_taken = false;                         // it was row(), not look()
+    bool is_asking = false;                            // for variables of loads and motions
+    std::vector<double> shown;        // columns of as many atoms as may be here ...
+    std::vector<double*> shown_rows;  // ... and where each begins
+    double way = 0.0;                 // since the last migration, at most [m]
     std::size_t most_columns = 0;
     Halo::Traffic traffic_before;
     double run_began = 0.0;

@@ -39,7 +39,8 @@ int FixGritMpm::pack_exchange(int i, double* to) {
 
 int FixGritMpm::unpack_exchange(int i, double* from) {
     const auto size = static_cast<int>(from[0]);
-    if (size > 1) run->put(atom->tag[i], unpack(from));
+    if (size > 1) put(i, unpack(from));
+    else set_arrays(i);
     return size;
 }
 
@@ -72,12 +73,17 @@ void FixGritMpm::unpack_restart(int i, int which) {
     if (of_atom.body >= bodies || of_atom.columns.size() != run->column_names(of_atom.body).size())
         error->one(FLERR, "Fix grit/mpm: atom " + std::to_string(atom->tag[i]) +
                               " of the restart file is of another material");
-    run->put(atom->tag[i], std::move(of_atom));
+    put(i, std::move(of_atom));
 }
 
 void FixGritMpm::write_restart(FILE* file) {
     std::string bytes;
-    if (run->started()) guarded([&] { bytes = to_bytes(run->store()); });
+    const std::uint64_t fingerprint = run->description().fingerprint;
+    guarded([&] {
+        if (!run->has_begun()) return void(bytes = to_bytes(nullptr, fingerprint));
+        const StoredRun stored = run->store();
+        bytes = to_bytes(&stored, fingerprint);
+    });
     if (comm->me != 0) return;
     const auto size = static_cast<int>(bytes.size());
     std::fwrite(&size, sizeof size, 1, file);
@@ -85,7 +91,10 @@ void FixGritMpm::write_restart(FILE* file) {
 }
 
 void FixGritMpm::restart(char* bytes) {
-    guarded([&] { run->go_on_from(from_bytes(bytes)); });
+    guarded([&] {
+        const auto stored = from_bytes(bytes, run->description().fingerprint);
+        if (stored) run->go_on_from(std::move(*stored));
+    });
 }
 
 }  // namespace grit::lammps

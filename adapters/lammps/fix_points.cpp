@@ -62,7 +62,7 @@ void FixGritMpm::read_points(std::size_t body) {
                     throw std::invalid_argument("atom " + std::to_string(tag) + " is there twice");
                 PointRow out{body, {atom->x[i][0], atom->x[i][1], atom->v[i][0], atom->v[i][1]}};
                 points->read(line.c_str(), out.columns);
-                run->put(tag, std::move(out));
+                put(i, std::move(out));
             } catch (const std::exception& wrong) {
                 error->one(FLERR, "Fix grit/mpm: file " + name + ": " + wrong.what());
             }
@@ -71,11 +71,12 @@ void FixGritMpm::read_points(std::size_t body) {
     if (!points) error->all(FLERR, "Fix grit/mpm: file " + name + " is empty");
 }
 
-// On all processes, ascending.
-std::vector<int> FixGritMpm::ids_in(int bit) const {
+// On all processes, ascending: atoms of a body in a group.
+std::vector<int> FixGritMpm::ids_in(int bit, std::size_t body) const {
     std::vector<int> mine;
     for (int i = 0; i < atom->nlocal; ++i)
-        if (atom->mask[i] & bit) mine.push_back(atom->tag[i]);
+        if ((atom->mask[i] & bit) && is_mine(i) && body_of(i) == static_cast<int>(body))
+            mine.push_back(atom->tag[i]);
     auto count = static_cast<int>(mine.size());
     std::vector<int> counts(static_cast<std::size_t>(comm->nprocs)), starts(counts.size(), 0);
     MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
@@ -89,12 +90,16 @@ std::vector<int> FixGritMpm::ids_in(int bit) const {
 
 std::vector<std::vector<int>> FixGritMpm::traction_ids() {
     std::vector<std::vector<int>> out;
-    for (const std::string& name : run->description().traction_groups) {
+    const FixCase& plan = run->description();
+    for (std::size_t k = 0; k < plan.traction_groups.size(); ++k) {
+        const std::string& name = plan.traction_groups[k];
+        const std::string& body = plan.plan.tractions[k].body;
         const int number = group->find(name);
         if (number < 0) error->all(FLERR, "Could not find fix grit/mpm traction group ID " + name);
-        out.push_back(ids_in(group->bitmask[number]));
+        out.push_back(ids_in(group->bitmask[number], plan.plan.body(body)));
         if (out.back().empty())
-            error->all(FLERR, "Fix grit/mpm: traction group " + name + " has no atoms");
+            error->all(FLERR,
+                       "Fix grit/mpm: traction group " + name + " has no atoms of body " + body);
     }
     return out;
 }

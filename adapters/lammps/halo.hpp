@@ -46,6 +46,8 @@ class Halo : public mpm::Exchange {
         double seconds = 0.0;
     };
     const Traffic& traffic() const { return sent; }
+    // Counts go on from those of an exchange before this one.
+    void count_from(const Traffic& before) { sent = before; }
 
   private:
     // Lines of nodes or cells, on this process, that a neighbour has too.

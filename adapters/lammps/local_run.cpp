@@ -79,11 +79,13 @@ void LocalRun::settle() {
 bool LocalRun::is_cut(const Cuts& cuts) const { return cut.at == cuts.at && cut.here == cuts.here; }
 
 void LocalRun::start(const Cuts& cuts, const std::vector<std::vector<int>>& traction_ids) {
-    settle();
-    if (runner && is_cut(cuts)) return;
+    if (runner && is_cut(cuts)) return settle();
+    Halo::Traffic traffic;
     if (runner) {
+        // Particles that came are at home on the grid as it will be, not on the one that is.
         go_on_from(store());
         take_particles_out();
+        traffic = exchange->traffic();
     }
     cut = cuts;
     HaloLayout layout{cuts.world, {}, cuts.here, {}};
@@ -91,6 +93,7 @@ void LocalRun::start(const Cuts& cuts, const std::vector<std::vector<int>>& trac
     layout.slices = {slices(axis_r, cuts.at[0], slack()), slices(axis_z, cuts.at[1], slack())};
     runner.reset();
     exchange = std::make_unique<Halo>(std::move(layout));
+    exchange->count_from(traffic);
     if (stored) plan.plan.stages = stored->stages;
     runner = std::make_unique<mpm::Runner>(plan.plan, build(traction_ids));
     waiting.clear();
@@ -107,9 +110,11 @@ void LocalRun::take_particles_out() {
         const mpm::Particles& particles = simulation().body(b).particles;
         for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
             const int id = particles.ids()[p];
-            waiting[id] = row(id);
+            if (std::find(leaving.begin(), leaving.end(), id) == leaving.end())
+                waiting.emplace(id, row(id));
         }
     }
+    leaving.clear();
 }
 
 BuiltCase LocalRun::build(const std::vector<std::vector<int>>& traction_ids) {
@@ -119,13 +124,15 @@ BuiltCase LocalRun::build(const std::vector<std::vector<int>>& traction_ids) {
                                                axis_z.part(z.first_node, z.axis_last),
                                                plan.plan.settings, exchange.get())};
     out.clock->began.assign(plan.plan.stages.size(), mpm::unlimited);
+    clock = out.clock;
     add_bodies(out);
     for (std::size_t i = 0; i < plan.plan.tractions.size(); ++i) {
         const mpm::TractionPlan& traction = plan.plan.tractions[i];
         auto stress = mpm::edge_stress(plan.plan, traction, out.clock);
         if (const std::string name = plan.traction_variables[i]; !name.empty())
-            stress = [this, name, direction = traction.direction](double t) {
-                const double size = variables(name, t);
+            stress = [this, k = asked_variable(name, traction.from_stage, false),
+                      direction = traction.direction](double) {
+                const double size = asked[k].value;
                 return Vector{size * direction.r, size * direction.z};
             };
         for (const int id : traction_ids[i])
@@ -149,20 +156,53 @@ void LocalRun::add_bodies(const BuiltCase& built) {
         if (of_plan.rigid()) {
             body.prescribed_velocity = mpm::rigid_velocity(plan.plan, of_plan, built.clock);
             const MotionVariables& names = plan.motion[b];
-            if (!names.r.empty() || !names.z.empty())
-                body.prescribed_velocity = [this, names,
-                                            table = body.prescribed_velocity](double t) {
-                    Vector v = table(t);
-                    if (!names.r.empty()) v.r = variables(names.r, t);
-                    if (!names.z.empty()) v.z = variables(names.z, t);
-                    return v;
+            const std::string& stage = std::get<mpm::RigidPlan>(of_plan.material).from_stage;
+            if (!names.r.empty())
+                body.prescribed_velocity = [this, k = asked_variable(names.r, stage, true),
+                                            other = body.prescribed_velocity](double t) {
+                    return Vector{asked[k].value, other(t).z};
+                };
+            if (!names.z.empty())
+                body.prescribed_velocity = [this, k = asked_variable(names.z, stage, true),
+                                            other = body.prescribed_velocity](double t) {
+                    return Vector{other(t).r, asked[k].value};
                 };
         }
         built.simulation->add_body(std::move(body));
     }
 }
 
+std::size_t LocalRun::asked_variable(const std::string& name, const std::string& stage,
+                                     bool of_motion) {
+    for (std::size_t k = 0; k < asked.size(); ++k)
+        if (asked[k].name == name && asked[k].from_stage == stage &&
+            asked[k].of_motion == of_motion)
+            return k;
+    asked.push_back({name, stage, of_motion, 0.0});
+    return asked.size() - 1;
+}
+
+void LocalRun::ask(AskedVariable& variable, double t) {
+    const std::string& stage = variable.from_stage;
+    const double since = stage.empty() ? t : t - clock->began[plan.plan.stage(stage)];
+    variable.value = since < 0.0 ? 0.0 : variables(variable.name, since);
+}
+
+void LocalRun::ask_for_step() {
+    if (asked.empty()) return;
+    if (!(simulation().next_step() > 0.0)) simulation().energy();  // it knows its step then
+    const double t = simulation().time();
+    for (AskedVariable& variable : asked)
+        ask(variable, variable.of_motion ? t + simulation().next_step() : t);
+}
+
+void LocalRun::ask_for_motion_now() {
+    for (AskedVariable& variable : asked)
+        if (variable.of_motion) ask(variable, simulation().time());
+}
+
 StoredRun LocalRun::store() {
+    if (!runner) return *stored;
     StoredRun out{runner->state(),
                   runner->energy_scale(),
                   runner->description().stages,

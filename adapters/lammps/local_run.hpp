@@ -40,6 +40,13 @@ struct StoredRun {
 // The value of a variable at a time.
 using VariableAt = std::function<double(const std::string& name, double t)>;
 
+// A variable whose value a load or a motion takes.
+struct AskedVariable {
+    std::string name, from_stage;  // no stage: from the begin of the run
+    bool of_motion = false;
+    double value = 0.0;  // of this step
+};
+
 class LocalRun {
   public:
     LocalRun(FixCase plan, VariableAt variables);
@@ -57,8 +64,18 @@ class LocalRun {
     void start(const Cuts& cuts, const std::vector<std::vector<int>>& traction_ids);
     // Of the step that the next start() begins with.
     void go_on_from(StoredRun run) { stored = std::make_unique<StoredRun>(std::move(run)); }
-    // Every process must call it.
+    // Every process must call it; particles may be on their way.
     StoredRun store();
+    // There is something to store: it was started, or goes on from a stored run.
+    bool has_begun() const { return runner || stored; }
+    // The grid is not cut that way.
+    bool is_cut_anew(const Cuts& cuts) const { return !is_cut(cuts); }
+
+    // Asks for the values of all variables, in the same order on all processes: of loads at the begin of the
+    // next step, of motions at its end. Only of motions, now: to show them before a step.
+    bool has_variables() const { return !asked.empty(); }
+    void ask_for_step();
+    void ask_for_motion_now();
 
     bool started() const { return runner != nullptr; }
     mpm::Runner& run() { return *runner; }
@@ -72,6 +89,8 @@ class LocalRun {
 
   private:
     bool is_cut(const Cuts& cuts) const;
+    std::size_t asked_variable(const std::string& name, const std::string& stage, bool of_motion);
+    void ask(AskedVariable& variable, double t);
     void take_particles_out();
     mpm::BuiltCase build(const std::vector<std::vector<int>>& traction_ids);
     void add_bodies(const mpm::BuiltCase& built);
@@ -80,6 +99,8 @@ class LocalRun {
 
     FixCase plan;
     VariableAt variables;
+    std::vector<AskedVariable> asked;
+    std::shared_ptr<mpm::Clock> clock;
     mpm::Axis axis_r, axis_z;  // of the whole grid
     Cuts cut;
     std::unique_ptr<Halo> exchange;

@@ -16,7 +16,10 @@ mpm::ElasticPlan read_elastic(Words& words, bool neo_hooke) {
     mpm::ElasticPlan out{};
     out.neo_hooke = neo_hooke;
     out.youngs_modulus = words.positive("Young's modulus");
-    out.poissons_ratio = words.number("Poisson's ratio", -1.0, 0.5);
+    const double nu = out.poissons_ratio = words.number("Poisson's ratio");
+    if (!(nu > -1.0 && nu < 0.5))
+        throw std::invalid_argument("Poisson's ratio must be in (-1, 0.5), got " +
+                                    std::to_string(nu));
     return out;
 }
 

@@ -9,7 +9,7 @@
 namespace grit::lammps {
 namespace {
 
-constexpr std::uint64_t format = 0x677269746d706d01;  // "gritmpm", 1
+constexpr std::uint64_t format = 0x677269746d706d02;  // "gritmpm", 2
 
 class Writer {
   public:
@@ -85,30 +85,40 @@ template <class Stage, class Act> void visit_stage(Stage& stage, Act& act) {
 
 }  // namespace
 
-std::string to_bytes(const StoredRun& run) {
+std::string to_bytes(const StoredRun* run, std::uint64_t fingerprint) {
     Writer writer;
     writer.add(format);
-    Writing act{writer};
-    visit(run, act);
-    writer.add(static_cast<std::uint64_t>(run.stages.size()));
-    for (const mpm::StagePlan& stage : run.stages) visit_stage(stage, act);
+    writer.add(fingerprint);
+    writer.add(static_cast<std::uint64_t>(run ? 1 : 0));
+    if (run) {
+        Writing act{writer};
+        visit(*run, act);
+        writer.add(static_cast<std::uint64_t>(run->stages.size()));
+        for (const mpm::StagePlan& stage : run->stages) visit_stage(stage, act);
+    }
     Writer size;
     size.add(static_cast<std::uint64_t>(writer.out.size()));
     return size.out + writer.out;
 }
 
-StoredRun from_bytes(const char* bytes) {
+std::unique_ptr<StoredRun> from_bytes(const char* bytes, std::uint64_t fingerprint) {
     std::uint64_t size = 0;
     std::memcpy(&size, bytes, sizeof size);
     Reader reader(bytes + sizeof size, size);
-    std::uint64_t stamp = 0, stages = 0;
+    std::uint64_t stamp = 0, of_words = 0, has_begun = 0, stages = 0;
     reader.take(stamp);
     if (stamp != format) throw std::runtime_error("the restart file is of another version of Grit");
-    StoredRun out;
+    reader.take(of_words);
+    if (of_words != fingerprint)
+        throw std::runtime_error("the restart file is of a fix with other words; only names of "
+                                 "files and threads may change");
+    reader.take(has_begun);
+    if (has_begun == 0) return nullptr;
+    auto out = std::make_unique<StoredRun>();
     Reading act{reader};
-    visit(out, act);
+    visit(*out, act);
     reader.take(stages);
-    for (; stages > 0; --stages) visit_stage(out.stages.emplace_back(), act);
+    for (; stages > 0; --stages) visit_stage(out->stages.emplace_back(), act);
     return out;
 }
 

@@ -2,15 +2,18 @@
 // A stored run as bytes of a restart file.
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <string>
 
 #include "adapters/lammps/local_run.hpp"
 
 namespace grit::lammps {
 
-// The first eight bytes say how many there are.
-std::string to_bytes(const StoredRun& run);
-// Throws std::runtime_error.
-StoredRun from_bytes(const char* bytes);
+// run: null if it has not begun. fingerprint: of the words of its fix.
+// The first eight bytes say how many there are: LAMMPS does not hand that over.
+std::string to_bytes(const StoredRun* run, std::uint64_t fingerprint);
+// Null: it had not begun. Throws std::runtime_error, if the fingerprint is another one too.
+std::unique_ptr<StoredRun> from_bytes(const char* bytes, std::uint64_t fingerprint);
 
 }  // namespace grit::lammps

@@ -19,6 +19,12 @@ const std::string& Words::peek() const {
     return done() ? nothing : words[at];
 }
 
+std::string Words::taken_since(std::size_t first) const {
+    std::string out;
+    for (std::size_t i = first; i < at; ++i) out += words[i] + '\n';
+    return out;
+}
+
 std::string Words::word(const std::string& what) {
     if (done()) throw std::invalid_argument("the command ends where " + what + " is expected");
     return words[at++];

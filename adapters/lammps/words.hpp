@@ -18,6 +18,9 @@ class Words {
     // The next word is this one; it is taken then.
     bool take(const std::string& word);
     const std::string& peek() const;
+    // How many are taken, and what they are from one of them on, each with an end of line behind.
+    std::size_t taken() const { return at; }
+    std::string taken_since(std::size_t first) const;
     std::string word(const std::string& what);
     double number(const std::string& what);
     // A number within limits.

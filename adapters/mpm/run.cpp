@@ -257,7 +257,7 @@ double Runner::share_done() {
     return share < 0.0 ? 0.0 : share;
 }
 
-HistoryRow Runner::row() {
+HistoryRow Runner::look() {
     Simulation& simulation = *built.simulation;
     const double since = simulation.time() - state_now.row_time;
     const double per_time = since > 0.0 ? whole / since : 0.0;
@@ -283,6 +283,11 @@ HistoryRow Runner::row() {
     out.largest_gap = contact_forces(simulation, driven).largest_gap;
     out.unbalanced_share =
         state_now.last_dt > 0.0 ? unbalanced_share(simulation, state_now.last_dt) : 0.0;
+    return out;
+}
+
+HistoryRow Runner::row() {
+    const HistoryRow out = look();
     state_now.impulse = {};
     state_now.row_time = out.t;
     if (plan.history.interval > 0.0)

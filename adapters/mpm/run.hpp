@@ -56,6 +56,8 @@ class Runner {
     // A row is due: at the start, after an interval and at the end of a stage.
     bool row_is_due() const { return due; }
     HistoryRow row();
+    // What row() would say; forces go on being means since the row before.
+    HistoryRow look();
 
     // How the last stage that ended did so.
     Ended ended() const { return how; }

@@ -110,6 +110,18 @@ TEST(LammpsFlight, GoesOnWhereTheGridIsCutAnew) {
     EXPECT_EQ(first_difference(hosts.in_driver(1000000), lammps), "");
 }
 
+// ... and while a run goes on: the block takes the cut along.
+TEST(LammpsFlight, FollowsTheCutsOfFixBalanceInARun) {
+    const BothHosts hosts(block_case("4, 0.5", "2.4"));
+    std::string script = hosts.folder.read(hosts.name + ".in");
+    script.replace(script.find("run ${most_steps}"), 17,
+                   "fix cuts all balance 10 1.0 shift x 10 1.01\nrun ${most_steps}\n"
+                   "print \"moved $(f_cuts[2]!=0)\"\nunfix cuts");
+    const Told driver = hosts.in_driver(1000000);
+    EXPECT_EQ(first_difference(driver, hosts.in_lammps(2, 1, script)), "");
+    EXPECT_EQ(first_difference(driver, hosts.in_lammps(1, 1, script)), "");
+}
+
 // The hammer as a formula of the script, time for time.
 TEST(LammpsFlight, TakesTheHammerFromAVariable) {
     const std::string hammer = "[[traction]]\nbody = \"block\"\nedge = \"left\"\n"

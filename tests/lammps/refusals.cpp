@@ -87,6 +87,40 @@ TEST_F(LammpsRefuses, TiledSubdomains) {
            "brick sub-domains", 2);
     expect("run ${most_steps}", "comm_style tiled\nbalance 1.0 rcb\nrun ${most_steps}",
            "brick sub-domains", 2);
+    expect("run ${most_steps}",
+           "comm_style tiled\nfix cuts all balance 10 1.0 rcb\nrun ${most_steps}",
+           "brick sub-domains", 2);
+}
+
+TEST_F(LammpsRefuses, APoissonsRatioAtItsLimits) {
+    expect("20000 0.29999999999999999", "20000 0.5", "Poisson's ratio must be in (-1, 0.5)");
+    expect("20000 0.29999999999999999", "20000 -1", "Poisson's ratio must be in (-1, 0.5)", 2);
+}
+
+TEST_F(LammpsRefuses, OtherIntegrators) {
+    expect("run ${most_steps}", "run_style respa 2 2\nrun 20", "requires run_style verlet");
+    expect("run ${most_steps}", "minimize 0 0 10 10", "cannot be used with minimize");
+}
+
+TEST_F(LammpsRefuses, ATractionOnAtomsOfNoBody) {
+    expect("group traction_1 id", "group none empty\ngroup others id",
+           "Could not find fix grit/mpm traction group ID traction_1");
+    expect("include both.fix", "group traction_1 clear\ninclude both.fix",
+           "traction group traction_1 has no atoms of body block");
+}
+
+TEST_F(LammpsRefuses, ContactOfABodyWithItself) {
+    expect("driven block lowest_point",
+           "contact block block frictional 0.3 driven block lowest_point",
+           "a contact of body block with itself");
+}
+
+TEST_F(LammpsRefuses, LoadsAndContactsOfRigidBodies) {
+    expect("elastic 20000 0.29999999999999999", "rigid", "it is rigid, no load moves it");
+    expect("driven block lowest_point",
+           "body a type 1 rigid body b type 1 rigid contact a b geo 0.3 driven block "
+           "lowest_point",
+           "both bodies are rigid");
 }
 
 TEST_F(LammpsRefuses, SubdomainsThinnerThanTheHalo) {
@@ -114,10 +148,18 @@ TEST_F(LammpsRefuses, ParticlesThatLeaveTheGrid) {
     EXPECT_TRUE(answer.says("ERROR") && answer.says("particles left the grid")) << answer.text;
 }
 
+TEST_F(LammpsRefuses, ToGoOnWithoutSetupWhenTheGridIsCutAnew) {
+    expect("run ${most_steps}", "run 1\nbalance 1.0 x 0.6\nrun 1 pre no",
+           "cannot be one with pre no", 2);
+}
+
 TEST_F(LammpsRefuses, ToGoOnWhenAllStagesHaveEnded) {
     const Answer answer = hosts.lammps(1, hosts.script() + "run 10\n");
     EXPECT_NE(answer.status, 0);
     EXPECT_TRUE(answer.says("ERROR: Fix grit/mpm: all stages have ended")) << answer.text;
+    const Answer again = hosts.lammps(2, hosts.script() + "run 10 pre no\n");
+    EXPECT_NE(again.status, 0);
+    EXPECT_TRUE(again.says("ERROR: Fix grit/mpm: all stages have ended")) << again.text;
 }
 
 }  // namespace

@@ -80,6 +80,17 @@ TEST(LammpsWords, RigidMotionTablesPulsesAndSchemesComeThrough) {
     EXPECT_EQ(first_difference(driver, hosts.in_lammps(2, 2)), "");
 }
 
+// Thermo output has no row for the last step of a stage but by chance.
+TEST(LammpsWords, TheScriptTellsTheLastDepthOfAStage) {
+    const BothHosts hosts(block_case("2, -1", "0.5"));
+    const Answer answer = hosts.lammps(2, hosts.script());
+    const std::string words = "\nstage flight: depth ";
+    ASSERT_TRUE(answer.says(words)) << answer.text;
+    const double depth = std::stod(answer.text.substr(answer.text.find(words) + words.size()));
+    constexpr std::size_t column = 4;
+    EXPECT_EQ(depth, hosts.in_driver(1000000).rows.back()[column]);
+}
+
 TEST(LammpsWords, BodiesMayBeGroups) {
     const BothHosts hosts(block_case("2, 1", "0.5"));
     const std::string fix = hosts.folder.read("both.fix");
