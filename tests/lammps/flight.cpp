@@ -95,6 +95,14 @@ friction_coefficient = 0.3
     EXPECT_NEAR(all.mass, m + m_target, 1e-13 * (m + m_target));
     EXPECT_NEAR(all.r, 2.0 * m, 1e-13 * 2.0 * m);
     EXPECT_NEAR(all.z, 2.0 * m, 1e-13 * 2.0 * m);
+    // The forces that the history tells, means over its rows, are the block's change of momentum.
+    double impulse = 0.0, t = 0.0;
+    for (const std::vector<double>& row : lammps.rows) {
+        constexpr std::size_t time = 2, tip = 6, shaft = 7;
+        impulse += (row[tip] + row[shaft]) * (row[time] - t);
+        t = row[time];
+    }
+    EXPECT_NEAR(impulse, block.z - 2.0 * m, 1e-13 * 2.0 * m);
     // They did meet, and rub.
     EXPECT_LT(block.r, 1.5 * m);
     EXPECT_GT(std::abs(block.z - 2.0 * m), 1e-3 * m);
