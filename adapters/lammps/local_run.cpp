@@ -10,6 +10,12 @@
 #include "adapters/mpm/shared_state.hpp"
 
 namespace grit::lammps {
+namespace {
+
+// Sizes of messages, and of what a fix leaves in a restart file, are int.
+constexpr std::size_t most_bytes = 2000000000;
+
+}  // namespace
 
 using mpm::Body;
 using mpm::BuiltCase;
@@ -211,7 +217,12 @@ StoredRun LocalRun::store() {
     const std::vector<std::uint64_t> mine = SharedState::nodes(simulation());
     const std::size_t each = SharedState::words_per_node(simulation());
     const auto n_r = static_cast<std::size_t>(axis_r.nodes());
-    out.nodes.resize(n_r * static_cast<std::size_t>(axis_z.nodes()) * each);
+    const std::size_t words = n_r * static_cast<std::size_t>(axis_z.nodes()) * each;
+    if (words * sizeof(std::uint64_t) > most_bytes)
+        throw std::runtime_error("the state at nodes has " + std::to_string(words * 8) +
+                                 " bytes: restart files and new cuts of the grid take " +
+                                 std::to_string(most_bytes) + " at the most");
+    out.nodes.resize(words);
     const Slice &r = exchange->slice(0), &z = exchange->slice(1);
     std::size_t node = 0;
     for (int j = z.first_node; j <= z.axis_last; ++j)
