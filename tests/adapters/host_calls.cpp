@@ -181,9 +181,7 @@ struct Moose {
             coords, identity, &pnewdt, &celent, identity, identity, &one, &one, &none, &none, &one,
             &one);
     }
-    double jacobian_mult(int i, int j) const {
-        return jacobian[static_cast<std::size_t>(6 * i + j)];
-    }
+    double jacobian_mult(std::size_t i, std::size_t j) const { return jacobian[6 * i + j]; }
     void advance() {
         old_stress = stress;
         old_statev = statev;
@@ -210,7 +208,8 @@ TEST(HostCalls, OfMooseStartFromZeroAndKeepTheirLargePnewdt) {
     double skew = 0.0;
     for (int i = 0; i < 6; ++i)
         for (int j = 0; j < 6; ++j) {
-            EXPECT_EQ(moose.jacobian_mult(i, j), expected.tangent(i, j));
+            EXPECT_EQ(moose.jacobian_mult(static_cast<std::size_t>(i), static_cast<std::size_t>(j)),
+                      expected.tangent(i, j));
             skew = std::max(skew, std::abs(expected.tangent(i, j) - expected.tangent(j, i)));
         }
     EXPECT_GT(skew, 0.0);  // or nobody would notice

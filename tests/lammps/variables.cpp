@@ -50,7 +50,7 @@ time_s = 0.4
                                            "\"\nvariable speed equal \"" + speed + "\"\n" + fix);
         return hosts.in_lammps(processes, 1, script.empty() ? hosts.script() : script);
     }
-    static constexpr std::size_t t = 2, velocity = 5, hammer_force = 8, external_work = 12;
+    static constexpr std::size_t t = 2, hammer_force = 8, external_work = 12;
 };
 
 TEST_F(LammpsVariables, MayReadWhatTheFixTells) {

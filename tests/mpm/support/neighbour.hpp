@@ -53,17 +53,18 @@ class Neighbour : public Exchange {
             begin[k] = is_cut && rank == 1 ? std::max(cut.cell - halo, 0) : 0;
             end[k] = is_cut && rank == 0 ? std::min(cut.cell + halo, cells[k]) : cells[k];
         }
-        const int n_r = end[0] - begin[0] + 1, n_z = end[1] - begin[1] + 1;
-        mine.assign(static_cast<std::size_t>(n_r * n_z), 1);
-        for (int j = 0; j < n_z; ++j)
-            for (int i = 0; i < n_r; ++i) {
-                const int at = (cut.direction == 0 ? i : j) + begin[cut.direction];
-                const auto node = static_cast<std::size_t>(j * n_r + i);
+        const auto n_r = static_cast<std::size_t>(end[0] - begin[0]) + 1;
+        const auto n_z = static_cast<std::size_t>(end[1] - begin[1]) + 1;
+        mine.assign(n_r * n_z, 1);
+        for (std::size_t j = 0; j < n_z; ++j)
+            for (std::size_t i = 0; i < n_r; ++i) {
+                const int at = static_cast<int>(cut.direction == 0 ? i : j) + begin[cut.direction];
+                const std::size_t node = j * n_r + i;
                 mine[node] = (at < cut.cell) == (rank == 0);
                 if (std::abs(at - cut.cell) <= halo) shared_nodes.push_back(node);
                 const bool is_cell = i + 1 < n_r && j + 1 < n_z;
                 if (is_cell && at >= cut.cell - halo && at < cut.cell + halo)
-                    shared_cells.push_back(static_cast<std::size_t>(j * (n_r - 1) + i));
+                    shared_cells.push_back(j * (n_r - 1) + i);
             }
     }
     const std::uint8_t* counted() const override { return mine.data(); }
