@@ -12,6 +12,15 @@ function(grit_warnings target)
   endif()
 endfunction()
 
+# Symbols of a target that goes into a library for hosts stay inside it.
+function(grit_hidden target)
+  set_target_properties(
+    ${target}
+    PROPERTIES CXX_VISIBILITY_PRESET hidden
+               VISIBILITY_INLINES_HIDDEN ON
+               POSITION_INDEPENDENT_CODE ON)
+endfunction()
+
 # Code inside libgrit: hidden symbols, IEEE arithmetic as written, no contraction behind our back.
 function(grit_library_part target)
   add_library(${target} OBJECT ${ARGN})
@@ -22,12 +31,8 @@ function(grit_library_part target)
   target_compile_options(
     ${target} PRIVATE $<IF:$<BOOL:${GRIT_SANITIZE}>,-O1,-O3> -ffp-contract=off -fno-math-errno -fno-trapping-math -Wno-psabi
                       -Wno-ignored-attributes)
-  set_target_properties(
-    ${target}
-    PROPERTIES CXX_VISIBILITY_PRESET hidden
-               VISIBILITY_INLINES_HIDDEN ON
-               POSITION_INDEPENDENT_CODE ON
-               CXX_EXTENSIONS OFF)
+  grit_hidden(${target})
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     target_compile_definitions(${target} PRIVATE GRIT_HAS_X86_KERNELS)
   endif()

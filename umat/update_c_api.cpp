@@ -7,6 +7,7 @@
 #include "support/require.hpp"
 #include "support/versioned.hpp"
 #include "support/views.hpp"
+#include "umat/call.hpp"
 #include "umat/point.hpp"
 
 namespace grit {
@@ -155,26 +156,15 @@ grit_status grit_sand_options_init(grit_sand_options* options, size_t struct_siz
 grit_status grit_sand_update(const grit_sand* sand, const grit_sand_options* options, ptrdiff_t n,
                              const grit_sand_points* points, grit_sand_report* reports,
                              grit_error* error) {
-    GRIT_REQUIRE(sand, "grit_sand_update: sand is null");
-    GRIT_REQUIRE(points, "grit_sand_update: points is null");
-    GRIT_REQUIRE(n >= 0, "grit_sand_update: n must be >= 0, got %td", n);
-    const Material& m = material_of(*sand);
-    GRIT_REQUIRE(m.stamp == material_stamp,
-                 "grit_sand_update: sand was not prepared by grit_sand_prepare of major version %d",
-                 GRIT_VERSION_MAJOR);
     grit_sand_options o = default_options();
-    GRIT_REQUIRE(!options || read_versioned(*options, o),
-                 "grit_sand_options.struct_size %zu is not understood: call "
-                 "grit_sand_options_init first",
-                 options->struct_size);
     grit_sand_points q{};
-    GRIT_REQUIRE(read_versioned(*points, q),
-                 "grit_sand_points.struct_size %zu is not understood: set it to sizeof",
-                 points->struct_size);
+    if (const grit_status s = read_call("grit_sand_update", sand, options, n, points, o, q, error))
+        return s;
     if (const grit_status s = check_options(o, error)) return s;
     if (n == 0) return GRIT_OK;  // an empty array may have no base pointer
     if (const grit_status s = check_points(q, o, n, error)) return s;
 
+    const Material& m = material_of(*sand);
     const bool igs = m.has_intergranular_strain != 0.0 && !o.intergranular_off;
     const UpdateRequest request{&m, &o, &q, n, reports, igs};
     const UpdateOutcome outcome = GRIT_DISPATCH(o.instruction_set, update(request));

@@ -5,8 +5,8 @@
 
 #include "support/instruction_set.hpp"
 #include "support/require.hpp"
-#include "support/versioned.hpp"
 #include "support/views.hpp"
+#include "umat/call.hpp"
 #include "umat/point.hpp"
 
 using namespace grit;
@@ -15,19 +15,11 @@ extern "C" grit_status grit_sand_wave_moduli(const grit_sand* sand,
                                              const grit_sand_options* options, ptrdiff_t n,
                                              const grit_sand_points* points, double* moduli,
                                              grit_error* error) {
-    GRIT_REQUIRE(sand && material_of(*sand).stamp == material_stamp,
-                 "grit_sand_wave_moduli: sand is null or was not prepared by grit_sand_prepare");
-    GRIT_REQUIRE(points, "grit_sand_wave_moduli: points is null");
-    GRIT_REQUIRE(n >= 0, "grit_sand_wave_moduli: n must be >= 0, got %td", n);
     grit_sand_options o{};
-    GRIT_REQUIRE(!options || read_versioned(*options, o),
-                 "grit_sand_options.struct_size %zu is not understood: call "
-                 "grit_sand_options_init first",
-                 options->struct_size);
     grit_sand_points q{};
-    GRIT_REQUIRE(read_versioned(*points, q),
-                 "grit_sand_points.struct_size %zu is not understood: set it to sizeof",
-                 points->struct_size);
+    if (const grit_status s =
+            read_call("grit_sand_wave_moduli", sand, options, n, points, o, q, error))
+        return s;
     if (const grit_status s = check_instruction_set(o.instruction_set, error)) return s;
     GRIT_REQUIRE(is_switch(o.intergranular_off), "intergranular_off must be 0 or 1, got %d",
                  o.intergranular_off);

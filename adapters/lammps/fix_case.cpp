@@ -107,7 +107,7 @@ const std::map<std::string, Reader>& readers() {
         {"stages",
          [](Words& w, FixCase& c) {
              for (int n = w.integer("the number of stages", 1, 1000000); n > 0; --n)
-                 c.plan.stages.push_back(first_stage(c.plan, w.word("the name of a stage")));
+                 c.plan.stages.emplace_back().name = w.word("the name of a stage");
          }},
         {"driven",
          [](Words& w, FixCase& c) {
@@ -213,7 +213,7 @@ FixCase read_fix(const std::vector<std::string>& given, const double (&box)[2][2
     check_grid(plan.r, box[0][1], "r");
     check_grid(plan.z, box[1][1], "z");
     if (plan.history.body.empty() && !plan.bodies.empty()) plan.history.body = plan.bodies[0].name;
-    if (plan.stages.empty()) plan.stages.push_back(first_stage(plan, "run"));
+    if (plan.stages.empty()) plan.stages.emplace_back().name = "run";
     for (mpm::StagePlan& stage : plan.stages) stage = first_stage(plan, stage.name);
     check_names(plan);
     return out;

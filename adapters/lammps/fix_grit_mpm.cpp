@@ -23,12 +23,10 @@ FixGritMpm::FixGritMpm(LAMMPS* host, int count, char** words) : Fix(host, count,
         run = std::make_unique<LocalRun>(
             read_fix({words + 3, words + count}, box),
             [this](const std::string& name, double t) { return variable_at(name, t); });
-    });
-    const FixCase& plan = run->description();
-    guarded([&] {
-        for (std::size_t b = 0; b < plan.members.size(); ++b)
+        for (std::size_t b = 0; b < run->description().members.size(); ++b)
             most_columns = std::max(most_columns, run->column_names(b).size());
     });
+    const FixCase& plan = run->description();
     for (std::size_t b = 0; b < plan.members.size(); ++b) {
         const Members& of = plan.members[b];
         const int number = of.type > 0 ? 0 : group->find(of.group);

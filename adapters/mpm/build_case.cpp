@@ -77,7 +77,7 @@ void add_tractions(const Case& plan, const Axis& r, const Axis& z, const BuiltCa
 
 void add_penalty_contact(const Case& plan, const ContactPlan& contact, Simulation& simulation) {
     const PenaltyPlan& given = *contact.penalty;
-    const double cell = std::min(simulation.axis_r().shortest(), simulation.axis_z().shortest());
+    const double cell = simulation.shortest_cell();
     PenaltyLaw law =
         penalty_law(contact.friction_coefficient, given.stiffness_multiple, given.modulus, cell);
     law.a = plan.body(contact.stiff);

@@ -80,8 +80,7 @@ void Runner::measure_bodies() {
     enum { weight, stiffness, count };
     const bool fixed_point = plan.settings.fixed_point;
     std::array<Total, count> sums;
-    double extremes[] = {0.0, -std::min(built.simulation->axis_r().shortest(),
-                                        built.simulation->axis_z().shortest())};
+    double fastest = 0.0;
     for (std::size_t i = 0; i < plan.bodies.size(); ++i) {
         Body& body = built.simulation->body(i);
         const ParticleView q = body.particles.view();
@@ -91,12 +90,12 @@ void Runner::measure_bodies() {
             body.material->wave_moduli({q, p, p + 1}, &modulus);
             sums[weight].add(plan.gravity * q[column::mass][p], fixed_point);
             sums[stiffness].add(modulus * q[column::V0][p], fixed_point);
-            extremes[0] = std::max(extremes[0], modulus * q[column::V0][p] / q[column::mass][p]);
+            fastest = std::max(fastest, modulus * q[column::V0][p] / q[column::mass][p]);
         }
     }
     built.simulation->shared().sum(sums, fixed_point);
-    built.simulation->shared().max(extremes, 2);
-    const double fastest = extremes[0], cell = -extremes[1];
+    built.simulation->shared().max(&fastest, 1);
+    const double cell = built.simulation->shortest_cell();
     wave_time = fastest > 0.0 ? cell / std::sqrt(fastest) : 0.0;
     least_energy = std::max(sums[weight].value() * cell,
                             0.5 * least_strain * least_strain * sums[stiffness].value());

@@ -71,6 +71,8 @@ class Simulation {
     const AbsorbingSides& absorbing() const { return absorbing_sides; }
     const Axis& axis_r() const { return r_axis; }
     const Axis& axis_z() const { return z_axis; }
+    // Edge of a cell, of all processes [m].
+    double shortest_cell() const { return shortest; }
     const Settings& current_settings() const { return settings; }
     // Particle with this id; -1: another process has it.
     std::ptrdiff_t find(std::size_t body, int id) const;

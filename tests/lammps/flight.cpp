@@ -32,8 +32,8 @@ TEST(LammpsFlight, LosesNoPointAcrossAllBordersOfSubdomains) {
 
 TEST(LammpsFlight, LosesNoPointOnTheWayBack) {
     std::string text = block_case("-4, -3.5", "3.2");
-    text.replace(text.find("[2, 6]"), 6, "[18, 22]");
-    text.replace(text.find("[3, 6]"), 6, "[18, 21]");
+    text = replaced(text, "[2, 6]", "[18, 22]");
+    text = replaced(text, "[3, 6]", "[18, 21]");
     const BothHosts hosts(text);
     const Told lammps = hosts.in_lammps(2, 2);
     EXPECT_LT(lowest(lammps, c::r), 8.0);
@@ -83,7 +83,7 @@ soft = "target"
 law = "frictional"
 friction_coefficient = 0.3
 )");
-    text.replace(text.find("fixed_point = true"), 18, "fixed_point = false");
+    text = replaced(text, "fixed_point = true", "fixed_point = false");
     for (std::size_t at = 0; (at = text.find("kPa = 20", at)) != std::string::npos; ++at)
         text.replace(at, 8, "kPa = 400");
     const BothHosts hosts(text);
@@ -111,9 +111,8 @@ friction_coefficient = 0.3
 // The grid is cut anew: balance moves the cut along r to where the block is.
 TEST(LammpsFlight, GoesOnWhereTheGridIsCutAnew) {
     const BothHosts hosts(block_case("1, 0.5", "1.2"));
-    std::string script = hosts.folder.read(hosts.name + ".in");
-    script.replace(script.find("run ${most_steps}"), 17,
-                   "run 7\nbalance 1.0 shift x 10 1.01\nrun ${most_steps}");
+    const std::string script = replaced(hosts.folder.read(hosts.name + ".in"), "run ${most_steps}",
+                                        "run 7\nbalance 1.0 shift x 10 1.01\nrun ${most_steps}");
     const Told lammps = hosts.in_lammps(2, 1, script);
     EXPECT_EQ(first_difference(hosts.in_driver(1000000), lammps), "");
 }
@@ -121,10 +120,10 @@ TEST(LammpsFlight, GoesOnWhereTheGridIsCutAnew) {
 // ... and while a run goes on: the block takes the cut along.
 TEST(LammpsFlight, FollowsTheCutsOfFixBalanceInARun) {
     const BothHosts hosts(block_case("4, 0.5", "2.4"));
-    std::string script = hosts.folder.read(hosts.name + ".in");
-    script.replace(script.find("run ${most_steps}"), 17,
-                   "fix cuts all balance 10 1.0 shift x 10 1.01\nrun ${most_steps}\n"
-                   "print \"moved $(f_cuts[2]!=0)\"\nunfix cuts");
+    const std::string script =
+        replaced(hosts.folder.read(hosts.name + ".in"), "run ${most_steps}",
+                 "fix cuts all balance 10 1.0 shift x 10 1.01\nrun ${most_steps}\n"
+                 "print \"moved $(f_cuts[2]!=0)\"\nunfix cuts");
     const Told driver = hosts.in_driver(1000000);
     EXPECT_EQ(first_difference(driver, hosts.in_lammps(2, 1, script)), "");
     EXPECT_EQ(first_difference(driver, hosts.in_lammps(1, 1, script)), "");

@@ -11,8 +11,7 @@
 namespace {
 
 std::string with(const BothHosts& hosts, const std::string& run) {
-    std::string script = hosts.folder.read("both.in");
-    return script.replace(script.find("run ${most_steps}"), 17, run);
+    return replaced(hosts.folder.read("both.in"), "run ${most_steps}", run);
 }
 
 // Lines of id, x, and the column that is x too; balance scales x there and back.

@@ -17,9 +17,7 @@ std::string case_text() {
 }
 
 std::string with_double_sums() {
-    std::string text = case_text();
-    const std::string words = "fixed_point = true";
-    return text.replace(text.find(words), words.size(), "fixed_point = false");
+    return replaced(case_text(), "fixed_point = true", "fixed_point = false");
 }
 
 constexpr long all = 1000000;

@@ -16,9 +16,8 @@ class LammpsRefuses : public ::testing::Test {
                 int processes = 1) {
         std::string script = hosts.folder.read("both.in"), fix = hosts.folder.read("both.fix");
         std::string& text = fix.find(words) == std::string::npos ? script : fix;
-        ASSERT_NE(text.find(words), std::string::npos);
-        text.replace(text.find(words), words.size(), other);
-        script.replace(script.find("both.fix"), 8, "changed.fix");
+        text = replaced(text, words, other);
+        script = replaced(script, "both.fix", "changed.fix");
         hosts.folder.write("changed.fix", fix);
         const Answer answer = hosts.lammps(processes, script);
         EXPECT_NE(answer.status, 0);

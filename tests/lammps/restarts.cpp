@@ -13,8 +13,7 @@ class LammpsRestarts : public ::testing::Test {
   protected:
     const BothHosts hosts{block_case("1, 0.5", "0.4")};
     std::string changed(const std::string& words, const std::string& other) const {
-        std::string script = hosts.folder.read("both.in");
-        return script.replace(script.find(words), words.size(), other);
+        return replaced(hosts.folder.read("both.in"), words, other);
     }
     // ... from a restart file, with words of the stage behind it.
     std::string go_on(const std::string& file, const std::string& stage) const {
@@ -23,9 +22,7 @@ class LammpsRestarts : public ::testing::Test {
     }
     void expect_refused(const std::string& words, const std::string& other) const {
         const std::string fix = hosts.folder.read("both.fix");
-        std::string text = fix;
-        ASSERT_NE(text.find(words), std::string::npos);
-        hosts.folder.write("both.fix", text.replace(text.find(words), words.size(), other));
+        hosts.folder.write("both.fix", replaced(fix, words, other));
         const Answer answer = hosts.lammps(2, go_on("some.restart", ""));
         hosts.folder.write("both.fix", fix);
         EXPECT_NE(answer.status, 0);
@@ -65,12 +62,10 @@ TEST_F(LammpsRestarts, RefuseOtherWords) {
     expect_refused("elastic 20000", "elastic 30000");
     expect_refused("fixed_point yes", "fixed_point no");
     // Names of files and threads may be others.
-    std::string fix = hosts.folder.read("both.fix");
-    const std::string words = "points block both_block.points";
     hosts.folder.write("other.points", hosts.folder.read("both_block.points"));
-    ASSERT_NE(fix.find(words), std::string::npos);
-    hosts.folder.write("both.fix", fix.replace(fix.find(words), words.size(),
-                                               "threads 2 points block other.points"));
+    hosts.folder.write("both.fix",
+                       replaced(hosts.folder.read("both.fix"), "points block both_block.points",
+                                "threads 2 points block other.points"));
     const Answer answer = hosts.lammps(2, go_on("some.restart", ""));
     EXPECT_EQ(answer.status, 0) << answer.text;
 }

@@ -33,11 +33,6 @@ name = "later"
 time_s = 0.4
 )");
     }
-    static std::string replaced(std::string text, const std::string& words,
-                                const std::string& other) {
-        EXPECT_NE(text.find(words), std::string::npos) << words << " in\n" << text;
-        return text.replace(text.find(words), words.size(), other);
-    }
     // hammer and speed: of variables.
     static Told told(const std::string& hammer, const std::string& speed, int processes,
                      const std::string& script = "", const std::string& more = "",

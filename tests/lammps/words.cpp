@@ -11,11 +11,6 @@
 
 namespace {
 
-std::string replaced(std::string text, const std::string& words, const std::string& other) {
-    EXPECT_NE(text.find(words), std::string::npos) << words;
-    return text.replace(text.find(words), words.size(), other);
-}
-
 const char* const plate = R"(
 [[body]]
 name = "plate"

@@ -124,6 +124,12 @@ Told BothHosts::read_told(const std::string& printed) const {
     return out;
 }
 
+std::string replaced(std::string text, const std::string& words, const std::string& other) {
+    const std::size_t at = text.find(words);
+    EXPECT_NE(at, std::string::npos) << words << " in\n" << text;
+    return at == std::string::npos ? text : text.replace(at, words.size(), other);
+}
+
 std::string first_difference(const Told& one, const Told& other) {
     for (std::size_t i = 0; i < std::min(one.rows.size(), other.rows.size()); ++i)
         if (!same_bits(one.rows[i], other.rows[i]))

@@ -40,5 +40,8 @@ class BothHosts {
     std::string toml_name;
 };
 
+// A text with other words in the place of the first of these; the test fails if there are none.
+std::string replaced(std::string text, const std::string& words, const std::string& other);
+
 // For messages: where a row differs, bit for bit; empty: nowhere.
 std::string first_difference(const Told& one, const Told& other);
