@@ -41,6 +41,7 @@ ContactPair::ContactPair(const ContactLaw& law, const Settings& settings, const 
     surface.resize(2 * n);
     near_surface.resize(2 * n);
     centre.resize(2 * n);
+    reach.resize(n);
     distance.resize(n);
     gap.resize(n);
     gate_gap.resize(n);
@@ -117,13 +118,21 @@ void ContactPair::find_normals(const ContactBody& a, const ContactBody& b, int s
             error, "contact");
 }
 
-// What is beside a node changes from one corner to the next, and with it the gap by a jump. A node that
-// pressed in the step before is therefore left to the velocities alone, unless the gap is half a cell.
-void ContactPair::find_gates() {
+// How far along its normal a node has weight: the d of (C4), docs/adr/0007-reach-of-a-node.md.
+void ContactPair::find_reaches() {
     for (const std::ptrdiff_t node : active) {
         const auto i = static_cast<std::size_t>(node);
         const double *n = &normal[2 * i], *cell = &spacing[2 * i];
-        const bool near = gap[i] * std::hypot(n[0] / cell[0], n[1] / cell[1]) < 0.5;
+        reach[i] = std::abs(n[0]) * cell[0] + std::abs(n[1]) * cell[1];
+    }
+}
+
+// What is beside a node changes from one corner to the next, and with it the gap by a jump. A node that
+// pressed in the step before is therefore left to the velocities alone, unless the gap is half its reach.
+void ContactPair::find_gates() {
+    for (const std::ptrdiff_t node : active) {
+        const auto i = static_cast<std::size_t>(node);
+        const bool near = gap[i] < 0.5 * reach[i];
         gate_gap[i] = touched[i] && near ? std::fmin(gap[i], 0.0) : gap[i];
     }
 }
@@ -157,6 +166,7 @@ void ContactPair::correct(const GridView& grid, const ContactBody& a, const Cont
         wanted.distance = grit_mutable_view_of(distance.data(), 1, 1);
         wanted.gap = grit_mutable_view_of(gap.data(), 1, 1);
         require(grit_contact_surfaces_finish(&s, n, &wanted, &error), error, "contact");
+        find_reaches();
         find_gates();
     }
 
@@ -175,7 +185,7 @@ void ContactPair::correct(const GridView& grid, const ContactBody& a, const Cont
     q.normal = grit_view_of(normal.data(), 2, 1);
     if (geo) {
         q.distance = grit_view_of(distance.data(), 1, 1);
-        q.spacing = grit_view_of(spacing.data(), 2, 1);
+        q.cell_size = grit_view_of(reach.data(), 1, 1);
     }
     if (pair_law.gated) q.gap = grit_view_of(gate_gap.data(), 1, 1);
     q.velocity_a = grit_mutable_view_of(motions_a + motion::v_r, motion::size, 1);

@@ -67,6 +67,7 @@ class ContactPair {
     void add(const grit_contact_surfaces& to, int which, const double* x, const double* side,
              const std::ptrdiff_t* nodes, int count);
     grit_contact_surfaces surfaces(std::vector<double>& of);
+    void find_reaches();
     void find_gates();
     void remember();
     void sum_faces(bool measured, Exchange& exchange);
@@ -74,8 +75,8 @@ class ContactPair {
     ContactLaw pair_law;
     bool axisymmetric, fixed_point;
     std::vector<int> fixed_bits;
-    std::vector<double> position, spacing, normal, surface, near_surface, centre, distance, gap,
-        gate_gap;
+    std::vector<double> position, spacing, normal, surface, near_surface, centre, reach, distance,
+        gap, gate_gap;
     std::vector<char> is_active, touched;  // touched: pressed in the step before
     std::vector<char> is_near;             // cells from which a domain may reach an active node
     std::vector<std::ptrdiff_t> active, undefined;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// When a node may press: two square particles, one above the other, and the node between them.
+// When a node may press, and how hard: two square particles, and a node between or beside them.
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 #include "support/box.hpp"
 
@@ -39,6 +41,34 @@ class GateAtANode : public testing::Test {
     ContactPair pair{contact_law(GRIT_CONTACT_FRICTIONAL, 0.0), Settings{.axisymmetric = false},
                      GridView{axis.view(), axis.view()}, std::vector<std::uint8_t>(25)};
 };
+
+// A node diagonally beyond a corner has weight as far as the diagonal of a cell, and is held as far.
+TEST(ReachOfANode, IsTheDiagonalAlongADiagonalNormal) {
+    constexpr int node = 2 * 5 + 2;
+    const double n = std::sqrt(0.5), corner = 1.2, reach = std::sqrt(2.0);
+    Axis axis = Axis::uniform(0.0, 4.0, 4);
+    Exchange alone;
+    const GridView grid{axis.view(), axis.view()};
+    ContactPair pair{contact_law(GRIT_CONTACT_GEO, 0.0, 6.0), Settings{.axisymmetric = false}, grid,
+                     std::vector<std::uint8_t>(25)};
+    Body below =
+        make_box({corner - 0.9, corner, corner - 0.9, corner, 1, 1, 1000.0}, false, nullptr);
+    Body above = make_box(
+        {corner - 0.01, corner + 0.89, corner - 0.01, corner + 0.89, 1, 1, 1000.0}, false, nullptr);
+    std::vector<NodeRecord> a(25), b(25);
+    std::vector<NodeMotion> v_a(25), v_b(25);
+    a[node][record::m] = b[node][record::m] = 1.0;
+    a[node][record::g_r] = a[node][record::g_z] = 1.0;
+    b[node][record::g_r] = b[node][record::g_z] = -1.0;
+    a[node][record::g_scale] = b[node][record::g_scale] = 2.0;
+    v_a[node][motion::v_r] = v_a[node][motion::v_z] = n;
+    v_b[node][motion::v_r] = v_b[node][motion::v_z] = -n;
+    pair.correct(grid, {a.data(), v_a.data(), below.particles.view(), 1, false},
+                 {b.data(), v_b.data(), above.particles.view(), 1, false}, 1e-3, alone);
+    const double s = (2.0 - corner) * reach;  // more than the edge of a cell
+    EXPECT_NEAR(v_a[node][motion::v_r], n * std::pow(s / reach, 6.0), 1e-14);
+    EXPECT_NEAR(v_a[node][motion::v_z], n * std::pow(s / reach, 6.0), 1e-14);
+}
 
 TEST_F(GateAtANode, LetsBodiesComeUntilTheyMeet) {
     EXPECT_EQ(after(0.1, 1.0), 1.0);
