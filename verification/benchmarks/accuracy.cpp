@@ -1,31 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Evaluations of the rate and error delivered, per increment and tolerance, over single calls from
 // 320 states (verification/data/speed_states.csv, integrated to 1e-13).
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <vector>
 
-#include "single_calls.hpp"
-
-namespace {
+#include "sand_points.hpp"
 
 using namespace benchmarks;
 
-double norm(const double* s, double shear_weight) {
-    return std::sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2] +
-                     shear_weight * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
-}
-
-double percentile(std::vector<double> x, double q) {
-    std::sort(x.begin(), x.end());
-    return x[std::min(x.size() - 1, static_cast<std::size_t>(q * static_cast<double>(x.size())))];
-}
-
-}  // namespace
-
 int main() {
-    const auto calls = read_calls(GRIT_DATA "/speed_states.csv");
     const grit_sand sand = lausitz();
 
     std::printf(
@@ -34,33 +17,19 @@ int main() {
     std::printf(
         "                       p50 p90  max     p50      p90      max           max        "
         "share   worst ratio\n");
-    for (const auto& [increment, list] : calls)
+    for (const auto& [increment, list] : all_calls())
         for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10}) {
             std::vector<double> evaluations, errors, h_errors;
             int within = 0, failures = 0;
-            for (const Call& c : list) {
-                Call x = c;
-                grit_sand_options options;
-                grit_sand_options_init(&options, sizeof options);
-                options.tolerance = tolerance;
-                grit_sand_points q{};
-                q.struct_size = sizeof q;
-                q.strain_increment = grit_view_of(x.strain, 6, 1);
-                q.stress = grit_mutable_view_of(x.stress, 6, 1);
-                q.state = grit_mutable_view_of(x.state, 8, 1);
-                grit_sand_report report;
-                if (grit_sand_update(&sand, &options, 1, &q, &report, nullptr) != GRIT_OK)
-                    ++failures;
-                double dT[6], dh[6];
-                for (int i = 0; i < 6; ++i) {
-                    dT[i] = x.stress[i] - c.stress_end[i];
-                    dh[i] = x.state[i] - c.h_end[i];
-                }
-                const double error = norm(dT, 2.0) / norm(c.stress_end, 2.0);
-                errors.push_back(error);
-                h_errors.push_back(norm(dh, 0.5) / 1e-4);
-                evaluations.push_back(report.evaluations);
-                within += error <= tolerance;
+            SandPoints points(list, list.size());
+            const grit_sand_options options = SandRequest{increment, tolerance}.options();
+            update(sand, options, points, 0, list.size(), 1);
+            for (std::size_t i = 0; i < list.size(); ++i) {
+                failures += points.reports[i].status != GRIT_OK;
+                errors.push_back(stress_error(list[i], &points.stress[6 * i]));
+                h_errors.push_back(intergranular_error(list[i], &points.state[8 * i]));
+                evaluations.push_back(points.reports[i].evaluations);
+                within += errors.back() <= tolerance;
             }
             std::printf("%9.0e  %9.0e  %4.0f %4.0f %4.0f  %8.1e %8.1e %8.1e  %8.1e   %7.4f  %8.2g",
                         increment, tolerance, percentile(evaluations, 0.5),

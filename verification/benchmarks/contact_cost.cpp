@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the nodal correction costs on a million nodes, beside the triad a = b + s c of the same run: a
 // routine at memory bandwidth needs the time of its bytes (each array once in, velocities once out).
-// CPU time per node; take the best of several repetitions.
-#include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,19 +9,25 @@
 
 #include <grit/contact.h>
 
+#include "measure.hpp"
+
 namespace {
 
 constexpr std::size_t node_count = 1000000;
 
+using namespace benchmarks;
+
+// 24 bytes per item.
 void triad(benchmark::State& state) {
     std::vector<double> a(4 * node_count, 0.0), b(4 * node_count, 1.0), c(4 * node_count, 2.0);
-    for (auto _ : state) {
+    const auto pass = [&] {
         for (std::size_t i = 0; i < a.size(); ++i) a[i] = b[i] + 3.0 * c[i];
         benchmark::DoNotOptimize(a.data());
         benchmark::ClobberMemory();
-    }
-    const double bytes = 24.0 * static_cast<double>(a.size());
-    state.SetBytesProcessed(static_cast<std::int64_t>(bytes) * state.iterations());
+    };
+    best_of(
+        state, static_cast<double>(a.size()), [] {}, pass);
+    state.counters["bytes"] = 24.0;
 }
 
 // One array per quantity, [node][component] or [component][node].
@@ -75,26 +79,29 @@ struct Grid {
     }
 };
 
-// Arguments: law, components, array of structures, nodes per call, friction in percent.
-void correct(benchmark::State& state) {
-    const int components = static_cast<int>(state.range(1));
-    Grid grid(components, state.range(2) != 0);
+struct Correction {
+    int law, components;
+    bool structures = false;
+    std::size_t per_call = node_count;
+};
+
+void correct(benchmark::State& state, const Correction& c) {
+    Grid grid(c.components, c.structures);
     const std::vector<double> v_a = grid.v_a, v_b = grid.v_b;
     const grit_contact_nodes all = grid.views();
     grit_contact_options options;
     grit_contact_options_init(&options, sizeof options);
-    options.law = static_cast<int>(state.range(0));
-    options.components = components;
-    options.friction_coefficient = 0.01 * static_cast<double>(state.range(4));
-    const auto piece = static_cast<std::size_t>(state.range(3));
-    for (auto _ : state) {
-        state.PauseTiming();
+    options.law = c.law;
+    options.components = c.components;
+    options.friction_coefficient = 0.3;
+    const auto prepare = [&] {
         grid.v_a = v_a;
         grid.v_b = v_b;
-        state.ResumeTiming();
+    };
+    const auto pass = [&] {
         grit_contact_nodes q = all;
-        for (std::size_t first = 0; first < node_count; first += piece) {
-            const auto n = static_cast<ptrdiff_t>(std::min(piece, node_count - first));
+        for (std::size_t first = 0; first < node_count; first += c.per_call) {
+            const auto n = static_cast<ptrdiff_t>(std::min(c.per_call, node_count - first));
             const auto by = static_cast<ptrdiff_t>(first);
             q.mass_a.base = all.mass_a.base + by;
             q.mass_b.base = all.mass_b.base + by;
@@ -105,30 +112,31 @@ void correct(benchmark::State& state) {
             grit_contact_correct(&options, n, &q, nullptr, nullptr, nullptr);
         }
         benchmark::ClobberMemory();
-    }
-    const bool geo = options.law == GRIT_CONTACT_GEO;
-    const int numbers = 2 + (geo ? 1 : 0) + 5 * components;
-    const double bytes = 8.0 * numbers * static_cast<double>(node_count);
-    state.SetBytesProcessed(static_cast<std::int64_t>(bytes) * state.iterations());
-    state.counters["per_node"] = benchmark::Counter(
-        static_cast<double>(node_count) * static_cast<double>(state.iterations()),
-        benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+    };
+    best_of(state, static_cast<double>(node_count), prepare, pass);
+    const int numbers = 2 + (c.law == GRIT_CONTACT_GEO ? 1 : 0) + 5 * c.components;
+    state.counters["bytes"] = 8.0 * numbers;
 }
 
-constexpr std::int64_t million = node_count;
-
-BENCHMARK(triad)->Unit(benchmark::kMillisecond);
-BENCHMARK(correct)
-    ->ArgNames({"law", "components", "structures", "nodes", "mu_percent"})
-    ->Args({GRIT_CONTACT_GEO, 3, 0, million, 30})
-    ->Args({GRIT_CONTACT_FRICTIONAL, 3, 0, million, 30})
-    ->Args({GRIT_CONTACT_GEO, 3, 1, million, 30})
-    ->Args({GRIT_CONTACT_FRICTIONAL, 3, 1, million, 30})
-    ->Args({GRIT_CONTACT_GEO, 2, 0, million, 30})
-    ->Args({GRIT_CONTACT_FRICTIONAL, 2, 0, million, 30})
-    ->Args({GRIT_CONTACT_GEO, 3, 1, 1, 30})
-    ->Unit(benchmark::kMillisecond);
+void add(const std::string& name, const Correction& c) {
+    add_benchmark(name, [c](benchmark::State& state) { correct(state, c); });
+}
 
 }  // namespace
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+    add_exp("before");
+    add_benchmark("triad/before", triad);
+    for (const int components : {3, 2}) {
+        const std::string d = components == 3 ? "3-D" : "2-D";
+        add("Geo-contact, " + d, {GRIT_CONTACT_GEO, components});
+        add("frictional, " + d, {GRIT_CONTACT_FRICTIONAL, components});
+    }
+    add("Geo-contact, 3-D, array of structures", {GRIT_CONTACT_GEO, 3, true});
+    add("frictional, 3-D, array of structures", {GRIT_CONTACT_FRICTIONAL, 3, true});
+    add("Geo-contact, 3-D, one node per call", {GRIT_CONTACT_GEO, 3, true, 1});
+    add_benchmark("triad/after", triad);
+    add_exp("after");
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+}

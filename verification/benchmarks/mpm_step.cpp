@@ -1,62 +1,58 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a material point costs per step: an elastic axisymmetric column, four particles a cell, one
-// thread, and where the time goes. Take the best of several repetitions.
-#include <benchmark/benchmark.h>
-
-#include <cmath>
-#include <memory>
-
-#include <adapters/mpm/kernel/elastic.hpp>
-#include <adapters/mpm/simulation.hpp>
+// What a material point costs per step, in the column of mpm_column.hpp: laws, shape functions, schemes, two
+// threads, 10^3 to 10^6 particles. A pass is the same steps from the same start.
+#include "measure.hpp"
+#include "mpm_column.hpp"
 
 namespace {
 
-using namespace grit::mpm;
+using namespace benchmarks;
+using grit::mpm::Scheme;
+using grit::mpm::Shape;
 
-// 1 : 4 cells, as a pile's surroundings.
-std::unique_ptr<Simulation> column(int cells_r, int threads, Shape shape, Scheme scheme) {
-    const int cells_z = 4 * cells_r;
-    const double h = 1.0 / cells_r;
-    Settings settings{.shape = shape, .scheme = scheme, .gravity_z = -9.81, .threads = threads};
-    auto simulation = std::make_unique<Simulation>(
-        Axis::uniform(0.0, 1.0, cells_r), Axis::uniform(0.0, 4.2, cells_z + cells_r / 5), settings);
-    Body body;
-    for (int j = 0; j < 2 * cells_z; ++j)
-        for (int i = 0; i < 2 * cells_r; ++i)
-            body.particles.add(
-                {0.5 * h * (i + 0.5), 0.5 * h * (j + 0.5), 0.25 * h, 0.25 * h, 2000.0}, true);
-    body.material = std::make_unique<LinearElastic>(1e7, 0.3);
-    simulation->add_body(std::move(body));
-    simulation->fix_below(1, 0.0);
-    simulation->fix_above(0, 1.0);
-    return simulation;
-}
-
-void count(benchmark::State& state, double particles) {
-    state.counters["ns_per_particle"] =
-        benchmark::Counter(particles * 1e-9, benchmark::Counter::kIsIterationInvariantRate |
-                                                 benchmark::Counter::kInvert);
+void steps(benchmark::State& state, const ColumnPlan& plan) {
+    const double particles = 16.0 * plan.cells_r * plan.cells_r;
+    const int count = particles < 3e4 ? 50 : 5;
+    grit::mpm::BuiltCase built;
+    const auto prepare = [&] {
+        built = column(plan);
+        built.simulation->step();
+    };
+    const auto pass = [&] {
+        for (int i = 0; i < count; ++i) built.simulation->step();
+    };
+    best_of(state, particles * count, prepare, pass, plan.threads > 1 ? wall_seconds : cpu_seconds);
     state.counters["particles"] = particles;
+    state.counters["sand"] = plan.sand ? 1.0 : 0.0;
+    state.counters["threads_used"] = plan.threads;
 }
 
-void step(benchmark::State& state, Shape shape, Scheme scheme) {
-    const auto simulation =
-        column(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)), shape, scheme);
-    simulation->step();
-    for (auto _ : state) simulation->step();
-    count(state, static_cast<double>(simulation->body(0).particles.size()));
+void add(const std::string& name, const ColumnPlan& plan) {
+    add_benchmark(name, [plan](benchmark::State& state) { steps(state, plan); });
+}
+
+void register_all() {
+    add_exp("before");
+    constexpr int paper = 20;  // cells: 6 400 particles
+    add("elastic", {paper});
+    add("sand", {paper, true});
+    add("elastic, two threads", {.cells_r = paper, .threads = 2});
+    add("sand, two threads", {paper, true, 2});
+    add("elastic, MUSL", {.cells_r = paper, .scheme = Scheme::musl});
+    add("elastic, stress first", {.cells_r = paper, .scheme = Scheme::usf});
+    add("elastic, uGIMP", {.cells_r = paper, .shape = Shape::ugimp});
+    add("elastic, points", {.cells_r = paper, .shape = Shape::point});
+    for (const int cells : {8, 14, 25, 43, 79, 137, 250}) {
+        add("growth/elastic/" + std::to_string(cells), {cells});
+        add("growth/sand/" + std::to_string(cells), {cells, true});
+    }
+    add_exp("after");
 }
 
 }  // namespace
 
-// 20 x 80 cells: 6 400 particles; 79 x 316 cells: 99 856.
-BENCHMARK_CAPTURE(step, cpdi_usl, Shape::cpdi, Scheme::usl)
-    ->Args({20, 1})
-    ->Args({79, 1})
-    ->Args({79, 2})
-    ->UseRealTime();
-BENCHMARK_CAPTURE(step, cpdi_musl, Shape::cpdi, Scheme::musl)->Args({20, 1})->UseRealTime();
-BENCHMARK_CAPTURE(step, cpdi_usf, Shape::cpdi, Scheme::usf)->Args({20, 1})->UseRealTime();
-BENCHMARK_CAPTURE(step, ugimp_usl, Shape::ugimp, Scheme::usl)->Args({20, 1})->UseRealTime();
-BENCHMARK_CAPTURE(step, point_usl, Shape::point, Scheme::usl)->Args({20, 1})->UseRealTime();
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+    register_all();
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+}

@@ -3,11 +3,7 @@
 // calls with their exact results (integrated to 1e-13).
 #pragma once
 
-#include <algorithm>
-#include <fstream>
 #include <map>
-#include <sstream>
-#include <string>
 #include <vector>
 
 #include <grit/grit.h>
@@ -18,36 +14,26 @@ struct Call {
     double stress[6], state[8], strain[6], stress_end[6], h_end[6], e_end;
 };
 
-inline std::map<double, std::vector<Call>> read_calls(const std::string& path) {
-    std::map<double, std::vector<Call>> calls;
-    std::ifstream file(path);
-    std::string line;
-    std::getline(file, line);
-    std::getline(file, line);
-    while (std::getline(file, line)) {
-        std::replace(line.begin(), line.end(), ',', ' ');
-        std::istringstream row(line);
-        double increment;
-        Call c{};
-        row >> increment;
-        for (double& x : c.stress) row >> x;
-        for (int i = 0; i < 7; ++i) row >> c.state[i];
-        for (double& x : c.strain) row >> x;
-        for (double& x : c.stress_end) row >> x;
-        for (double& x : c.h_end) row >> x;
-        row >> c.e_end;
-        if (row) calls[increment].push_back(c);
-    }
-    return calls;
-}
+// By increment. Throws std::runtime_error where the file is missing or empty.
+const std::map<double, std::vector<Call>>& all_calls();
 
-inline grit_sand lausitz() {
-    grit_sand_parameters parameters;
-    grit_sand_parameters_init(&parameters, sizeof parameters);
-    grit_sand_record_parameters(grit_sand_record_find("lausitz"), 1.0, &parameters);
-    grit_sand sand;
-    grit_sand_prepare(&parameters, &sand, nullptr);
-    return sand;
-}
+// Of the increment next to this one.
+const std::vector<Call>& calls_of(double increment);
+
+grit_sand lausitz();
+
+// |stress - exact| / |exact|
+double stress_error(const Call& call, const double stress[6]);
+// |h - exact| / R
+double intergranular_error(const Call& call, const double h[6]);
+
+// q in [0, 1]; NaN of nothing.
+double percentile(std::vector<double> x, double q);
+
+// What became of a call.
+struct Outcome {
+    bool failed;
+    double error, evaluations;  // evaluations: NaN if nobody tells
+};
 
 }  // namespace benchmarks

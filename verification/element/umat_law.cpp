@@ -1,23 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "element/umat_law.hpp"
 
-#include <cstddef>
-
 #include "element/guarded.hpp"
 #include "element/text.hpp"
+#include "element/umat_function.hpp"
 
 namespace element {
 namespace {
-
-using UmatFunction = void (*)(double* stress, double* statev, double* ddsdde, double* sse,
-                              double* spd, double* scd, double* rpl, double* ddsddt, double* drplde,
-                              double* drpldt, double* stran, double* dstran, double* time,
-                              double* dtime, double* temp, double* dtemp, double* predef,
-                              double* dpred, char* cmname, int* ndi, int* nshr, int* ntens,
-                              int* nstatv, double* props, int* nprops, double* coords, double* drot,
-                              double* pnewdt, double* celent, double* dfgrd0, double* dfgrd1,
-                              int* noel, int* npt, int* layer, int* kspt, int* kstep, int* kinc,
-                              std::size_t cmname_length);
 
 // Fortran's order.
 void copy_columns(const Matrix3& from, double* to) {

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How a time is taken: the shortest of many passes on a machine that may be busy with other work, and
+// beside it, from the same run, one dependent std::exp. Counters of each benchmark: best_ns, and what it
+// was asked for; tables.py makes tables of them.
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <limits>
+#include <vector>
+
+namespace benchmarks {
+
+// Of this thread [s].
+inline double cpu_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// For several threads [s].
+inline double wall_seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+// Passes over so many items, each prepared outside of its time; best_ns is that of the shortest, per item.
+template <class Prepare, class Pass>
+void best_of(benchmark::State& state, double items, const Prepare& prepare, const Pass& pass,
+             double (*seconds)() = cpu_seconds) {
+    double best = std::numeric_limits<double>::infinity();
+    for (auto _ : state) {
+        prepare();
+        const double start = seconds();
+        pass();
+        const double taken = seconds() - start;
+        state.SetIterationTime(taken);
+        best = taken < best ? taken : best;
+    }
+    state.counters["best_ns"] = 1e9 * best / items;
+}
+
+// One that is timed by best_of. Names must differ.
+template <class Function> void add_benchmark(const std::string& name, Function function) {
+    benchmark::RegisterBenchmark(name.c_str(), function)->UseManualTime();
+}
+
+// Copies of what a host has in memory, taken one after the other and written anew when all have been used:
+// a call does not find its points in the nearest cache.
+template <class Memory> class Copies {
+  public:
+    Copies(const Memory& start, std::size_t count) : original(start), copies(count, start) {}
+    Memory& next() {
+        if (++at >= copies.size()) {
+            for (Memory& copy : copies) copy = original;
+            at = 0;
+        }
+        return copies[at];
+    }
+
+  private:
+    Memory original;
+    std::vector<Memory> copies;
+    std::size_t at = 0;
+};
+
+// Once before and once after what is to be told in its units.
+inline void add_exp(const std::string& when) {
+    add_benchmark("exp/" + when, [](benchmark::State& state) {
+        constexpr int count = 10000;
+        double x = -0.5;
+        best_of(
+            state, count, [&x] { x = -0.5; },
+            [&x] {
+                for (int i = 0; i < count; ++i) x = std::exp(x) - 1.0;  // the next needs the last
+                benchmark::DoNotOptimize(x);
+            });
+    });
+}
+
+}  // namespace benchmarks
