@@ -10,6 +10,7 @@
 #include <cmath>
 #include <ctime>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace benchmarks {
@@ -21,26 +22,47 @@ inline double cpu_seconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-// For several threads [s].
+// [s]
 inline double wall_seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
         .count();
 }
 
+enum class Threads { one, several };
+
+// The shortest pass [s]. Of those of one thread the ones that nobody disturbed count, where CPU and wall time agree:
+// what other processes and other guests of the machine take makes wall time long, and CPU time too short now and
+// then. Without any such pass it is the shortest CPU time.
+class Best {
+  public:
+    explicit Best(Threads used) : threads(used) {}
+    template <class Pass> double time(const Pass& pass) {
+        const double wall_start = wall_seconds(), cpu_start = cpu_seconds();
+        pass();
+        const double cpu_taken = cpu_seconds() - cpu_start;
+        const double wall_taken = wall_seconds() - wall_start;
+        if (threads == Threads::several || wall_taken < 1.02 * cpu_taken + 1e-6)
+            quiet = std::fmin(quiet, wall_taken);
+        cpu = std::fmin(cpu, cpu_taken);
+        return wall_taken;
+    }
+    double seconds() const { return std::isfinite(quiet) ? quiet : cpu; }
+
+  private:
+    Threads threads;
+    double quiet = std::numeric_limits<double>::infinity(), cpu = quiet;
+};
+
 // Passes over so many items, each prepared outside of its time; best_ns is that of the shortest, per item.
 template <class Prepare, class Pass>
 void best_of(benchmark::State& state, double items, const Prepare& prepare, const Pass& pass,
-             double (*seconds)() = cpu_seconds) {
-    double best = std::numeric_limits<double>::infinity();
+             Threads threads = Threads::one) {
+    Best best(threads);
     for (auto _ : state) {
         prepare();
-        const double start = seconds();
-        pass();
-        const double taken = seconds() - start;
-        state.SetIterationTime(taken);
-        best = taken < best ? taken : best;
+        state.SetIterationTime(best.time(pass));
     }
-    state.counters["best_ns"] = 1e9 * best / items;
+    state.counters["best_ns"] = 1e9 * best.seconds() / items;
 }
 
 // One that is timed by best_of. Names must differ.

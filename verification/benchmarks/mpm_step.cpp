@@ -21,7 +21,8 @@ void steps(benchmark::State& state, const ColumnPlan& plan) {
     const auto pass = [&] {
         for (int i = 0; i < count; ++i) built.simulation->step();
     };
-    best_of(state, particles * count, prepare, pass, plan.threads > 1 ? wall_seconds : cpu_seconds);
+    best_of(state, particles * count, prepare, pass,
+            plan.threads > 1 ? Threads::several : Threads::one);
     state.counters["particles"] = particles;
     state.counters["sand"] = plan.sand ? 1.0 : 0.0;
     state.counters["threads_used"] = plan.threads;

@@ -38,7 +38,7 @@ void batch(benchmark::State& state, const Batch& b) {
     };
     const auto prepare = [&] { points = &memory.next(); };
     const auto items = static_cast<double>(size);
-    if (b.threads == 2) best_of(state, items, prepare, halves, wall_seconds);
+    if (b.threads == 2) best_of(state, items, prepare, halves, Threads::several);
     else best_of(state, items, prepare, whole);
     b.request.tell(state);
     state.counters["per_call"] = static_cast<double>(b.per_call);

@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""tables.py FOLDER: tables of what script/benchmark has left in FOLDER, as Markdown on the screen and in
-tables.md, as JSON in tables.json, and what the pictures need as CSV. A time is the shortest of all passes of
-all repetitions; "exp" is one dependent std::exp of the same run of the same program."""
+"""tables.py FOLDER [DOCUMENT.md]: tables of what script/benchmark has left in FOLDER, as Markdown on the screen
+and in tables.md, as JSON in tables.json, and what the pictures need as CSV. In the document they take the place
+of what stands between <!-- table: KEY --> and <!-- end -->, where there is a table of this key. A time is the
+shortest of all passes of all repetitions; "exp" is one dependent std::exp of the same run of the same program."""
 import json
 import math
 import pathlib
+import re
 import sys
 
 PERCENTILES = ("p50", "p90", "max")
@@ -16,6 +18,7 @@ class Runs:
 
     def __init__(self, path):
         content = json.loads(path.read_text())
+        self.mhz = content["context"]["mhz_per_cpu"]
         self.caches = {c["level"]: c["size"] for c in content["context"]["caches"]
                        if c["type"] != "Instruction"}
         shortest = {}
@@ -25,7 +28,8 @@ class Runs:
                 known = shortest.setdefault(run["name"], run)
                 if run["best_ns"] < known["best_ns"]:
                     shortest[run["name"]] = run
-        self.all = list(shortest.values())
+        self.all = sorted(shortest.values(),  # as registered; they ran in another order
+                          key=lambda run: (run["family_index"], run["per_family_instance_index"]))
         self.exp = min(run["best_ns"] for run in self.all if run["family"] == "exp")
 
     def find(self, family, **wanted):
@@ -55,23 +59,31 @@ def number(x):
 
 class Report:
     def __init__(self):
-        self.text, self.tables = [], {}
+        self.text, self.tables = {}, {}
 
-    def table(self, title, columns, rows):
+    def table(self, key, title, columns, rows):
         if not rows:
             return
-        self.tables[title] = [dict(zip(columns, row, strict=True)) for row in rows]
+        self.tables[key] = {"title": title, "rows": [dict(zip(columns, row, strict=True)) for row in rows]}
         cells = [columns] + [[number(x) for x in row] for row in rows]
         width = [max(len(row[i]) for row in cells) for i in range(len(columns))]
         lines = ["| " + " | ".join(x.ljust(w) for x, w in zip(row, width)) + " |" for row in cells]
         lines.insert(1, "|" + "|".join("-" * (w + 2) for w in width) + "|")
-        self.text.append(f"{title}\n\n" + "\n".join(lines) + "\n")
+        self.text[key] = f"{title}\n\n" + "\n".join(lines) + "\n"
 
     def write(self, folder):
-        text = "\n".join(self.text)
+        text = "\n".join(self.text.values())
         print(text, end="")
         (folder / "tables.md").write_text(text)
         (folder / "tables.json").write_text(json.dumps(self.tables, indent=1, ensure_ascii=False))
+
+
+    def put_into(self, document):
+        def fresh(match):
+            return f"{match[1]}\n{self.text[match[2]]}{match[4]}" if match[2] in self.text else match[0]
+
+        text = document.read_text()
+        document.write_text(re.sub(r"(<!-- table: (.*?) -->)\n(.*?)(<!-- end -->)", fresh, text, flags=re.S))
 
 
 def write_csv(path, columns, rows):
@@ -84,24 +96,23 @@ def power(x):
 
 
 def single_calls(report, runs, folder):
-    def table(title, found):
+    def table(key, title, found):
         rows = [[power(r["increment"]), r["best_ns"] / 1e3, r["best_ns"] / runs.exp,
                  *(r.get(f"evaluations_{p}") for p in PERCENTILES),
                  *(r.get(f"error_{p}") for p in PERCENTILES), f"{100 * r['failures']:.3g} %"]
                 for r in found]
-        report.table(title, ["increment", "µs", "exp", *(f"{what} {p}" for what in ("evaluations", "error")
+        report.table(key, title, ["increment", "µs", "exp", *(f"{what} {p}" for what in ("evaluations", "error")
                                                           for p in PERCENTILES), "failures"], rows)
 
-    report.table("Yardstick", ["", "ns"], [["one dependent std::exp", runs.exp]])
     default = runs.find("c_abi", default_tolerance=1, tangent=0)
-    table(f"Single calls, C ABI, default tolerance {power(default[0]['tolerance'])}", default)
-    table("Single calls, C ABI, tolerance 1e-6", runs.find("c_abi", tolerance=1e-6, default_tolerance=0))
-    table("Single calls, C ABI, default tolerance, consistent tangent",
+    table("single", f"Single calls, C ABI, default tolerance {power(default[0]['tolerance'])}", default)
+    table("single 1e-6", "Single calls, C ABI, tolerance 1e-6", runs.find("c_abi", tolerance=1e-6, default_tolerance=0))
+    table("single tangent", "Single calls, C ABI, default tolerance, consistent tangent",
           runs.find("c_abi", default_tolerance=1, tangent=2))
     umats = [f for f in runs.families() if f not in ("exp", "c_abi")]
     for name in umats:
         for tangent, words in ((0, ""), (2, ", with its tangent")):
-            table(f"Single calls, {name}{words}", runs.find(name, tangent=tangent))
+            table(f"{name}{words}", f"Single calls, {name}{words}", runs.find(name, tangent=tangent))
     rows = []
     for r in default:
         at = {"increment": r["increment"]}
@@ -113,7 +124,7 @@ def single_calls(report, runs, folder):
     columns = ["increment", "C ABI with tangent"]
     for name in umats:
         columns += [f"{name}: µs on top", f"{name} with tangent"]
-    report.table("Beside the C ABI without tangent: its time with the consistent tangent, and of UMATs, as "
+    report.table("multiples", "Beside the C ABI without tangent: its time with the consistent tangent, and of UMATs, as "
                  "multiples; and what umat_ adds", columns, rows)
     write_csv(folder / "work_precision.csv", ["increment", "tolerance", "exp", "error_p50", "error_max"],
               [[r["increment"], r["tolerance"], r["best_ns"] / runs.exp, r["error_p50"], r["error_max"]]
@@ -134,10 +145,10 @@ def batches(report, runs, folder):
         ns = [runs.ns("batch", increment=increment, instruction_set=i) for i in used]
         rows.append([power(increment), *(x / 1e3 for x in ns), *(x / runs.exp for x in ns),
                      ns[-1] / runs.ns("threads", increment=increment)])
-    report.table("Batches of 10^4 points, per point, default tolerance",
+    report.table("batches", "Batches of 10^4 points, per point, default tolerance",
                  ["increment", *(f"{names[i]} µs" for i in used), *(f"{names[i]} exp" for i in used),
                   "two threads: faster by"], rows)
-    report.table("Wave moduli, per point", ["", "ns"],
+    report.table("wave moduli", "Wave moduli, per point", ["", "ns"],
                  [["one point per call", runs.ns("wave_moduli", together=0)],
                   ["320 points per call", runs.ns("wave_moduli", together=1)]])
     growth = runs.find("growth")
@@ -148,7 +159,7 @@ def batches(report, runs, folder):
 def contact(report, runs):
     triad = min(runs.find("triad"), key=lambda run: run["best_ns"])
     per_byte = triad["best_ns"] / triad["bytes"]
-    report.table("Contact, 10^6 nodes, beside the triad a = b + s c",
+    report.table("contact", "Contact, 10^6 nodes, beside the triad a = b + s c",
                  ["", "ns per node", "bytes per node", "ns of the bytes", "ratio"],
                  [[f"triad: {1 / per_byte:.1f} GB/s", triad["best_ns"], triad["bytes"], triad["best_ns"], 1.0]]
                  + [[r["family"], r["best_ns"], r["bytes"], r["bytes"] * per_byte,
@@ -157,7 +168,7 @@ def contact(report, runs):
 
 
 def particles(report, runs, folder):
-    report.table("Material points, 6400 particles, per particle and step", ["", "threads", "ns", "exp"],
+    report.table("particles", "Material points, 6400 particles, per particle and step", ["", "threads", "ns", "exp"],
                  [[r["family"], r["threads_used"], r["best_ns"], r["best_ns"] / runs.exp]
                   for r in runs.all if "particles" in r and r["family"] != "growth"])
     write_csv(folder / "growth_mpm.csv", ["sand", "particles", "ns"],
@@ -177,11 +188,24 @@ def for_pictures(path, parts, memory, umats):
     path.write_text("\n".join(lines) + "\n")
 
 
-def main(folder):
+def machine(report, parts):
+    """The processor, and one dependent exp in the runs of each program."""
+    lines = pathlib.Path("/proc/cpuinfo").read_text().splitlines()
+    processor = next((line.split(": ", 1)[1] for line in lines if line.startswith("model name")), "?")
+    runs = next(iter(parts.values()))
+    sizes = ", ".join(f"L{level} {size / 1024:.0f} KiB" for level, size in runs.caches.items())
+    report.table("machine", "The machine", ["", ""], [
+        ["processor", processor], ["clock that the system tells", f"{runs.mhz} MHz"], ["caches", sizes],
+        *([f"a dependent std::exp in {name}", f"{r.exp:.2f} ns"] for name, r in parts.items())])
+
+
+def main(folder, document=None):
     report, umats = Report(), []
     names = [name for name in ("sand_calls", "sand_batches", "contact_cost", "mpm_step")
              if (folder / f"{name}.json").exists()]
     parts = {name: Runs(folder / f"{name}.json") for name in names}
+    if parts:
+        machine(report, parts)
     if "sand_calls" in parts:
         umats = single_calls(report, parts["sand_calls"], folder)
     if "sand_batches" in parts:
@@ -191,19 +215,23 @@ def main(folder):
     if "mpm_step" in parts:
         particles(report, parts["mpm_step"], folder)
     memory = [json.loads(line) for line in lines_of(folder / "mpm_memory.txt")]
-    report.table("Memory per particle, nodes included", ["", "bytes", "bytes at most"],
+    report.table("memory", "Memory per particle, nodes included", ["", "bytes", "bytes at most"],
                  [[m["material"], m["resident_bytes_per_particle"], m["peak_bytes_per_particle"]]
                   for m in memory])
-    report.table("A pile push of 6570 particles",
+    report.table("pile push", "A pile push of 6570 particles",
                  ["threads", "steps", "simulated s", "s of computing", "s per simulated s",
                   "ns per particle and step"],
                  [[*line.split()] for line in lines_of(folder / "pile_push.txt")])
-    report.table("Instructions per point (callgrind)", ["increment", "", "baseline", "AVX2"],
+    report.table("instructions", "Instructions per point (callgrind)", ["increment", "", "baseline", "AVX2"],
                  [line.split("\t") for line in lines_of(folder / "instructions.txt")])
     report.write(folder)
+    if document:
+        report.put_into(document)
     if parts:
         for_pictures(folder / "pictures.gp", parts, memory, umats)
 
 
 if __name__ == "__main__":
-    main(pathlib.Path(sys.argv[1]))
+    if len(sys.argv) not in (2, 3):
+        sys.exit(__doc__)
+    main(*map(pathlib.Path, sys.argv[1:]))
