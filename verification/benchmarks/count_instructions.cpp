@@ -13,7 +13,7 @@
 #include "umat_calls.hpp"
 
 extern "C" {
-__attribute__((noinline, noclone)) void counted(const std::function<void()>& work) { work(); }
+__attribute__((noinline)) void counted(const std::function<void()>& work) { work(); }
 }
 
 namespace {
