@@ -31,6 +31,19 @@ template <class Plain> GRIT_INLINE Plain exp_plain(Plain x) {
     return (Plain(1.0) + fma(r2, tail, r)) * exp2_integer(k);
 }
 
+// exp(x) for |x| <= 0.35, the volumetric strain of an increment: Taylor series to degree 12.
+template <class Real> GRIT_INLINE Real exp_small(const Real& x) {
+    const Real x_2 = x * x;
+    const Real x_4 = x_2 * x_2;
+    const auto pair = [&](double low, double high) {
+        return fma(x, Real(1.0 / high), Real(1.0 / low));
+    };
+    const Real a = fma(x_2, pair(24.0, 120.0), pair(2.0, 6.0));
+    const Real b = fma(x_2, pair(40320.0, 362880.0), pair(720.0, 5040.0));
+    const Real c = fma(x_2, Real(1.0 / 479001600.0), pair(3628800.0, 39916800.0));
+    return Real(1.0) + fma(x_2, fma(x_4, fma(x_4, c, b), a), x);
+}
+
 // log(x) for positive normal x: x = m 2^k, log m = 2 artanh(s), s = (m - 1)/(m + 1).
 template <class Plain> GRIT_INLINE Plain log_plain(Plain x) {
     const Plain k = split_exponent(x);

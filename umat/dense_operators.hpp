@@ -54,8 +54,8 @@ inline Matrix intergranular_M(const Material& m, const PointFactors& k, const Te
                               const Tensor<double>& D) {
     const double h_norm = norm(h);
     const Tensor<double> h_hat = scaled(h, h_norm > 0.0 ? 1.0 / h_norm : 0.0);
-    const double log_rho = 0.5 * log(square(h_norm * m.inverse_R) + 1e-40);
-    const Interpolation<double> w = interpolation<double>(m, log_rho, contract(h_hat, D) > 0.0);
+    const double rho = max(h_norm * m.inverse_R, least_rho);
+    const Interpolation<double> w = interpolation<double>(m, rho, contract(h_hat, D) > 0.0);
     Matrix M;
     for (int j = 0; j < 6; ++j) {
         const Tensor<double> X = scaled_sum(w.B * h_hat[j], h_hat, scaled(unit(j), w.A));
@@ -70,8 +70,8 @@ inline Matrix resting_M(const Material& m, bool igs, const PointFactors& k,
                         const Tensor<double>& h) {
     double factor = 1.0;
     if (igs) {
-        const double log_rho = 0.5 * log(contract(h, h) * square(m.inverse_R) + 1e-40);
-        factor = interpolation<double>(m, log_rho, true).A;
+        const double rho = max(norm(h) * m.inverse_R, least_rho);
+        factor = interpolation<double>(m, rho, true).A;
     }
     return dense_L(m, k, factor);
 }

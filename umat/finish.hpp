@@ -20,18 +20,24 @@ struct PointResult {
     Matrix tangent;    // Mandel
 };
 
+// h at the end of a path; late: arc length that its mobilisation lacks.
+template <class Real>
+GRIT_INLINE Tensor<Real> h_at_end(const Material& m, const StraightPath<Real>& path,
+                                  const Mobilisation<Real>& h, const PlainOf<Real>& late) {
+    const Real length = m.R * min(h.rho, Real(1.0));
+    const Real along_h = length - late * h.rho_beta * h.c;  // (G3)
+    return scaled_sum(fma(along_h, h.c, Real(late)), path.D_hat,
+                      scaled(path.tau, along_h * h.across));
+}
+
 // The end of an integrated path: h, e and, if it separated on the way, w.
 inline PointResult result_of(const Material& m, bool igs, const Point& p,
                              const StraightPath<double>& path, const Integrated<double>& end) {
     PointResult r;
     r.T = end.y.T;
     r.h = p.h;
-    if (igs) {
-        const double rho_sq = fma(end.h.u, end.h.u, square(end.h.g) * path.tau_sq);
-        const double scale = m.R / max(1.0, sqrt(rho_sq));
-        r.h = scaled(scaled_sum(end.h.u, path.D_hat, scaled(path.tau, end.h.g)), scale);
-    }
-    r.e = void_ratio(path, path.length);
+    if (igs) r.h = h_at_end(m, path, end.h, end.h_late);
+    r.e = path.e_end;
     r.w = 0.0;
     r.flags = p.flags | (end.outside_cone ? GRIT_SAND_OUTSIDE_CONE : 0);
     r.stress_free = end.separated;
@@ -92,10 +98,15 @@ inline Matrix end_tangent(const Material& m, bool igs, const Point& p, const Poi
     return basic_M(m, k, scaled(p.strain_increment, 1.0 / norm(p.strain_increment)));
 }
 
+template <class Real>
+GRIT_INLINE MaskOf<Real> void_clamped(const Material& m, const Tensor<Real>& T, const Real& e) {
+    const Real p = trace(T) * (-1.0 / 3.0);
+    const Real e_0 = e * compression(m, p).expansion;
+    return (e_0 < Real(m.e_d0)) | (e_0 > Real(m.e_i0));
+}
+
 inline int void_flag(const Material& m, const Tensor<double>& T, double e) {
-    const double p = trace(T) * (-1.0 / 3.0);
-    const double E = compression(m, log_pressure(m, p)).E;
-    return e < m.e_d0 * E || e > m.e_i0 * E ? GRIT_SAND_VOID_CLAMPED : 0;
+    return void_clamped(m, T, e) ? GRIT_SAND_VOID_CLAMPED : 0;
 }
 
 inline void write_report(grit_sand_report* report, int flags, int substeps, int evaluations,

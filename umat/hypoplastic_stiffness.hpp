@@ -12,6 +12,7 @@ template <class Real> struct StressShape {
     Tensor<Real> T_hat_dev;  // T_hat - I/3
     Real T_hat_sq;           // T_hat:T_hat
     Real F;                  // (H5)
+    Real inverse_trace;      // 1 / tr T
 };
 
 // (H5) for tan psi and q3 = sqrt 2 tan psi cos 3 theta, both clamped so that F > 0.
@@ -30,8 +31,8 @@ GRIT_INLINE Real lode_factor(const Real& dev_sq, const Real& determinant_dev) {
 template <class Real>
 GRIT_INLINE StressShape<Real> stress_shape(const Material& m, const Tensor<Real>& T) {
     StressShape<Real> s;
-    const Real inverse = 1.0 / min(trace(T), Real(-1.5 * m.p_floor));
-    s.T_hat = scaled(T, inverse);
+    s.inverse_trace = 1.0 / min(trace(T), Real(-1.5 * m.p_floor));
+    s.T_hat = scaled(T, s.inverse_trace);
     s.T_hat_dev = deviator(s.T_hat);
     const Real dev_sq = contract(s.T_hat_dev, s.T_hat_dev);
     s.T_hat_sq = dev_sq + 1.0 / 3.0;

@@ -10,6 +10,12 @@
 
 namespace grit {
 
+// q of x^q, and 4 q where that is a small whole number, or -1.
+struct Exponent {
+    double value;
+    std::int64_t quarters;
+};
+
 struct Material {
     std::uint64_t stamp;
     // parameters
@@ -20,8 +26,11 @@ struct Material {
     double a;          // (H4)
     double stiffness;  // h_s/n (e_i0/e_c0)^beta / [3 + a^2 - sqrt 3 a (...)^alpha]   (H8)
     double three_over_hs;
-    double log_e_c0;
+    double inverse_e_range;  // 1/(e_c0 - e_d0)
+    double inverse_e_i0;
     double inverse_R;
+    Exponent alpha_power, beta_power;  // of (e - e_d)/(e_c - e_d) and e_c/e
+    Exponent chi_power, beta_r_power, inverse_beta_r_power;
     double p_floor;  // below it the sand carries no stress: docs/adr/0002
 };
 

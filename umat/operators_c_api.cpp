@@ -59,13 +59,13 @@ grit_status grit_sand_factors(const grit_sand* sand, const double stress[6], dou
     const Tensor<double> T = stress_in_domain(m, stress);
     const PointFactors k = point_factors(m, T, void_ratio);
     const double p = trace(T) * (-1.0 / 3.0);
-    const Compression<double> limit = compression(m, log_pressure(m, p));
-    const double e_in = min(max(void_ratio, m.e_d0 * limit.E), m.e_i0 * limit.E);
+    const Compression<double> limit = compression(m, p);
+    const double e_0 = min(max(void_ratio * limit.expansion, m.e_d0), m.e_i0);
     grit_sand_scalar_factors ours{};
     ours.a = m.a;
     ours.F = k.shape.F;
     ours.f_d = k.f.f_d;
-    ours.f_e = std::pow(m.e_c0 * limit.E / e_in, m.beta);  // (H7)
+    ours.f_e = std::pow(m.e_c0 / e_0, m.beta);  // (H7)
     ours.f_b = k.f.f_s / ours.f_e;
     ours.f_s = k.f.f_s;
     return write_versioned(ours, *factors) ? GRIT_OK : GRIT_BAD_CALL;
@@ -112,16 +112,19 @@ grit_status grit_sand_rate(const grit_sand* sand, int intergranular_off, const d
         speed *= norm(direction);
         const auto path =
             straight_path(m, direction, strain_from_voigt(state), state[GRIT_SAND_VOID_RATIO]);
-        const bool loading = path.u_0 > 0.0;
-        const double u = loading ? min(path.u_0, 1.0) : path.u_0;
-        const Marched<double> y{T, loading ? -c_api::log(max(1.0 - u, 1e-16)) : 0.0, 0.0};
-        const auto rate = igs ? marched_rate<double, true>(m, path, 0.0, y, loading)
-                              : marched_rate<double, false>(m, path, 0.0, y, true);
-        T_rate = scaled(rate.T, speed);
+        Course<double> course = first_course(m, path);
+        if (path.u_0 == 0.0) course.loading = false;
+        const Mobilisation<double> h = mobilisation_at_start(m, course);
+        const Waypoint<double> at =
+            igs ? waypoint(m, course.loading, h, path.e_0) : basic_waypoint(m, path.e_0);
+        const auto rate = igs ? course_rate<double, true>(m, path, at, marched(m, T))
+                              : course_rate<double, false>(m, path, at, marched(m, T));
+        T_rate = scaled(rate.T, speed / at.ds);
         if (igs) {
-            const double along = loading ? (1.0 - u) * rate.P * m.R : 1.0;
-            const double across = loading ? -rate.G * m.R : 0.0;
-            h_rate = scaled(scaled_sum(across, path.tau, scaled(path.D_hat, along)), speed);
+            // (G3): D less what is saturated along h
+            const double kept = course.loading ? h.rho_beta * h.c : 0.0;
+            const Tensor<double> h_hat = scaled_sum(h.c, path.D_hat, scaled(path.tau, h.across));
+            h_rate = scaled(scaled_sum(-kept, h_hat, path.D_hat), speed);
         }
     }
     stress_to_voigt(T_rate, stress_rate);

@@ -66,6 +66,12 @@ grit_status check_order(const char* low_name, double low, const char* high_name,
                    may_be_equal ? "at most" : "below", high_name, low, high);
 }
 
+Exponent exponent(double q) {
+    constexpr double most = 32.0;
+    const bool is_exact = q >= 0.0 && q <= most && 4.0 * q == std::floor(4.0 * q);
+    return {q, is_exact ? static_cast<std::int64_t>(4.0 * q) : -1};
+}
+
 }  // namespace
 
 grit_status prepare(const grit_sand_parameters& p, Material& m, grit_error* error) {
@@ -128,8 +134,14 @@ grit_status prepare(const grit_sand_parameters& p, Material& m, grit_error* erro
             bracket, r.alpha);
     r.stiffness = r.h_s / r.n * std::pow(r.e_i0 / r.e_c0, r.beta) / bracket;  // (H8)
     r.three_over_hs = 3.0 / r.h_s;
-    r.log_e_c0 = std::log(r.e_c0);
+    r.inverse_e_range = 1.0 / (r.e_c0 - r.e_d0);
+    r.inverse_e_i0 = 1.0 / r.e_i0;
     r.inverse_R = 1.0 / r.R;
+    r.alpha_power = exponent(r.alpha);
+    r.beta_power = exponent(r.beta);
+    r.chi_power = exponent(r.chi);
+    r.beta_r_power = exponent(r.beta_r);
+    r.inverse_beta_r_power = exponent(1.0 / r.beta_r);
     r.p_floor = floor_per_hardness * r.h_s;
     m = r;
     return GRIT_OK;

@@ -1,88 +1,129 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One explicit step of the marched variables: Heun 2(1) for increments far below R, Dormand & Prince
-// 5(4) (1980, J. Comput. Appl. Math. 6:19) beyond.
+// One explicit step of the stress along its course: Heun 2(1) for increments far below R, Dormand &
+// Prince 5(4) (1980, J. Comput. Appl. Math. 6:19) beyond.
 #pragma once
 
-#include "umat/stress_rate.hpp"
+#include "umat/step_control.hpp"
+#include "umat/step_course.hpp"
 
 GRIT_KERNEL_BEGIN
 
 template <class Real> struct Trial {
     Marched<Real> y;      // at the end of the step
-    Marched<Real> rate;   // there, if the method evaluated it (first same as last)
+    Marched<Real> rate;   // there
     PlainOf<Real> error;  // estimate for the stress, over its scale
 };
 
-// y + ds * sum of weight_i * rate_i
+// y + dq * sum of weight_i * rate_i
+template <class Real, int count, class Member>
+GRIT_INLINE Real advanced(const Marched<Real>& y, const Real& dq, const double (&weight)[count],
+                          const Marched<Real>* rates, Member member) {
+    Real total = weight[0] * member(rates[0]);
+    for (int i = 1; i < count; ++i)
+        if (weight[i] != 0.0) total = fma(weight[i], member(rates[i]), total);
+    return fma(dq, total, member(y));
+}
+
 template <class Real, int count>
-GRIT_INLINE Marched<Real> advanced(const Marched<Real>& y, const Real& ds,
+GRIT_INLINE Marched<Real> advanced(const Marched<Real>& y, const Real& dq,
                                    const double (&weight)[count], const Marched<Real>* rates) {
-    const auto sum = [&](auto member) {
-        Real total = weight[0] * member(rates[0]);
-        for (int i = 1; i < count; ++i)
-            if (weight[i] != 0.0) total = fma(weight[i], member(rates[i]), total);
-        return fma(ds, total, member(y));
-    };
     Marched<Real> r;
-    for (int k = 0; k < 6; ++k) r.T[k] = sum([k](const Marched<Real>& x) { return x.T[k]; });
-    r.P = sum([](const Marched<Real>& x) { return x.P; });
-    r.G = sum([](const Marched<Real>& x) { return x.G; });
+    for (int i = 0; i < 6; ++i)
+        r.T[i] = advanced(y, dq, weight, rates, [i](const auto& of) { return of.T[i]; });
+    r.compression.x =
+        advanced(y, dq, weight, rates, [](const auto& of) { return of.compression.x; });
+    r.compression.expansion =
+        advanced(y, dq, weight, rates, [](const auto& of) { return of.compression.expansion; });
     return r;
 }
 
 template <class Real> struct StepContext {
     const Material& m;
     const StraightPath<Real>& path;
-    Real s;  // arc length at the start of the step
-    Real ds;
-    MaskOf<Real> loading;
+    Real dq;   // of the course, over the step
+    Real arc;  // length of the step
     PlainOf<Real> stress_scale;
-    PlainOf<Real> memory_weight;  // stress error per error of h/R
 };
 
-template <class Plain> struct StepError {
-    Plain stress;  // |dT| / scale
-    Plain memory;  // |dh| / R: (1 - u) dP along D_hat, g |tau| dG across
-};
-
+// What a method's own quadrature of the arc length misses goes into the stress with the rate at the end of
+// the step: most of that quadrature's error is then gone from the stress, near h = 0 above all.
 template <class Real>
-GRIT_INLINE StepError<PlainOf<Real>> step_error(const StepContext<Real>& c, const Marched<Real>& y,
-                                                const Tensor<PlainOf<Real>>& dT,
-                                                const PlainOf<Real>& dP, const PlainOf<Real>& dG) {
-    using Plain = PlainOf<Real>;
-    const Plain along = exp(-value(y.P)) * fabs(dP);
-    const Plain across = exp(-value(y.G)) * sqrt(value(c.path.tau_sq)) * fabs(dG);
-    return {norm(dT) / c.stress_scale, max(along, across)};
+GRIT_INLINE void meet_end(const StepContext<Real>& c, const Real& own_arc, const Real& ds,
+                          const Marched<Real>& rate, Marched<Real>& y) {
+    const Real dq = (c.arc - own_arc) / ds;
+    y.T = scaled_sum(dq, rate.T, y.T);
+    y.compression.x = fma(dq, rate.compression.x, y.compression.x);
+    y.compression.expansion = fma(dq, rate.compression.expansion, y.compression.expansion);
+}
+
+// The same for an estimate of the error in T and s: |dT - ds dT/ds| over the stress scale.
+template <class Plain>
+GRIT_INLINE Plain error_at_end(const Tensor<Plain>& dT, const Plain& arc_error, const Plain& ds,
+                               const Tensor<Plain>& rate, const Plain& stress_scale) {
+    return norm(scaled_sum(-(arc_error / ds), rate, dT)) / stress_scale;
 }
 
 template <class Real, bool igs>
 GRIT_INLINE Trial<Real> heun_step(const StepContext<Real>& c, const Marched<Real>& y,
+                                  const Real& ds_start, const Waypoint<Real>& end,
                                   const Marched<Real>& k1, const PlainOf<Real>& stiffness_change) {
     using Plain = PlainOf<Real>;
     constexpr double euler[] = {1.0};
     constexpr double half[] = {0.5, 0.5};
     Marched<Real> k[2] = {k1, {}};
-    const Marched<Real> predicted = advanced(y, c.ds, euler, k);
-    k[1] = marched_rate<Real, igs>(c.m, c.path, c.s + c.ds, predicted, c.loading);
+    k[1] = course_rate<Real, igs>(c.m, c.path, end, advanced(y, c.dq, euler, k));
     Trial<Real> trial;
-    trial.y = advanced(y, c.ds, half, k);
-    const Plain half_ds = 0.5 * value(c.ds);
-    const Tensor<Plain> dT = scaled(difference(value(k[1].T), value(k[0].T)), half_ds);
-    const StepError<Plain> euler_error =
-        step_error(c, trial.y, dT, half_ds * (value(k[1].P) - value(k[0].P)),
-                   half_ds * (value(k[1].G) - value(k[0].G)));
+    trial.y = advanced(y, c.dq, half, k);
+    trial.rate = k[1];
+    const Plain half_dq = 0.5 * value(c.dq);
+    const Plain euler_error = error_at_end<Plain>(
+        scaled(difference(value(k[1].T), value(k1.T)), half_dq),
+        half_dq * (value(end.ds) - value(ds_start)), value(end.ds), value(k[1].T), c.stress_scale);
     // The difference to Euler's result is of second order; the error left is of third: smaller by
     // the relative change of the rate over the step.
-    const Plain first_order = value(c.ds) * norm(value(k[0].T)) / c.stress_scale;
-    const Plain change = stiffness_change + euler_error.stress / max(first_order, Plain(1e-300));
-    trial.error = euler_error.stress * min(change, Plain(1.0)) +
-                  c.memory_weight * euler_error.memory * min(stiffness_change, Plain(1.0));
-    trial.rate = k[1];
+    const Plain first_order = value(c.dq) * norm(value(k1.T)) / c.stress_scale;
+    const Plain change = stiffness_change + euler_error / max(first_order, Plain(1e-300));
+    trial.error = heun_safety * euler_error * min(change, Plain(1.0));
+    meet_end(c, 0.5 * c.dq * (ds_start + end.ds), end.ds, k[1], trial.y);
+    return trial;
+}
+
+// Bogacki & Shampine (1989, Appl. Math. Lett. 2:321) without their last stage: the midpoint rule is embedded.
+template <class Real, bool igs>
+GRIT_INLINE Trial<Real> third_order_step(const StepContext<Real>& c, const Marched<Real>& y,
+                                         const Real& ds_start, const Waypoint<Real>* at,
+                                         const Marched<Real>& k1,
+                                         const PlainOf<Real>& stiffness_change) {
+    using Plain = PlainOf<Real>;
+    constexpr double a2[] = {1.0 / 2.0};
+    constexpr double a3[] = {0.0, 3.0 / 4.0};
+    constexpr double b[] = {2.0 / 9.0, 1.0 / 3.0, 4.0 / 9.0};
+    constexpr double d[] = {2.0 / 9.0, -2.0 / 3.0, 4.0 / 9.0};  // less the midpoint rule
+    Marched<Real> k[3] = {k1, {}, {}};
+    k[1] = course_rate<Real, igs>(c.m, c.path, at[0], advanced(y, c.dq, a2, k));
+    k[2] = course_rate<Real, igs>(c.m, c.path, at[1], advanced(y, c.dq, a3, k));
+    Trial<Real> trial;
+    trial.y = advanced(y, c.dq, b, k);
+    trial.rate = k[2];
+    const Real own_mean = fma(b[0], ds_start, fma(b[1], at[0].ds, b[2] * at[1].ds));
+    const Plain arc_error = value(c.dq) * fma(d[0], value(ds_start),
+                                              fma(d[1], value(at[0].ds), d[2] * value(at[1].ds)));
+    Tensor<Plain> error;
+    for (int j = 0; j < 6; ++j)
+        error[j] = value(c.dq) *
+                   fma(d[0], value(k1.T[j]), fma(d[1], value(k[1].T[j]), d[2] * value(k[2].T[j])));
+    const Plain midpoint_error =
+        error_at_end<Plain>(error, arc_error, value(at[1].ds), value(k[2].T), c.stress_scale);
+    const Plain first_order = value(c.dq) * norm(value(k1.T)) / c.stress_scale;
+    const Plain change = stiffness_change + midpoint_error / max(first_order, Plain(1e-300));
+    trial.error = third_order_safety * midpoint_error * min(change, Plain(1.0));
+    meet_end(c, c.dq * own_mean, at[1].ds, k[2], trial.y);
     return trial;
 }
 
 template <class Real, bool igs>
 GRIT_INLINE Trial<Real> dormand_prince_step(const StepContext<Real>& c, const Marched<Real>& y,
+                                            const Real& ds_start, const Waypoint<Real>* at,
                                             const Marched<Real>& k1) {
     using Plain = PlainOf<Real>;
     constexpr double a2[] = {1.0 / 5.0};
@@ -97,32 +138,37 @@ GRIT_INLINE Trial<Real> dormand_prince_step(const StepContext<Real>& c, const Ma
                             -17253.0 / 339200.0, 22.0 / 525.0, -1.0 / 40.0};
     Marched<Real> k[7];
     k[0] = k1;
-    const auto rate = [&](double at, const Marched<Real>& stage) {
-        return marched_rate<Real, igs>(c.m, c.path, fma(at, c.ds, c.s), stage, c.loading);
+    const auto rate = [&](int stage, const Marched<Real>& there) {
+        return course_rate<Real, igs>(c.m, c.path, at[stage], there);
     };
-    k[1] = rate(1.0 / 5.0, advanced(y, c.ds, a2, k));
-    k[2] = rate(3.0 / 10.0, advanced(y, c.ds, a3, k));
-    k[3] = rate(4.0 / 5.0, advanced(y, c.ds, a4, k));
-    k[4] = rate(8.0 / 9.0, advanced(y, c.ds, a5, k));
-    k[5] = rate(1.0, advanced(y, c.ds, a6, k));
+    k[1] = rate(0, advanced(y, c.dq, a2, k));
+    k[2] = rate(1, advanced(y, c.dq, a3, k));
+    k[3] = rate(2, advanced(y, c.dq, a4, k));
+    k[4] = rate(3, advanced(y, c.dq, a5, k));
+    k[5] = rate(4, advanced(y, c.dq, a6, k));
     Trial<Real> trial;
-    trial.y = advanced(y, c.ds, b, k);
-    k[6] = rate(1.0, trial.y);
+    trial.y = marched(c.m, advanced(y, c.dq, b, k).T);
+    k[6] = rate(4, trial.y);
     trial.rate = k[6];
 
-    const auto difference_of = [&](auto member) {
-        Plain total = d[0] * value(member(k[0]));
-        for (int i = 1; i < 7; ++i)
-            if (d[i] != 0.0) total = fma(d[i], value(member(k[i])), total);
-        return value(c.ds) * total;
-    };
-    Tensor<Plain> dT;
-    for (int i = 0; i < 6; ++i)
-        dT[i] = difference_of([i](const Marched<Real>& x) { return x.T[i]; });
-    const StepError<Plain> error =
-        step_error(c, trial.y, dT, difference_of([](const auto& x) { return x.P; }),
-                   difference_of([](const auto& x) { return x.G; }));
-    trial.error = max(error.stress, c.memory_weight * error.memory);
+    // The method's own arc length and its error; stages 5 and 6 are at the same place.
+    const Real& ds = at[4].ds;
+    const Real own_mean = fma(
+        b[0], ds_start, fma(b[2], at[1].ds, fma(b[3], at[2].ds, fma(b[4], at[3].ds, b[5] * ds))));
+    const Plain arc_error =
+        value(c.dq) *
+        fma(d[0], value(ds_start),
+            fma(d[2], value(at[1].ds),
+                fma(d[3], value(at[2].ds), fma(d[4], value(at[3].ds), (d[5] + d[6]) * value(ds)))));
+    Tensor<Plain> error;
+    for (int j = 0; j < 6; ++j) {
+        Plain total = d[0] * value(k[0].T[j]);
+        for (int i = 2; i < 7; ++i) total = fma(d[i], value(k[i].T[j]), total);
+        error[j] = value(c.dq) * total;
+    }
+    trial.error = error_safety *
+                  error_at_end<Plain>(error, arc_error, value(ds), value(k[6].T), c.stress_scale);
+    meet_end(c, c.dq * own_mean, ds, k[6], trial.y);
     return trial;
 }
 

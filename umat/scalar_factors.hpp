@@ -2,27 +2,28 @@
 // Void ratios and scalar factors of von Wolffersdorff (1996): what depends on p and e only.
 #pragma once
 
-#include "umat/material.hpp"
+#include "umat/power.hpp"
 #include "umat/tensor.hpp"
 
 GRIT_KERNEL_BEGIN
 
 template <class Real> struct VoidRatios { Real e_i, e_c, e_d; };
 
-// log(3p/h_s); p is kept above half the floor, where no stress is left to compute.
-template <class Real> GRIT_INLINE Real log_pressure(const Material& m, const Real& p) {
-    return log(m.three_over_hs * max(p, Real(0.5 * m.p_floor)));
-}
-
+// Of the pressure. y is kept above the half floor's, where no stress is left to compute.
 template <class Real> struct Compression {
-    Real x;  // (3p/h_s)^n
-    Real E;  // exp(-x): e_i/e_i0 = e_c/e_c0 = e_d/e_d0
+    Real x;          // (3p/h_s)^n
+    Real expansion;  // exp(x): e_i0/e_i = e_c0/e_c = e_d0/e_d     (H6)
 };
 
-template <class Real>
-GRIT_INLINE Compression<Real> compression(const Material& m, const Real& log_3p_hs) {
-    const Real x = exp(m.n * log_3p_hs);
-    return {x, exp(-x)};  // (H6)
+constexpr double least_y = 1.5 * floor_per_hardness;  // of y = 3p/h_s
+
+template <class Real> GRIT_INLINE Real hardness_ratio(const Material& m, const Real& p) {
+    return max(m.three_over_hs * p, Real(least_y));
+}
+
+template <class Real> GRIT_INLINE Compression<Real> compression(const Material& m, const Real& p) {
+    const Real x = exp(m.n * log(hardness_ratio(m, p)));
+    return {x, exp(x)};
 }
 
 template <class Real> struct ScalarFactors {
@@ -31,21 +32,24 @@ template <class Real> struct ScalarFactors {
 };
 
 template <class Real>
-GRIT_INLINE ScalarFactors<Real> scalar_factors(const Material& m, const Real& p, const Real& e) {
-    const Real l = log_pressure(m, p);
-    const Compression<Real> k = compression(m, l);
-    const Real e_i = m.e_i0 * k.E;
-    const Real e_d = m.e_d0 * k.E;
-    const Real e_c = m.e_c0 * k.E;
-    const Real e_in = min(max(e, e_d), e_i);  // continuous outside [e_d, e_i]
-    const Real relative = (e_in - e_d) / (e_c - e_d);
+GRIT_INLINE ScalarFactors<Real> scalar_factors(const Material& m, const Real& p,
+                                               const Compression<Real>& k, const Real& e) {
+    // Void ratio expanded to zero pressure, continuous outside [e_d0, e_i0].
+    const Real e_0 = min(max(e * k.expansion, Real(m.e_d0)), Real(m.e_i0));
+    const Real relative = (e_0 - m.e_d0) * m.inverse_e_range;
     // (H7); its slope is infinite at e_d, so that it is replaced by its secant very near to it.
-    const Real f_d = exp(m.alpha * log(max(relative, Real(linear_density)))) *
+    const Real f_d = power(m.alpha_power, max(relative, Real(linear_density))) *
                      min(relative * (1.0 / linear_density), Real(1.0));
     // f_b f_e = stiffness (1+e_i)/e_i (3p/h_s)^(1-n) (e_c/e)^beta    (H7), (H8)
-    const Real log_f_e = m.beta * (m.log_e_c0 - k.x - log(e_in));
-    const Real f_s = m.stiffness * (1.0 + 1.0 / e_i) * exp(fma(1.0 - m.n, l, log_f_e));
+    const Real f_e = power(m.beta_power, m.e_c0 / e_0);
+    const Real f_s = m.stiffness * fma(k.expansion, Real(m.inverse_e_i0), Real(1.0)) *
+                     (hardness_ratio(m, p) / k.x) * f_e;
     return {f_d, f_s};
+}
+
+template <class Real>
+GRIT_INLINE ScalarFactors<Real> scalar_factors(const Material& m, const Real& p, const Real& e) {
+    return scalar_factors(m, p, compression(m, p), e);
 }
 
 GRIT_KERNEL_END

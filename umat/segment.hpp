@@ -1,46 +1,84 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Segments of a straight strain path: smooth pieces between the events of the intergranular strain.
+// Segments of a straight strain path: smooth pieces between the events of the intergranular strain. There
+// are at most two: unloading until h:D_hat = 0, then loading.
 #pragma once
 
-#include "umat/stress_rate.hpp"
+#include "umat/step_control.hpp"
 
 GRIT_KERNEL_BEGIN
 
-// Between two events of a path, and how far the steps have come.
+// The start of a segment.
 template <class Real> struct Segment {
-    Real start, end;       // arc lengths
-    MaskOf<Real> loading;  // branch of the intergranular strain
+    Course<Real> course;
+    Real s, end;    // arc lengths
+    Real e, e_end;  // void ratios there
     MaskOf<Real> last;
-    PlainOf<Real> done;  // fraction
+    Mobilisation<Real> h;
+    Real ds;                                    // per step of the course
+    Marched<Real> y, rate;                      // rate: per step of the course
+    PlainOf<Real> stress_scale, relative_rate;  // |rate of T| over the scale
 };
 
+// A point that carries stress opens below this pressure.
+GRIT_INLINE double opening_pressure(const Material& m) { return opening_per_floor * m.p_floor; }
+
 template <class Real, bool igs>
-GRIT_INLINE Segment<Real> first_segment(const Material& m, const StraightPath<Real>& path) {
-    Segment<Real> g;
-    g.start = path.length * 0.0;
-    g.done = PlainOf<Real>(0.0);
-    g.end = path.length;
-    g.loading = MaskOf<Real>(true);
-    g.last = MaskOf<Real>(true);
+GRIT_INLINE void start_stress(const Material& m, const StraightPath<Real>& path,
+                              const Tensor<Real>& T, Segment<Real>& g) {
+    Waypoint<Real> at;
     if constexpr (igs) {
-        const Real reversal = -m.R * path.u_0;  // arc length where h:D_hat = 0
-        g.loading = path.u_0 >= Real(0.0);
-        g.last = g.loading | (reversal >= path.length);
-        g.end = select(g.last, path.length, reversal);
+        g.h = mobilisation_at_start(m, g.course);
+        at = waypoint(m, g.course.loading, g.h, g.e);
+    } else {
+        g.h = no_mobilisation(g.e);
+        at = basic_waypoint(m, g.e);
     }
+    g.ds = at.ds;
+    g.y = marched(m, T);
+    g.rate = course_rate<Real, igs>(m, path, at, g.y);
+    using Plain = PlainOf<Real>;
+    g.stress_scale = max(norm(value(T)), Plain(opening_pressure(m)));
+    g.relative_rate = norm(value(g.rate.T)) / g.stress_scale;
+}
+
+template <class Real, bool igs>
+inline Segment<Real> first_segment(const Material& m, const StraightPath<Real>& path,
+                                   const Tensor<Real>& T) {
+    Segment<Real> g;
+    const Real zero = path.length * 0.0;
+    g.s = zero;
+    g.end = path.length;
+    g.e = path.e_0;
+    g.e_end = path.e_end;
+    g.last = MaskOf<Real>(true);
+    g.course = {MaskOf<Real>(false), {zero, zero, zero, zero}, zero, zero};
+    if constexpr (igs) {
+        g.course = first_course(m, path);
+        const Real reversal = -m.R * path.u_0;  // arc length where h:D_hat = 0
+        g.last = g.course.loading | (reversal >= path.length);
+        if (any(!g.last)) {
+            g.end = select(g.last, path.length, reversal);
+            g.e_end = select(g.last, path.e_end, void_ratio(path, reversal));
+        }
+    }
+    start_stress<Real, igs>(m, path, T, g);
     return g;
 }
 
-// Share of |dh| in |de| [-]: 1 where h follows the strain, 0 where it is saturated along D_hat.
-template <class Real, bool igs>
-GRIT_INLINE PlainOf<Real> memory_rate(const Material& m, const StraightPath<Real>& path,
-                                      const Marched<Real>& y, const Marched<Real>& rate,
-                                      const MaskOf<Real>& loading) {
-    using Plain = PlainOf<Real>;
-    if constexpr (!igs) return Plain(0.0);
-    const Plain along = exp(-value(y.P)) * fabs(value(rate.P));
-    const Plain across = exp(-value(y.G)) * sqrt(value(path.tau_sq)) * fabs(value(rate.G));
-    return select(loading, min(m.R * (along + across), Plain(1.0)), Plain(1.0));
+// Loading, from where the first segment ended.
+template <class Real>
+inline Segment<Real> second_segment(const Material& m, const StraightPath<Real>& path,
+                                    const Segment<Real>& first, const Tensor<Real>& T) {
+    Segment<Real> g;
+    const Real zero = path.length * 0.0;
+    g.course = {MaskOf<Real>(true), loading_curve(m, zero, path.tau_sq), zero, path.tau_sq};
+    g.s = first.end;
+    g.end = path.length;
+    g.e = first.e_end;
+    g.e_end = path.e_end;
+    g.last = MaskOf<Real>(true);
+    start_stress<Real, true>(m, path, T, g);
+    return g;
 }
 
 GRIT_KERNEL_END

@@ -6,31 +6,61 @@
 
 GRIT_KERNEL_BEGIN
 
+// x^(1/order), to 0.3 %, for x in [1e-300, 1e300]: enough to choose a step.
+template <class Plain> GRIT_INLINE Plain rough_root(Plain x, double order) {
+    const Plain octaves = split_exponent(x);
+    const Plain t = x - 1.0;
+    const Plain log2 = octaves + t * fma(t, fma(t, Plain(0.45), Plain(-0.7213)), Plain(1.4427));
+    const Plain exponent = log2 * (1.0 / order);
+    const Plain magic(0x1.8p52);
+    const Plain whole = (exponent + magic) - magic;
+    const Plain f = exponent - whole;
+    const Plain power =
+        fma(f, fma(f, fma(f, Plain(0.0555), Plain(0.2402)), Plain(0.6931)), Plain(1.0));
+    return power * exp2_integer(whole);
+}
+
 struct Control {
     double tolerance;
     int evaluation_limit;
+    double reach = rough_root(tolerance, 5.0);
+    bool next_step_wanted = true;
+
+    // Arc lengths are met to this share of them, and resolved near h = 0 to this panel.
+    double tolerated_excess() const { return 0.1 * square(reach); }
+    double finest_panel() const { return reach * reach * reach; }
 };
 
 template <class Real> struct Integrated {
     Marched<Real> y;
-    InPlane<Real> h;         // at the end
+    Real s;                  // arc length
+    Mobilisation<Real> h;    // at the end ...
+    PlainOf<Real> h_late;    // ... but for this arc length
     MaskOf<Real> failed;     // evaluation limit or step underflow
     MaskOf<Real> separated;  // p fell below the floor: stress-free from separation_at on
     MaskOf<Real> outside_cone;
     Real separation_at;      // arc length
     PlainOf<Real> progress;  // fraction of the path done (where it failed)
-    PlainOf<Real> error, substeps, evaluations, next_step;
+    PlainOf<Real> error, substeps, evaluations;
+    PlainOf<Real> next_step;  // [strain]
 };
 
 // Constants of the step control, calibrated so that single calls deliver what was asked: see the
 // table of docs/accuracy.md.
-constexpr double error_safety = 14.0;  // embedded estimates are optimistic where h changes
-constexpr double heun_safety = 0.5;    // ... and pessimistic for steps far below R
-constexpr double memory_reach = 2.2;   // longest step while h changes, in R tolerance^(1/5)
-constexpr double growth_reach = 1.0;   // longest step, in relative stress change / tolerance^(1/5)
-constexpr double memory_price = 5.0;   // stress error per error of h, in |stress rate| R
+constexpr double error_safety = 10.0;
+constexpr double heun_safety = 0.5;  // pessimistic for steps far below R
+constexpr double third_order_safety = 4.0;
+constexpr double start_reach = 3.0;
+constexpr double growth_reach = 0.7;  // longest step, in relative stress change / tolerance^(1/5)
 constexpr double slowest_rate =
     10.0;  // of relative stress change per strain that is told from none
 constexpr double smallest_fraction = 1e-13;
+
+// What the call may add to the error: the tolerance times the share of the stress it changes, so that errors
+// over many small increments sum to what one large increment is allowed. rate: |dT/ds| over the stress scale.
+template <class Plain>
+GRIT_INLINE Plain allowed_error(const Control& control, const Plain& length, const Plain& rate) {
+    return control.tolerance * min(length * max(rate, Plain(slowest_rate)), Plain(1.0));
+}
 
 GRIT_KERNEL_END

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rate that is integrated: stress along a straight strain path, (H1) and (G2) per arc length.
+// The rate that is integrated: stress along a straight strain path, (H1) and (G2) per step of its course.
 #pragma once
 
 #include "umat/hypoplastic_stiffness.hpp"
@@ -15,8 +15,12 @@ template <class Real> struct StraightPath {
     Real tr_D;           // tr D_hat
     Real tau_sq;         // tau:tau
     Real u_0;            // h_0:D_hat/R
-    Real e_0;            // void ratio at the start
+    Real e_0, e_end;     // void ratio at the start and at the end
 };
+
+template <class Real> GRIT_INLINE Real void_ratio(const StraightPath<Real>& path, const Real& s) {
+    return fma(1.0 + path.e_0, exp(s * path.tr_D), Real(-1.0));  // (H9)
+}
 
 template <class Real>
 GRIT_INLINE StraightPath<Real> straight_path(const Material& m,
@@ -31,62 +35,78 @@ GRIT_INLINE StraightPath<Real> straight_path(const Material& m,
     path.tau = scaled_sum(-path.u_0, path.D_hat, h_R);
     path.tau_sq = contract(path.tau, path.tau);
     path.e_0 = e;
+    path.e_end = void_ratio(path, path.length);
     return path;
 }
 
-template <class Real> GRIT_INLINE Real void_ratio(const StraightPath<Real>& path, const Real& s) {
-    return fma(1.0 + path.e_0, exp(s * path.tr_D), Real(-1.0));  // (H9)
+// How h goes on from the start of a path.
+template <class Real>
+GRIT_INLINE Course<Real> first_course(const Material& m, const StraightPath<Real>& path) {
+    Course<Real> course{path.u_0 >= Real(0.0), {}, path.u_0, path.tau_sq};
+    const Real zero = path.u_0 * 0.0;
+    course.curve = {zero, zero, zero, zero};
+    if (any(course.loading)) course.curve = loading_curve(m, max(path.u_0, Real(0.0)), path.tau_sq);
+    return course;
 }
 
-// What is marched along a path.
-template <class Real> struct Marched {
-    Tensor<Real> T;
-    Real P;  // -ln(1 - u)
-    Real G;  // -ln g
-};
-
-template <class Real> struct InPlane {  // h/R = u D_hat + g tau
-    Real u, g;
+// What the stress rate needs at a point of a course: nothing of it depends on the stress.
+template <class Real> struct Waypoint {
+    Real ds;             // per step of the course, R J
+    Real e;              // void ratio
+    Real along, across;  // L is applied to X = along D_hat + across tau ...
+    Real flow;           // ... and N to this: M:D_hat = L:X + N flow     (G1), (G2)
 };
 
 template <class Real>
-GRIT_INLINE InPlane<Real> intergranular_strain(const Material& m, const StraightPath<Real>& path,
-                                               const Real& s, const Marched<Real>& y,
-                                               const MaskOf<Real>& loading) {
-    const Real unloading_u = fma(m.inverse_R, s, path.u_0);
-    // Beyond these limits h is saturated to the last bit, and derivatives of P and G mean nothing.
-    const Real loading_u = select(y.P > Real(36.0), Real(1.0), 1.0 - exp(-max(y.P, Real(0.0))));
-    const Real g = select(y.G > Real(80.0), Real(0.0), exp(-y.G));
-    return {select(loading, loading_u, min(unloading_u, Real(0.0))), g};
+GRIT_INLINE Waypoint<Real> waypoint(const Material& m, const MaskOf<Real>& loading,
+                                    const Mobilisation<Real>& h, const Real& e) {
+    const Interpolation<Real> k = interpolation(m, h.rho, loading);
+    const Real B_c = k.B * h.c;
+    return {m.R * h.J, e, fma(B_c, h.c, k.A), B_c * h.across, k.C * h.c};
 }
 
-// d/ds of T, P and G at arc length s. Finite for every finite T: see stress_shape, scalar_factors.
-template <class Real, bool with_intergranular_strain>
+// The basic model: L:D_hat + N     (H1)
+template <class Real> GRIT_INLINE Waypoint<Real> basic_waypoint(const Material& m, const Real& e) {
+    const Real zero = e * 0.0, one = zero + 1.0;
+    return {zero + m.R, e, one, zero, one};
+}
+
+// What is marched along a course. Functions of the pressure go with the stress: within a step they are
+// integrated like it, without a logarithm or an exponential; at its ends they are computed from it.
+template <class Real> struct Marched {
+    Tensor<Real> T;
+    Compression<Real> compression;
+};
+
+template <class Real> GRIT_INLINE Marched<Real> marched(const Material& m, const Tensor<Real>& T) {
+    return {T, compression(m, trace(T) * (-1.0 / 3.0))};
+}
+
+template <class Real>
+GRIT_INLINE Marched<Real> select(const MaskOf<Real>& mask, const Marched<Real>& yes,
+                                 const Marched<Real>& no) {
+    return {select(mask, yes.T, no.T),
+            {select(mask, yes.compression.x, no.compression.x),
+             select(mask, yes.compression.expansion, no.compression.expansion)}};
+}
+
+// d/dq of it. Finite for every finite T: see stress_shape, scalar_factors.
+template <class Real, bool igs>
 inline __attribute__((noinline)) Marched<Real>
-marched_rate(const Material& m, const StraightPath<Real>& path, const Real& s,
-             const Marched<Real>& y, const MaskOf<Real>& loading) {
+course_rate(const Material& m, const StraightPath<Real>& path, const Waypoint<Real>& at,
+            const Marched<Real>& y) {
     const StressShape<Real> shape = stress_shape(m, y.T);
-    const Real p = trace(y.T) * (-1.0 / 3.0);
-    const ScalarFactors<Real> f = scalar_factors(m, p, void_ratio(path, s));
+    // Of a stage that overshoots to no pressure; the step is rejected.
+    const Compression<Real> k{max(y.compression.x, Real(1e-8)),
+                              max(y.compression.expansion, Real(1.0))};
+    ScalarFactors<Real> f = scalar_factors(m, trace(y.T) * (-1.0 / 3.0), k, at.e);
+    f.f_s = f.f_s * at.ds;
+    Tensor<Real> X = path.D_hat;
+    if constexpr (igs) X = scaled_sum(at.across, path.tau, scaled(path.D_hat, at.along));
     Marched<Real> rate;
-    if constexpr (with_intergranular_strain) {
-        const InPlane<Real> h = intergranular_strain(m, path, s, y, loading);
-        const Mobilisation<Real> mob = mobilisation(h.u, h.g, path.tau_sq);
-        const Interpolation<Real> k = interpolation(m, mob.log_rho, loading);
-        // M:D_hat = L:(A D_hat + B c h_hat) + N C c, h_hat = (u D_hat + g tau)/rho     (G1), (G2)
-        const Real B_c = k.B * mob.c;
-        const Real along = fma(B_c, mob.c, k.A);
-        const Real across = B_c * h.g / sqrt(mob.rho_sq);
-        const Tensor<Real> X = scaled_sum(across, path.tau, scaled(path.D_hat, along));
-        rate.T = apply_stiffness(m, shape, f, X, k.C * mob.c);
-        const MobilisationRate<Real> h_rate = mobilisation_rate(m, mob, h.u, loading);
-        rate.P = h_rate.P;
-        rate.G = h_rate.G;
-    } else {
-        rate.T = apply_stiffness(m, shape, f, path.D_hat, Real(1.0));  // (H1)
-        rate.P = Real(0.0);
-        rate.G = Real(0.0);
-    }
+    rate.T = apply_stiffness(m, shape, f, X, at.flow);
+    rate.compression.x = k.x * (m.n * (trace(rate.T) * shape.inverse_trace));
+    rate.compression.expansion = k.expansion * rate.compression.x;
     return rate;
 }
 

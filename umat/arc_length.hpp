@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The arc length that a course of the intergranular strain takes, ds = R J dq, and back.
+#pragma once
+
+#include "umat/intergranular_strain.hpp"
+
+GRIT_KERNEL_BEGIN
+
+// Gauss & Legendre, four points: order 8, above that of the integration.
+constexpr int gauss_points = 4;
+constexpr double gauss_x[] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813,
+                              0.93056815579702629};
+constexpr double gauss_w[] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
+                              0.17392742256872693};
+
+// Mean of J over [q, q + dq].
+template <class Real>
+GRIT_INLINE Real mean_J(const Material& m, const Course<Real>& course, const Real& q,
+                        const Real& dq) {
+    Real sum = gauss_w[0] * mobilisation(m, course, fma(Real(gauss_x[0]), dq, q)).J;
+    for (int i = 1; i < gauss_points; ++i)
+        sum = fma(Real(gauss_w[i]), mobilisation(m, course, fma(Real(gauss_x[i]), dq, q)).J, sum);
+    return sum;
+}
+
+// The points of one path at once, with the bits of the loop above.
+GRIT_INLINE double mean_J(const Material& m, const Course<double>& course, const double& q,
+                          const double& dq) {
+    using Points = Pack<gauss_points>;
+    const LoadingCurve<double>& c = course.curve;
+    const Course<Points> all{true,
+                             {Points(c.E_sq), Points(c.across), Points(c.y), Points(c.kappa)},
+                             Points(course.u_0),
+                             Points(course.tau_sq)};
+    Points at;
+    for (int i = 0; i < gauss_points; ++i) at.set(i, fma(gauss_x[i], dq, q));
+    const Points J = mobilisation(m, all, at).J;
+    double sum = gauss_w[0] * J[0];
+    for (int i = 1; i < gauss_points; ++i) sum = fma(gauss_w[i], J[i], sum);
+    return sum;
+}
+
+template <class Plain>
+GRIT_INLINE MaskOf<Plain> needs_panels(const Plain& rho, const Plain& size, double finest) {
+    return (rho < 0.25 * size) & (size > Plain(finest));
+}
+
+// Near h = 0, J changes as rho^beta_r: panels that shrink towards the start of the step, down to the finest
+// length that is asked for.
+template <class Real>
+GRIT_INLINE Real arc_length(const Material& m, const Course<Real>& course, const Real& q,
+                            const Real& dq, const PlainOf<Real>& rho, double finest) {
+    if (!any(course.loading)) return m.R * dq;
+    using Plain = PlainOf<Real>;
+    Real panel = dq, coarse = dq * mean_J(m, course, q, dq), length = coarse;
+    for (;;) {
+        const Plain size = value(panel);
+        const MaskOf<Real> sharp = course.loading & needs_panels(rho, size, finest);
+        if (!any(sharp)) break;
+        const Real first = 0.25 * panel;
+        const Real rest = panel - first;
+        const Real near = first * mean_J(m, course, q, first);
+        const Real fine = fma(rest, mean_J(m, course, q + first, rest), near);
+        length = select(sharp, length + (fine - coarse), length);
+        panel = first;
+        coarse = near;
+    }
+    return m.R * select(course.loading, length, dq);
+}
+
+// dq for an arc length ds, to second order.
+template <class Real>
+GRIT_INLINE Real predicted_course(const Material& m, const Real& J, const Real& J_growth,
+                                  const Real& ds) {
+    const Real first = m.inverse_R * ds / J;
+    const Real bend = max(fma(2.0 * J_growth, first, Real(1.0)), Real(0.1));
+    return 2.0 * first / (1.0 + sqrt(bend));
+}
+
+GRIT_KERNEL_END

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Error-controlled integration of the stress along a segment of a strain path: docs/adr/0001. A derivative
+// carried through differentiates the ends of the steps and replays those that were accepted.
+#pragma once
+
+#include "umat/cone.hpp"
+#include "umat/runge_kutta.hpp"
+#include "umat/segment.hpp"
+
+GRIT_KERNEL_BEGIN
+
+template <class Real>
+GRIT_INLINE MaskOf<Real> is_affordable(const Control& control, const Integrated<Real>& so_far,
+                                       double evaluations) {
+    return so_far.evaluations + evaluations <=
+           PlainOf<Real>(static_cast<double>(control.evaluation_limit));
+}
+
+// One point, or one per lane, on its way along a segment. Masks say which lanes an action is for; what
+// the other lanes hold is never changed.
+template <class Real, bool igs> class Integrator {
+    using Plain = PlainOf<Real>;
+    using Mask = MaskOf<Real>;
+
+  public:
+    // The lanes "where", from the start of the segment; out goes on.
+    Integrator(const Material& material, const Control& limits, const StraightPath<Real>& along,
+               const Segment<Real>& start, const Mask& where, const Plain& allowed_here,
+               const Plain& advised, Integrated<Real>& result)
+        : m(material), control(limits), path(along), seg(start), allowed(allowed_here),
+          advised_step(advised), out(result), k1(start.rate), ds(start.ds), active(where) {
+        out.y = select<Real>(active, start.y, out.y);
+        out.h = select<Real>(active, start.h, out.h);
+        out.s = select(active, start.s, out.s);
+        const Real zero = path.length * 0.0;
+        from = {zero, zero + 1.0, start.s, start.e};
+        step = Plain(0.0);
+        needs_rate = Mask(false);
+    }
+
+    void run() {
+        while (any(active)) {
+            left = seg.end - out.s;
+            stress_scale = max(seg.stress_scale, norm(value(out.y.T)));
+            if (any(active & needs_rate)) evaluate_rate(active & needs_rate);
+            give_up(active & !affordable(6.0));
+            if (!any(active)) break;
+            choose_step();
+            attempt();
+            judge();
+            advance();
+        }
+    }
+
+  private:
+    void evaluate_rate(const Mask& needed) {
+        give_up(needed & !affordable(1.0));
+        const Mask here = needed & active;
+        Waypoint<Real> at;
+        from.e = select(here, void_ratio(path, from.s), from.e);
+        if constexpr (igs) {
+            const Mobilisation<Real> h = mobilisation(m, seg.course, from.q, from.decay);
+            at = waypoint(m, seg.course.loading, h, from.e);
+            out.h = select<Real>(here, h, out.h);
+        } else {
+            at = basic_waypoint(m, from.e);
+        }
+        ds = select(here, at.ds, ds);
+        out.y = select<Real>(here, marched(m, out.y.T), out.y);
+        k1 = select<Real>(here, course_rate<Real, igs>(m, path, at, out.y), k1);
+        count(here, 1.0);
+    }
+
+    void choose_step() {
+        const Plain relative_rate = norm(value(k1.T)) / stress_scale;  // per q
+        const Real all = predicted_course(m, out.h.J, out.h.J_growth, left);
+        choose_length(relative_rate, value(all));
+        dq = select(to_end, all, Real(step));
+        find_course();
+        if constexpr (igs) meet_end_of_segment();
+    }
+
+    void choose_length(const Plain& relative_rate, const Plain& all) {
+        const Plain none(0.0), least(1e-30);
+        const Mask starting = active & (step <= none);
+        if (any(starting)) {
+            const Plain change_of_h = 0.2 * value(out.h.J) * memory_here();
+            const Plain first = control.reach / max(change_of_h + 0.5 * relative_rate, least);
+            const Plain advised = advised_step / value(ds);
+            step = select(starting, select(advised > none, advised, first), step);
+            if constexpr (igs)
+                if (any(starting & seg.course.loading))
+                    step = select(starting & seg.course.loading, min(step, gentle_start()), step);
+        }
+        const Plain longest = growth_reach * control.reach / max(relative_rate, least);
+        const Plain smooth = 2.0 / max(fabs(value(out.h.J_growth)), least);  // e-folds of J
+        step = select(active, min(step, min(longest, smooth)), step);
+        // The last two steps of a segment are made equal.
+        to_end = step >= 0.95 * all;
+        step = select(active & !to_end & (2.0 * step > all), 0.5 * all, step);
+    }
+
+    Plain memory_here() const {
+        if constexpr (igs) return memory_of(out.h, seg.course.loading);
+        return Plain(0.0);
+    }
+
+    // Rates have no derivative where h = 0: rho^chi (G1). Steps grow from the one whose error is within
+    // what is allowed, or with rho itself.
+    Plain gentle_start() const {
+        const double order = m.chi < 1.0 + m.beta_r ? 1.0 + m.chi : 2.0 + m.beta_r;
+        const Plain rate = m.R * norm(value(k1.T)) / stress_scale / value(ds);
+        const Plain error = allowed / (error_safety * max(rate, Plain(1e-30)));
+        const Plain smooth = rough_root(max(error, Plain(1e-30)), order);
+        return max(start_reach * smooth, 3.0 * value(out.h.rho));
+    }
+
+    // A step to the end of the segment ends there by Newton's method from the prediction; but no farther
+    // than the step that was meant.
+    void meet_end_of_segment() {
+        Mask open = active & to_end & seg.course.loading;
+        for (int i = 0; i < 8; ++i) {
+            const Real excess = course.arc - left;
+            open = open & (fabs(value(excess)) > control.tolerated_excess() * value(left));
+            if (!any(open)) break;
+            dq = select(open, dq - excess / course.at_end().ds, dq);
+            find_course();
+        }
+        const Mask beyond = active & to_end & !(value(dq) <= 1.1 * step);
+        if (any(beyond)) {
+            dq = select(beyond, Real(step), dq);
+            to_end = to_end & !beyond;
+            find_course();
+        }
+    }
+
+    void find_course() {
+        if constexpr (!igs) {
+            course = basic_step_course<DormandPrinceNodes>(m, path, from, dq);
+            return;
+        }
+        course = step_course<DormandPrinceNodes>(m, path, seg.course, from, out.h.J, dq);
+        const Plain rho = value(out.h.rho);
+        const double finest = control.finest_panel();
+        const Mask sharp =
+            active & seg.course.loading & needs_panels<Plain>(rho, value(dq), finest);
+        if (any(sharp))
+            course.arc =
+                select(sharp, arc_length(m, seg.course, from.q, dq, rho, finest), course.arc);
+    }
+
+    void attempt() {
+        arc = select(to_end, left, course.arc);
+        const StepContext<Real> c{m, path, dq, arc, stress_scale};
+        trial = dormand_prince_step<Real, igs>(c, out.y, ds, course.at, k1);
+        count(active, 6.0);
+    }
+
+    // Accepted, separating or rejected. Comparisons are written so that a NaN is a rejection.
+    void judge() {
+        const Plain p_open(opening_pressure(m));
+        const Plain p_0 = trace(value(out.y.T)) * (-1.0 / 3.0);
+        const Plain p_1 = trace(value(trial.y.T)) * (-1.0 / 3.0);
+        const Mask good = trial.error <= allowed;
+        above = (p_1 >= p_open) | ((p_1 >= p_0) & (p_1 > Plain(0.0)));
+        accepted = active & good & above;
+        // Falling below the opening pressure: the point separates, from close above it only.
+        const Mask close = (p_0 <= 2.0 * p_open) & (trace(value(k1.T)) > Plain(0.0));
+        separating = active & good & !above & (p_1 < p_0) & close;
+        rejected = active & !(accepted | separating);
+        if (any(separating)) separate();
+    }
+
+    void separate() {
+        const Real here = trace(out.y.T) * (-1.0 / 3.0);
+        const Real there = trace(trial.y.T) * (-1.0 / 3.0);
+        const Real part = (here - opening_pressure(m)) / (here - there);
+        const Real at = fma(min(max(part, Real(0.0)), Real(1.0)), arc, out.s);
+        out.separation_at = select(separating, at, out.separation_at);
+        out.separated = out.separated | separating;
+    }
+
+    void advance() {
+        const Plain zero(0.0);
+        const Plain one(1.0);
+        out.y = select<Real>(accepted, trial.y, out.y);
+        out.s = select(accepted, select(to_end, seg.end, out.s + arc), out.s);
+        out.h = select<Real>(accepted, course.end, out.h);
+        from.q = select(accepted, from.q + dq, from.q);
+        from.decay = select(accepted, course.end_decay, from.decay);
+        from.s = out.s;
+        from.e = select(accepted, (1.0 + from.e) * exp_small(arc * path.tr_D) - 1.0, from.e);
+        ds = select(accepted, course.at_end().ds, ds);
+        k1 = select<Real>(accepted, trial.rate, k1);
+        const Mask projected = back_into_cone(out.y.T, accepted);
+        out.outside_cone = out.outside_cone | projected;
+        out.error = out.error + select(accepted, trial.error, zero);
+        out.substeps = out.substeps + select(accepted | separating, one, zero);
+
+        const Mask ended = accepted & to_end;
+        out.h_late = select(ended, value(left) - value(course.arc), out.h_late);
+        if (control.next_step_wanted || any(active & !(ended | separating))) adapt_step();
+        give_up(rejected & (step * value(ds) < smallest_fraction * value(path.length)));
+        active = active & !(separating | ended);
+        needs_rate = projected;
+    }
+
+    void adapt_step() {
+        const Plain ratio = allowed / max(trial.error, 1e-30 * allowed);
+        Plain factor = 0.9 * rough_root(max(ratio, Plain(1e-30)), 5.0);
+        factor = min(max(factor, Plain(0.2)), Plain(8.0));
+        const Plain largest = select(above, Plain(0.9), Plain(0.5));
+        factor = select(rejected, min(factor, largest), factor);
+        factor = select(trial.error <= Plain(1e300), factor, Plain(0.2));
+        step = select(active, value(dq) * factor, step);
+        out.next_step = select(active, step * value(ds), out.next_step);
+    }
+
+    void give_up(const Mask& failed) {
+        out.failed = out.failed | failed;
+        out.progress = select(failed, value(out.s) / value(path.length), out.progress);
+        active = active & !failed;
+    }
+
+    Mask affordable(double evaluations) const { return is_affordable(control, out, evaluations); }
+
+    void count(const Mask& where, double evaluations) {
+        out.evaluations = out.evaluations + select(where, Plain(evaluations), Plain(0.0));
+    }
+
+    const Material& m;
+    const Control& control;
+    const StraightPath<Real>& path;
+    const Segment<Real>& seg;
+    const Plain allowed;  // error of the call, of the stress norm
+    const Plain advised_step;
+
+    Integrated<Real>& out;
+    Position<Real> from;
+    Marched<Real> k1;  // rate at the current position
+    Real ds;           // per step of the course, there
+    Plain step;        // next dq to try
+    Mask active;
+    Mask needs_rate;
+
+    // of the current attempt
+    Real left, dq, arc;
+    StepCourse<Real, DormandPrinceNodes> course;
+    Plain stress_scale;
+    Mask to_end, accepted, separating, rejected, above;
+    Trial<Real> trial;
+};
+
+GRIT_KERNEL_END

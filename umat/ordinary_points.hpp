@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Ordinary points: nothing to turn, to scale back, to close or to refuse. They need no decisions one by one,
+// so that they are read, checked and written as packs; every other point goes through point.hpp.
+#pragma once
+
+#include "umat/finish.hpp"
+
+GRIT_KERNEL_BEGIN
+
+// Where the points of a pack lie in the host's arrays.
+template <class Real> struct Places {
+    std::ptrdiff_t at[NumberTraits<Real>::lanes];
+    int count;  // lanes in use; the others repeat a point
+};
+
+GRIT_INLINE void set_lane(double& x, int, double value) { x = value; }
+template <int W> GRIT_INLINE void set_lane(Pack<W>& x, int lane, double value) {
+    x.set(lane, value);
+}
+GRIT_INLINE double lane_of(double x, int) { return x; }
+template <int W> GRIT_INLINE double lane_of(const Pack<W>& x, int lane) { return x[lane]; }
+GRIT_INLINE bool lane_of(bool x, int) { return x; }
+template <int W> GRIT_INLINE bool lane_of(const PackMask<W>& x, int lane) { return x[lane]; }
+
+template <class Real, class View>
+GRIT_INLINE Real read(const View& view, const Places<Real>& places, int component) {
+    Real x;
+    for (int lane = 0; lane < NumberTraits<Real>::lanes; ++lane)
+        set_lane(x, lane,
+                 element(view.base, view.point_stride, view.component_stride, places.at[lane],
+                         component));
+    return x;
+}
+
+template <class Real, class View>
+GRIT_INLINE void write(const View& view, const Places<Real>& places, int component, const Real& x,
+                       const MaskOf<Real>& where) {
+    for (int lane = 0; lane < NumberTraits<Real>::lanes; ++lane)
+        if (lane_of(where, lane))
+            view.base[places.at[lane] * view.point_stride + component * view.component_stride] =
+                lane_of(x, lane);
+}
+
+template <class Real> GRIT_INLINE MaskOf<Real> only_lane(int lane) {
+    Real x(0.0);
+    set_lane(x, lane, 1.0);
+    return x > Real(0.5);
+}
+
+// Whether Q is anything but the identity.
+GRIT_INLINE bool turns(const grit_view& Q, std::ptrdiff_t at) {
+    bool same = true;
+    for (int c = 0; c < 9; ++c)
+        same = same && element(Q.base, Q.point_stride, Q.component_stride, at, c) ==
+                           (c % 4 == 0 ? 1.0 : 0.0);
+    return !same;
+}
+
+template <class Real> struct OrdinaryPoints {
+    Tensor<Real> T, h, strain_increment;  // T shifted by p_t
+    Real e, advised_step;
+    MaskOf<Real> ordinary;
+};
+
+template <class Real>
+GRIT_INLINE OrdinaryPoints<Real>
+read_ordinary(const Material& m, bool igs, const grit_sand_points& q, const Places<Real>& places) {
+    const int n = q.components == 0 ? 6 : q.components;
+    const Real zero(0.0);
+    OrdinaryPoints<Real> r;
+    for (int c = 0; c < 6; ++c) {
+        const double to_strain = c < 3 ? 1.0 : root_half, to_stress = c < 3 ? 1.0 : root_2;
+        r.strain_increment[c] = c < n ? to_strain * read(q.strain_increment, places, c) : zero;
+        r.T[c] = c < n ? to_stress * read(q.stress, places, c) : zero;
+        r.h[c] = to_strain * read(q.state, places, c);
+    }
+    r.e = read(q.state, places, GRIT_SAND_VOID_RATIO);
+    const Real w = read(q.state, places, GRIT_SAND_SEPARATION);
+    r.advised_step = zero;
+    const double* Q = q.rotation_increment.base;
+    r.ordinary = MaskOf<Real>(true);
+    for (int lane = 0; lane < NumberTraits<Real>::lanes; ++lane)
+        if (lane >= places.count || (Q && turns(q.rotation_increment, places.at[lane])))
+            r.ordinary = r.ordinary & !only_lane<Real>(lane);
+    if (q.substep.base)
+        for (int lane = 0; lane < NumberTraits<Real>::lanes; ++lane)
+            set_lane(r.advised_step, lane,
+                     q.substep.base[places.at[lane] * q.substep.point_stride]);
+
+    // Comparisons are written so that a NaN is not ordinary.
+    const auto within = [](const Tensor<Real>& A, double limit) {
+        return contract(A, A) <= Real(limit * limit);
+    };
+    r.ordinary = r.ordinary & within(r.T, largest_stress_per_h_s * m.h_s) &
+                 within(r.strain_increment, largest_increment) &
+                 (contract(r.strain_increment, r.strain_increment) >= Real(1e-190));
+    r.ordinary = r.ordinary & within(r.h, igs ? m.R * (1.0 + 1e-6) : 1e150);
+    if (n == 4 && igs) r.ordinary = r.ordinary & (fabs(r.h[4]) + fabs(r.h[5]) <= zero);
+    const Real opened =
+        (1.0 + r.e) * (1.0 + trace(r.strain_increment));  // a bound of 1 + e at the end
+    r.ordinary = r.ordinary & (r.e > zero) & (r.e <= Real(0.5 * largest_void_ratio)) &
+                 (opened > Real(1.0 + 1e-9)) & (w <= zero) & (w >= zero) &
+                 (r.advised_step >= zero) & (r.advised_step <= Real(1e300));
+    for (int c = 0; c < 3; ++c) r.T[c] = r.T[c] - m.p_t;  // (H10)
+    const Real pressure = trace(r.T) * (-1.0 / 3.0);
+    r.ordinary = r.ordinary & (pressure >= Real(m.p_floor)) & !outside_cone(r.T);
+    return r;
+}
+
+template <class Real>
+GRIT_INLINE void write_short_reports(const UpdateRequest& request, std::ptrdiff_t first,
+                                     const StraightPath<Real>& path,
+                                     const ShortIncrement<Real>& end, const MaskOf<Real>& done) {
+    const MaskOf<Real> clamped = void_clamped(*request.material, end.T, path.e_end);
+    for (int lane = 0; lane < NumberTraits<Real>::lanes; ++lane) {
+        if (!lane_of(done, lane)) continue;
+        const int flags = (lane_of(end.outside_cone, lane) ? GRIT_SAND_OUTSIDE_CONE : 0) |
+                          (lane_of(clamped, lane) ? GRIT_SAND_VOID_CLAMPED : 0);
+        write_report(request.reports + first + lane, flags, 1,
+                     static_cast<int>(lane_of(end.evaluations, lane)), lane_of(end.error, lane));
+    }
+}
+
+// Those of the points whose increment was short enough: says which.
+template <class Real>
+GRIT_INLINE MaskOf<Real> write_short(const UpdateRequest& request, std::ptrdiff_t first,
+                                     const Places<Real>& places, const OrdinaryPoints<Real>& x,
+                                     const StraightPath<Real>& path,
+                                     const ShortIncrement<Real>& end, const MaskOf<Real>& last) {
+    const Material& m = *request.material;
+    const grit_sand_points& q = *request.points;
+    const double limit = largest_stress_per_h_s * m.h_s - m.p_t;
+    const MaskOf<Real> done =
+        x.ordinary & end.accepted & last & (contract(end.T, end.T) <= Real(limit * limit));
+    if (!any(done)) return done;
+    const int n = q.components == 0 ? 6 : q.components;
+    for (int c = 0; c < n; ++c) {
+        const Real T = c < 3 ? end.T[c] + m.p_t : end.T[c] * root_half;  // (H10)
+        write(q.stress, places, c, T, done);
+    }
+    if (request.igs) {
+        const Tensor<Real> h = h_at_end(m, path, end.h, end.h_late);
+        for (int c = 0; c < 6; ++c) write(q.state, places, c, c < 3 ? h[c] : h[c] * root_2, done);
+    }
+    write(q.state, places, GRIT_SAND_VOID_RATIO, path.e_end, done);
+    write(q.state, places, GRIT_SAND_SEPARATION, Real(0.0), done);
+    if (q.substep.base) write(q.substep, places, 0, path.length, done);
+    if (request.reports) write_short_reports(request, first, path, end, done);
+    return done;
+}
+
+GRIT_KERNEL_END

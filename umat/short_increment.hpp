@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Heun's step over a whole segment: most increments of explicit codes are far below R and end here. What it
+// does not accept is integrated: integrate.hpp.
+#pragma once
+
+#include "umat/cone.hpp"
+#include "umat/runge_kutta.hpp"
+#include "umat/segment.hpp"
+
+GRIT_KERNEL_BEGIN
+
+template <class Real> struct ShortIncrement {
+    MaskOf<Real> accepted;  // over the segment
+    MaskOf<Real> outside_cone;
+    Tensor<Real> T;
+    Mobilisation<Real> h;
+    PlainOf<Real> h_late;  // see Integrated
+    PlainOf<Real> error, evaluations;
+};
+
+template <class Real, bool igs> class ShortSegment {
+    using Plain = PlainOf<Real>;
+    using Mask = MaskOf<Real>;
+
+  public:
+    ShortSegment(const Material& material, const Control& limits, const StraightPath<Real>& along,
+                 const Segment<Real>& segment, const Plain& allowed_here)
+        : m(material), control(limits), path(along), start(segment), allowed(allowed_here),
+          arc(segment.end - segment.s) {}
+
+    // "spent": evaluations of an attempt that is known to have failed, or 0.
+    ShortIncrement<Real> run(const Plain& spent) {
+        const Mask fresh = spent <= Plain(0.0);
+        r.accepted = r.outside_cone = Mask(false);
+        r.evaluations = select(fresh, Plain(1.0), spent);
+        if (!any(fresh)) return r;
+        const Plain length = value(arc);
+        // Stiffness changes by up to m_R chi (1 - rho): more than h itself where rho is near 1.
+        change = Plain(0.0);
+        if constexpr (igs)
+            change = min(m.m_R * m.chi * memory_of(start.h, start.course.loading), Plain(1.0)) *
+                     (m.inverse_R * length);
+        const Plain growth = start.relative_rate / value(start.ds) * length;
+        const Plain second = 0.1 * growth * square(growth + change);
+        const Plain third = 0.02 * growth * square(growth + change) * (growth + change);
+        Mask smooth = fresh;
+        if constexpr (igs)
+            if (m.chi < 2.0)
+                smooth = fresh & !(start.course.loading & (value(start.h.rho) < change));
+        const Mask heun = smooth & (heun_safety * second <= allowed);
+        const Mask third_order = smooth & (third_order_safety * third <= allowed);
+        if (!any(heun | third_order)) return r;
+        dq = arc * m.inverse_R;
+        if constexpr (igs) dq = predicted_course(m, start.h.J, start.h.J_growth, arc);
+        if (any(heun)) try_heun(heun);
+        const Mask again =
+            third_order & !r.accepted &
+            (r.evaluations + 2.0 <= Plain(static_cast<double>(control.evaluation_limit)));
+        if (any(again)) try_third_order(again);
+        r.outside_cone = back_into_cone(r.T, r.accepted);
+        return r;
+    }
+
+  private:
+    void try_heun(const Mask& where) {
+        Waypoint<Real> end;
+        Mobilisation<Real> h = start.h;
+        Real dq_here = dq;
+        if constexpr (igs) {
+            dq_here = course_of_segment(where);
+            h = mobilisation(m, start.course, dq_here);
+            end = waypoint(m, start.course.loading, h, start.e_end);
+        } else {
+            end = basic_waypoint(m, start.e_end);
+        }
+        const StepContext<Real> c{m, path, dq_here, arc, start.stress_scale};
+        judge(where, heun_step<Real, igs>(c, start.y, start.ds, end, start.rate, change), h,
+              Plain(0.0), 1.0);
+    }
+
+    // Newton's method from the prediction, which is good enough where J hardly changes.
+    Real course_of_segment(const Mask& where) const {
+        constexpr double tolerated_bend = 0.02, tolerated_length = 0.05;
+        Real dq_here = dq;
+        const Plain bend = fabs(value(start.h.J_growth)) * value(dq);
+        const Plain rho = value(start.h.rho);
+        Mask open = where & start.course.loading &
+                    ((bend > Plain(tolerated_bend)) | (value(dq) > Plain(tolerated_length)) |
+                     (rho < 4.0 * value(dq)));
+        for (int i = 0; i < 8 && any(open); ++i) {
+            const Real excess =
+                arc_length(m, start.course, dq * 0.0, dq_here, rho, control.finest_panel()) - arc;
+            const Real slope = m.R * mobilisation(m, start.course, dq_here).J;
+            dq_here = select(open, dq_here - excess / slope, dq_here);
+            open = open & (fabs(value(excess)) > control.tolerated_excess() * value(arc));
+        }
+        return dq_here;
+    }
+
+    void try_third_order(const Mask& where) {
+        using Nodes = ThirdOrderNodes;
+        StepCourse<Real, Nodes> course;
+        const Position<Real> from{dq * 0.0, Real(1.0), start.s, start.e};
+        if constexpr (igs) {
+            course = step_course<Nodes>(m, path, start.course, from, start.h.J, dq);
+            Mask open = where & start.course.loading;
+            for (int i = 0; i < 4; ++i) {
+                const Real excess = course.arc - arc;
+                open = open & (fabs(value(excess)) > control.tolerated_excess() * value(arc));
+                if (!any(open)) break;
+                dq = select(open, dq - excess / course.at_end().ds, dq);
+                course = step_course<Nodes>(m, path, start.course, from, start.h.J, dq);
+            }
+        } else {
+            course = basic_step_course<Nodes>(m, path, from, dq);
+        }
+        const StepContext<Real> c{m, path, dq, arc, start.stress_scale};
+        judge(where,
+              third_order_step<Real, igs>(c, start.y, start.ds, course.at, start.rate, change),
+              course.end, value(arc) - value(course.arc), 2.0);
+    }
+
+    void judge(const Mask& where, const Trial<Real>& trial, const Mobilisation<Real>& h,
+               const Plain& late, double evaluations) {
+        const Plain p_0 = trace(value(start.y.T)) * (-1.0 / 3.0);
+        const Plain p_1 = trace(value(trial.y.T)) * (-1.0 / 3.0);
+        const Mask above =
+            (p_1 >= Plain(opening_pressure(m))) | ((p_1 >= p_0) & (p_1 > Plain(0.0)));
+        const Mask here = where & (trial.error <= allowed) & above;
+        r.accepted = r.accepted | here;
+        r.T = select(here, trial.y.T, r.T);
+        r.h = select<Real>(here, h, r.h);
+        r.h_late = select(here, late, r.h_late);
+        r.error = select(here, trial.error, r.error);
+        r.evaluations = r.evaluations + select(where, Plain(evaluations), Plain(0.0));
+    }
+
+    const Material& m;
+    const Control& control;
+    const StraightPath<Real>& path;
+    const Segment<Real>& start;
+    const Plain& allowed;
+    const Real arc;
+    Real dq;
+    Plain change;  // of the stiffness over the segment, relative
+    ShortIncrement<Real> r;
+};
+
+template <class Real, bool igs>
+inline ShortIncrement<Real>
+short_increment(const Material& m, const Control& control, const StraightPath<Real>& path,
+                const Segment<Real>& start, const PlainOf<Real>& allowed,
+                const PlainOf<Real>& spent) {
+    return ShortSegment<Real, igs>(m, control, path, start, allowed).run(spent);
+}
+
+GRIT_KERNEL_END
