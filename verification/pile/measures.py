@@ -15,7 +15,7 @@ RADIUS, DIAMETER = 0.15, 0.3  # of the pile [m]
 CELL = 0.034125  # the smallest one [m]
 PEAK = 0.05  # of a blow, after its begin [s]
 BIN = 0.05  # edge of the squares that stresses and void ratios are averaged over [m]
-SURFACE = 0.0  # level of the sand at the start [m]
+SURFACE, EMBEDDED = 0.0, -0.5  # levels of the sand and of the tip at the start [m]
 VOID_RATIO_CHANGE = 0.01  # that counts as densified or dilated
 
 
@@ -121,10 +121,11 @@ def reach_of_stress(run, level):
 
 
 def shaft_gaps(run, index):
-    """Between shaft and sand in strips of a cell's height, from a cell above the tip to the surface [m]."""
+    """Between shaft and sand in strips of a cell's height, from a cell above the tip to where it stood at the start [m];
+    negative where particles' corners reach into the pile."""
     pile, sand = run.frame(index, "pile"), run.frame(index)
     tip = level_of_tip(run, index)
-    count = max(0, int((SURFACE - tip - CELL) / CELL))
+    count = max(0, int((EMBEDDED - tip - CELL) / CELL))
     outer, inner = [-math.inf] * count, [math.inf] * count
     for body, best, pick in ((pile, outer, max), (sand, inner, min)):
         for q in body.corners:
