@@ -148,7 +148,7 @@ def draw_radial_stress(runs, to):
 
 def depth_rows(run):
     h = run.history
-    return [f"{t:.4f} {d:.5f}" for t, d in zip(h["t"], h["depth"])]
+    return [f"{t:.4f} {d:.5f}" for t, d in list(zip(h["t"], h["depth"]))[::3]]
 
 
 def draw_penetration(name, pair, to, close_up):
@@ -164,11 +164,11 @@ def draw_penetration(name, pair, to, close_up):
     t0, t1 = t[first[0]], t[last[1]]
     near = [d for _, _, run in pair for s, d in zip(run.history["t"], run.history["depth"]) if t0 <= s <= t1]
     end = max(run.history["t"][-1] for _, _, run in pair)
-    gnuplot(data + "set multiplot layout 1,2 margins 0.09,0.97,0.14,0.9 spacing 0.12\nset key bottom left samplen 2\n"
+    gnuplot(data + "set multiplot layout 1,2 margins 0.11,0.97,0.14,0.9 spacing 0.11\nset key bottom left samplen 2\n"
             "set grid lc rgb '#dddddd'; set xlabel 'time [s]'; set ylabel 'penetration since the start [m]'\n"
             f"set xrange [0:{end:.2f}]; set yrange [0:*] reverse\nset title 'Self-weight and blows'\n"
             "plot " + ", ".join(plots) + "\n"
-            f"unset key; set xrange [{t0}:{t1}]; set yrange [{min(near):.3f}:{max(near) + 0.01:.3f}] reverse\n"
+            f"unset key; set xrange [{t0}:{t1}]; set yrange [{max(near) + 0.01:.3f}:{min(near) - 0.01:.3f}] noreverse\n"
             f"set title 'Blows {close_up[0]} to {close_up[1]}'\nunset ylabel\nplot " + ", ".join(plots) + "\nunset multiplot",
             to / f"{name}.svg", 900, 420)
 

@@ -5,6 +5,7 @@ Per run: sets, momentum identity, energy balance, cost; and the measures of the 
 import argparse
 import math
 import pathlib
+import re
 import statistics
 import sys
 
@@ -200,10 +201,29 @@ def report_runs(runs):
         rows.append([run.name, f"{own:.3f}", str(len(each)), f"{1e3 * mean(each):.1f}", f"{h['depth'][-1]:.3f}",
                      f"{peak:.1f}", f"{100 * worst / peak:.1e}", f"{100 * drift:.0e}",
                      f"{100 * abs(e['residual']) / (e['hammer'] + e['weight']):.0e}",
-                     f"{h['step'][-1]:.0f}", f"{rate:.2e}", f"{h.particles / rate * 1e3 if rate else math.nan:.2f}",
+                     f"{h['step'][-1]:.0f}", f"{rate:.2e}", f"{h['step'][-1] * h.particles / rate / h['t'][-1] if rate else math.nan:.0f}",
                      "stopped early" if h.stopped else "end"])
     table(["run", "self-weight [m]", "blows", "mean set [mm]", "final depth [m]", "peak R [kN]", "identity [% of peak]",
-           "impulse [%]", "energy residual [% of work]", "steps", "particle-steps/s", "ms/step", "reached"], rows)
+           "impulse [%]", "energy residual [% of work]", "steps", "particle-steps/s", "s per simulated s", "reached"], rows)
+
+
+def report_sensitivity(runs, reference):
+    """What five blows do, beside those of the reference."""
+    def row(run):
+        own, each, rebound = sets(run.history)
+        peak = max((run.history["tip_force"][i] + run.history["shaft_force"][i]
+                    for i in range(run.history.drive(), run.history.blows()[min(4, len(each) - 1)][1])), default=math.nan)
+        return own, sum(each[:5]), mean(rebound[:5]), peak
+
+    base = row(reference)
+    rows = []
+    for run in [reference, *runs]:
+        if len(run.history.blows()) < 5:
+            continue
+        own, driven, back, peak = row(run)
+        rows.append([run.name, f"{own:.3f}", f"{1e3 * driven:.0f}", f"{100 * (driven / base[1] - 1):+.0f}",
+                     f"{100 * ((own + driven) / (base[0] + base[1]) - 1):+.0f}", f"{1e3 * back:.2f}", f"{peak:.0f}"])
+    table(["run", "self-weight [m]", "five blows [mm]", "change [%]", "of the depth [%]", "rebound [mm]", "peak R [kN]"], rows)
 
 
 def report_energies(runs):
@@ -214,6 +234,8 @@ def report_energies(runs):
 
 def report_claims(runs):
     by_name = {run.name: run for run in runs}
+    if not runs:
+        return
     rows = []
     for run in runs:
         own, each, rebound = sets(run.history)
@@ -226,12 +248,12 @@ def report_claims(runs):
         dense, loose = void_ratio_extents(run)
         _, parts = run.cost()
         rows.append([run.name, f"{mean(peaks):.0f}", f"{max(peaks):.0f}", f"{mean(reach):.2f} ({level:.0f} kPa)",
-                     f"{1e3 * mean(rebound):.2f}", f"{1e3 * mean(gaps):.1f}", f"{1e3 * max(gaps, default=0):.1f}",
+                     f"{1e3 * mean(rebound):.2f}", f"{1e3 * statistics.median(gaps or [math.nan]):.1f}", f"{1e3 * max(gaps, default=0):.1f}",
                      f"{1e3 * tip_gap(run, -1):.1f}", f"{flattening(each):.2f}", f"{dense:.2f}", f"{loose:.2f}",
                      f"{parts.get('contact', math.nan):.0f}", str(run.penalty_vertices())])
         run.forget()
     table(["run", "P1 sigma_rr, mean of blows [kPa]", "largest", "reach below tip [m]", "P2 rebound [mm]",
-           "P3 gap at shaft, mean [mm]", "largest", "at tip", "P4 last/first sets", "P5 denser [D]", "looser at tip [D]",
+           "P3 gap at shaft, median [mm]", "largest", "at tip", "P4 last/first sets", "P5 denser [D]", "looser at tip [D]",
            "P6 contact [% of time]", "line elements"], rows)
 
 
@@ -247,7 +269,11 @@ def main():
             raise Unusable(f"{options.results}: no results")
         report_runs(runs)
         report_energies(runs)
-        report_claims(runs)
+        compared = [run for run in runs if re.fullmatch(r"(dense|loose)_(gca|fca|pca)(_gated)?", run.name)]
+        report_claims(compared)
+        reference = next((run for run in compared if run.name == "dense_gca"), None)
+        if reference:
+            report_sensitivity([run for run in runs if run not in compared], reference)
     except Unusable as problem:
         sys.exit(f"measures.py: {problem}")
 
