@@ -200,8 +200,9 @@ def draw_void_ratio(runs, to):
     values = [a - b for a, b in zip(last["void_ratio"], start["void_ratio"])]
     tip = level_of_tip(run, len(run.files) - 1)
     window = (-1.8, 1.8, tip - 1.2, 0.5)
+    most = 0.05 * math.ceil(20.0 * sorted(abs(v) for v in values)[int(0.99 * len(values))])
     text, plot = field("e", run, -1, values, window, (1.0, -1.0))
-    gnuplot(text + f"unset key; set pm3d map corners2color c1\n{PALETTES['change']}\nset cbrange [-0.15:0.15]\n"
+    gnuplot(text + f"unset key; set pm3d map corners2color c1\n{PALETTES['change']}\nset cbrange [{-most}:{most}]\n"
             "set colorbox user origin screen 0.86,0.12 size screen 0.025,0.8; set cblabel 'change of void ratio [-]' offset 1,0\n"
             + panel(window, (0.12, 0.82, 0.12, 0.92), "Loose sand, Geo-contact, end of the drive") + plot,
             to / "void_ratio.png", 640, 680)
