@@ -200,7 +200,8 @@ def draw_void_ratio(runs, to):
     values = [a - b for a, b in zip(last["void_ratio"], start["void_ratio"])]
     tip = level_of_tip(run, len(run.files) - 1)
     window = (-1.8, 1.8, tip - 1.2, 0.5)
-    most = 0.05 * math.ceil(20.0 * sorted(abs(v) for v in values)[int(0.99 * len(values))])
+    loaded = sorted(abs(v) for v, s in zip(values, last["stress_zz"]) if s < 0.0)
+    most = 0.05 * math.ceil(20.0 * loaded[int(0.98 * len(loaded))])  # not of the sand that flies about
     text, plot = field("e", run, -1, values, window, (1.0, -1.0))
     gnuplot(text + f"unset key; set pm3d map corners2color c1\n{PALETTES['change']}\nset cbrange [{-most}:{most}]\n"
             "set colorbox user origin screen 0.86,0.12 size screen 0.025,0.8; set cblabel 'change of void ratio [-]' offset 1,0\n"
