@@ -50,8 +50,8 @@ std::vector<std::string> history_comments(const grit::mpm::Runner& runner) {
                 "hammer: tractions on it, downwards; base: reaction of the grid's bottom, upwards",
                 whole),
             "stored_energy is the work that stresses took since the start, driven_stored_energy "
-            "that in the "
-            "driven body; external_work includes traction_work; losses count down from the "
+            "what the driven body holds now; external_work includes traction_work; losses count "
+            "down from the "
             "work done; energy_residual = kinetic (less that of the start) + stored + contact + "
             "damping + viscosity + absorbed + transfer - external - rigid; transfer includes pic; "
             "residual_share: "

@@ -66,7 +66,6 @@ Runner::Runner(Case given, BuiltCase ready) : plan(std::move(given)), built(std:
     check_interval("history.interval_s", plan.history.interval);
     state_now.stage_time = built.clock->began;
     state_now.start_level = level();
-    driven_stored_0 = stored_energy(*built.simulation, driven);
     begin_stage();
 }
 
@@ -272,7 +271,7 @@ HistoryRow Runner::look() {
     out.base_force = per_time * state_now.impulse[3];
     const Energy energy = simulation.energy();
     out.energy = times(energy, whole);
-    out.driven_stored = whole * (stored_energy(simulation, driven) - driven_stored_0);
+    out.driven_stored = whole * stored_energy(simulation, driven);
     const double turned = turned_over(energy, least_energy);
     out.residual_share = turned > 0.0 ? energy.residual() / turned : 0.0;
     out.dt = state_now.last_dt;

@@ -59,9 +59,9 @@ def energies(history):
     """Terms of the balance at the end [J], each as it was summed up by the run."""
     last = {name: values[-1] for name, values in history.columns.items()}
     weight = last["external_work"] - last["traction_work"]
-    sand = last["stored_energy"] - last["driven_stored_energy"]
+    pile = last["driven_stored_energy"] - history["driven_stored_energy"][0]
     return {"hammer": last["traction_work"], "weight": weight, "kinetic": last["kinetic_energy"],
-            "pile": last["driven_stored_energy"], "sand": sand, "contact": last["contact_loss"],
+            "pile": pile, "sand": last["stored_energy"] - pile, "contact": last["contact_loss"],
             "damping": last["damping_loss"], "transfer": last["transfer_loss"],
             "residual": last["energy_residual"]}
 
