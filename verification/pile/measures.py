@@ -248,15 +248,16 @@ def report_claims(runs):
         level = 0.1 * max(stress_peaks(fca))
         reach = reach_of_stress(run, level)
         gaps, to_any = shaft_gaps(run, -1), shaft_gaps(run, -1, all_sand=True)
+        tip_gaps = [tip_gap(run, index) for index in peak_frames(run)]
         dense, loose = void_ratio_extents(run)
         _, parts = run.cost()
         rows.append([run.name, f"{mean(peaks):.0f}", f"{max(peaks):.0f}", f"{mean(reach):.2f} ({level:.0f} kPa)",
                      f"{1e3 * mean(rebound):.2f}", *(f"{1e3 * statistics.median(g or [math.nan]):.1f}" for g in (gaps, to_any)),
-                     f"{1e3 * tip_gap(run, -1):.1f}", f"{flattening(each):.2f}", f"{dense:.2f}", f"{loose:.2f}",
+                     f"{1e3 * mean(tip_gaps):.1f}", f"{flattening(each):.2f}", f"{dense:.2f}", f"{loose:.2f}",
                      f"{parts.get('contact', math.nan):.0f}", str(run.penalty_vertices())])
         run.forget()
     table(["run", "P1 sigma_rr, mean of blows [kPa]", "largest", "reach below tip [m]", "P2 rebound [mm]",
-           "P3 gap at shaft, median [mm]", "to any particle", "at tip", "P4 last/first sets", "P5 denser [D]", "looser at tip [D]",
+           "P3 gap at shaft, median [mm]", "to any particle", "at the tip, mean of peaks", "P4 last/first sets", "P5 denser [D]", "looser at tip [D]",
            "P6 contact [% of time]", "line elements"], rows)
 
 
