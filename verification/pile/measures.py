@@ -17,6 +17,7 @@ CELL = 0.034125  # the smallest one [m]
 PEAK = 0.05  # of a blow, after its begin [s]
 BIN = 0.05  # edge of the squares that stresses and void ratios are averaged over [m]
 SURFACE, EMBEDDED = 0.0, -0.5  # levels of the sand and of the tip at the start [m]
+CARRIES = 1.0  # stress of sand that supports a shaft, a tenth of that at rest in its middle [kPa]
 VOID_RATIO_CHANGE = 0.01  # that counts as densified or dilated
 
 
@@ -123,7 +124,8 @@ def reach_of_stress(run, level):
 
 def carrying(frame):
     """Particles with stress: not those that lie loose in a gap."""
-    return [q for q, s_rr, s_zz in zip(frame.corners, frame["stress_rr"], frame["stress_zz"]) if s_rr < 0.0 and s_zz < 0.0]
+    return [q for q, s_rr, s_zz in zip(frame.corners, frame["stress_rr"], frame["stress_zz"])
+            if s_rr < -CARRIES and s_zz < -CARRIES]
 
 
 def shaft_gaps(run, index, all_sand=False):
