@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -28,6 +29,8 @@ void check_place(const TomlTable& table, const std::string& key, const std::vect
     }
 }
 
+constexpr int most_per_cell = 16;  // particles along a direction
+
 Outline read_outline(TomlTable table, bool box, const Case& plan) {
     const std::vector<double> r = table.numbers("r_m", box ? 2 : 0);
     const std::vector<double> z = table.numbers("z_m", box ? 2 : r.size());
@@ -48,6 +51,9 @@ Outline read_outline(TomlTable table, bool box, const Case& plan) {
                                           table.full("r_m"), r.size()));
         for (std::size_t i = 0; i < r.size(); ++i) out.corners.push_back({r[i], z[i]});
     }
+    for (const auto& [key, count] : {std::pair{"particles_per_cell_r", &out.particles_r},
+                                     std::pair{"particles_per_cell_z", &out.particles_z}})
+        if (table.has(key)) *count = table.integer_or(key, 1, 1, most_per_cell);
     table.finish();
     return out;
 }
@@ -190,8 +196,8 @@ BodyPlan read_body(TomlTable table, const Case& plan) {
     if (out.outlines.empty())
         table.fail("",
                    fmt::format("{0} needs a [[body.box]] or a [[body.polygon]]", table.full("")));
-    out.particles_r = table.integer_or("particles_per_cell_r", 2, 1, 16);
-    out.particles_z = table.integer_or("particles_per_cell_z", 2, 1, 16);
+    out.particles_r = table.integer_or("particles_per_cell_r", 2, 1, most_per_cell);
+    out.particles_z = table.integer_or("particles_per_cell_z", 2, 1, most_per_cell);
     read_material(table, out);
     read_density(table, out);
     if (auto rest = table.table_if("stress_at_rest"))

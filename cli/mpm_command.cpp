@@ -40,6 +40,25 @@ Runner prepare(const MpmRequest& request, const MpmCaseFile& file) {
     }
 }
 
+// What the steps since the program began cost, and the elements that contact takes.
+void tell_cost(Runner& runner) {
+    Simulation& simulation = runner.simulation();
+    const Seconds spent = simulation.seconds();
+    const double total = spent.total();
+    if (!(total > 0.0)) return;
+    const double done = static_cast<double>(spent.steps) * static_cast<double>(runner.particles());
+    const auto share = [total](double part) { return 100.0 * part / total; };
+    fmt::print("{}: {:.3g} particle-steps/s; scatter {:.0f} %, nodes {:.0f} %, contact {:.0f} %, "
+               "material {:.0f} %, rest of gather {:.0f} %\n",
+               runner.description().name, done / total, share(spent.scatter), share(spent.nodes),
+               share(spent.contact), share(spent.material), share(spent.gather - spent.material));
+    for (std::size_t i = 0; i < simulation.penalty_contact_count(); ++i) {
+        const PenaltyPair& pair = simulation.penalty_contact(i);
+        fmt::print("{}: {} and {} vertices of penalty lines\n", runner.description().name,
+                   pair.vertices(0).size() / 2, pair.vertices(1).size() / 2);
+    }
+}
+
 ExitCode convert(const MpmRequest& request, const Case& plan) {
     try {
         write_lammps_files(plan, request.to_lammps);
@@ -75,10 +94,11 @@ ExitCode run_mpm(const MpmRequest& request) {
     const std::string failure = run.go();
     if (!failure.empty()) fmt::print(stderr, "grit: {}: {}\n", plan.name, failure);
     if (!request.no_plot) run.draw();
-    if (!request.quiet)
-        fmt::print("{}: {} particles, {} steps, t = {:.4g} s, {:.1f} s of computing -> {}\n",
-                   plan.name, runner.particles(), runner.simulation().steps(),
-                   runner.simulation().time(), run.seconds(), options.history.string());
+    if (request.quiet) return failure.empty() ? ok : failed_computation;
+    fmt::print("{}: {} particles, {} steps, t = {:.4g} s, {:.1f} s of computing -> {}\n", plan.name,
+               runner.particles(), runner.simulation().steps(), runner.simulation().time(),
+               run.seconds(), options.history.string());
+    tell_cost(runner);
     return failure.empty() ? ok : failed_computation;
 }
 

@@ -23,7 +23,8 @@ inline constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 // A polygon; its corners may go round either way. A box is one of four corners.
 struct Outline {
-    std::vector<Vector> corners;  // [m]
+    std::vector<Vector> corners;           // [m]
+    int particles_r = 0, particles_z = 0;  // per cell along r and z; 0: as many as in the body
 };
 
 struct ElasticPlan {

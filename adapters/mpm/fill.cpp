@@ -78,8 +78,10 @@ Particles fill(const BodyPlan& body, const Axis& r, const Axis& z, bool axisymme
         const Outline& outline = body.outlines[k];
         const auto before = body.outlines.begin();
         const Bounds b = bounds_of(outline);
-        const std::vector<Interval> along_r = cut(r, b.r0, b.r1, body.particles_r);
-        for (const Interval& j : cut(z, b.z0, b.z1, body.particles_z))
+        const int per_cell_r = outline.particles_r > 0 ? outline.particles_r : body.particles_r;
+        const int per_cell_z = outline.particles_z > 0 ? outline.particles_z : body.particles_z;
+        const std::vector<Interval> along_r = cut(r, b.r0, b.r1, per_cell_r);
+        for (const Interval& j : cut(z, b.z0, b.z1, per_cell_z))
             for (const Interval& i : along_r) {
                 const auto here = [&](const Outline& o) { return inside(o, i.centre, j.centre); };
                 if (!here(outline)) continue;

@@ -41,6 +41,16 @@ Vector mean_velocity(Simulation& simulation, std::size_t body) {
     return {sums[1].value() / sums[0].value(), sums[2].value() / sums[0].value()};
 }
 
+double stored_energy(Simulation& simulation, std::size_t body) {
+    Body& of = simulation.body(body);
+    const bool fixed_point = simulation.current_settings().fixed_point;
+    std::array<Total, 1> sum;
+    for (std::ptrdiff_t p = 0; p < of.particles.size() && !of.rigid(); ++p)
+        sum[0].add(of.material->energy(of.particles.view(), p), fixed_point);
+    simulation.shared().sum(sum, fixed_point);
+    return sum[0].value();
+}
+
 double base_reaction(const Simulation& simulation) {
     const Settings& settings = simulation.current_settings();
     const std::uint8_t* mine = simulation.shared().counted();
@@ -109,6 +119,14 @@ ContactForces contact_forces(const Simulation& simulation, std::size_t body) {
         out.shaft.z += faces.along_r.z;
     }
     return out;
+}
+
+Energy times(const Energy& e, double factor) {
+    return {factor * e.kinetic,    factor * e.stored,        factor * e.kinetic_0,
+            factor * e.stored_0,   factor * e.external_work, factor * e.traction_work,
+            factor * e.rigid_work, factor * e.contact,       factor * e.damping,
+            factor * e.viscosity,  factor * e.absorbed,      factor * e.transfer,
+            factor * e.pic};
 }
 
 double turned_over(const Energy& e, double least) {

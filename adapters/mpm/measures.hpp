@@ -14,6 +14,8 @@ namespace grit::mpm {
 double level_of(Simulation& simulation, std::size_t body, DepthOf what);
 // Of the centre of mass [m/s].
 Vector mean_velocity(Simulation& simulation, std::size_t body);
+// Stored in a body, or taken by its stress [J]; 0 if it is rigid.
+double stored_energy(Simulation& simulation, std::size_t body);
 
 // Upward force of the bottom of the grid on all bodies in the last step [N]: what keeps its nodes from
 // moving down, weight and all.
@@ -32,6 +34,8 @@ struct ContactForces {
 };
 ContactForces contact_forces(const Simulation& simulation, std::size_t body);
 
+// Each of its terms times a factor.
+Energy times(const Energy& energy, double factor);
 // The largest term of the balance so far, no less than least [J].
 double turned_over(const Energy& energy, double least);
 

@@ -22,13 +22,6 @@ constexpr double least_strain = 1e-4;
 // Of the time that a wave needs for a cell: no steps are that short [-].
 constexpr double least_share = 1e-6;
 
-Energy times(const Energy& e, double factor) {
-    return {factor * e.kinetic,  factor * e.stored,        factor * e.kinetic_0,
-            factor * e.stored_0, factor * e.external_work, factor * e.rigid_work,
-            factor * e.contact,  factor * e.damping,       factor * e.viscosity,
-            factor * e.absorbed, factor * e.transfer,      factor * e.pic};
-}
-
 // The traction whose pulses a stage counts: one that begins with it, else the one that began last. Null:
 // there is none.
 const TractionPlan* counted_by(const Case& plan, std::size_t stage) {
@@ -77,7 +70,7 @@ Runner::Runner(Case given, BuiltCase ready) : plan(std::move(given)), built(std:
 }
 
 void Runner::measure_bodies() {
-    enum { weight, stiffness, count };
+    enum { weight, stiffness, mass, count };
     const bool fixed_point = plan.settings.fixed_point;
     std::array<Total, count> sums;
     double fastest = 0.0;
@@ -90,11 +83,13 @@ void Runner::measure_bodies() {
             body.material->wave_moduli({q, p, p + 1}, &modulus);
             sums[weight].add(plan.gravity * q[column::mass][p], fixed_point);
             sums[stiffness].add(modulus * q[column::V0][p], fixed_point);
+            if (i == driven) sums[mass].add(q[column::mass][p], fixed_point);
             fastest = std::max(fastest, modulus * q[column::V0][p] / q[column::mass][p]);
         }
     }
     built.simulation->shared().sum(sums, fixed_point);
     built.simulation->shared().max(&fastest, 1);
+    mass_of_driven = whole * sums[mass].value();
     const double cell = built.simulation->shortest_cell();
     wave_time = fastest > 0.0 ? cell / std::sqrt(fastest) : 0.0;
     least_energy = std::max(sums[weight].value() * cell,
@@ -276,6 +271,7 @@ HistoryRow Runner::look() {
     out.base_force = per_time * state_now.impulse[3];
     const Energy energy = simulation.energy();
     out.energy = times(energy, whole);
+    out.driven_stored = whole * stored_energy(simulation, driven);
     const double turned = turned_over(energy, least_energy);
     out.residual_share = turned > 0.0 ? energy.residual() / turned : 0.0;
     out.dt = state_now.last_dt;

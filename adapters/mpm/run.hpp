@@ -21,6 +21,7 @@ struct HistoryRow {
     // or up and where it faces sideways; of tractions on it, downwards; of the bottom, upwards.
     double tip_force = 0.0, shaft_force = 0.0, hammer_force = 0.0, base_force = 0.0;
     Energy energy;                // [J]
+    double driven_stored = 0.0;   // now in the driven body [J]
     double residual_share = 0.0;  // of the energy turned over [-]
     double dt = 0.0;              // of the last step [s]
     double largest_gap = 0.0;     // between bodies at a node of both [m]; NaN: not measured
@@ -70,6 +71,8 @@ class Runner {
     const Case& description() const { return plan; }
     Simulation& simulation() { return *built.simulation; }
     std::ptrdiff_t particles() const { return particle_count; }
+    // Of the whole driven body [kg]; 0 if it is rigid.
+    double driven_mass() const { return mass_of_driven; }
     int blow() const;
     // Of the driven body since the start [m].
     double depth() { return state_now.start_level - level(); }
@@ -105,7 +108,8 @@ class Runner {
     double whole = 1.0;  // of a radian or of a metre
     // What matters at the least [J]: the weight sunk by a cell, or all bodies strained by 1e-4.
     double least_energy = 0.0;
-    double wave_time = 0.0;  // the least that a wave needs for a cell at the start [s]
+    double mass_of_driven = 0.0;  // whole [kg]
+    double wave_time = 0.0;       // the least that a wave needs for a cell at the start [s]
     bool due = true;
     Ended how = Ended::not_yet;
     RunState state_now;

@@ -47,6 +47,7 @@ struct Energy {
     double kinetic = 0.0, stored = 0.0;      // now
     double kinetic_0 = 0.0, stored_0 = 0.0;  // at the start
     double external_work = 0.0;  // tractions, body forces, held forces of absorbing sides
+    double traction_work = 0.0;  // that of tractions alone
     double rigid_work = 0.0;     // of bodies with prescribed motion, by contact
     double contact = 0.0;        // taken in contact, leapfrog value
     double damping = 0.0;        // local damping

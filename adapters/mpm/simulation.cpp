@@ -95,6 +95,7 @@ std::size_t Simulation::add_body(Body body) {
     part.gather_sums.resize(strips);
     part.speed.resize(strips);
     part.viscous_loss.resize(strips);
+    part.material_seconds.resize(strips);
     part.most_stress.resize(strips);
     part.node_sums.resize(strips);
     part.increments.resize(strips);
@@ -169,6 +170,7 @@ void Simulation::start() {
 
 void Simulation::step() {
     if (!started) start();
+    Stopwatch watch;
     // Strips allow a row; one more step moves less than the other half.
     if (drift > 0.5 * z_axis.shortest()) sort();
     clear();
@@ -180,16 +182,22 @@ void Simulation::step() {
     } else {
         scatter(part::all);
     }
+    watch.lap(spent.scatter);
     push_contacts();
+    watch.lap(spent.contact);
     keep_internal_forces();
     load();
     // What has just been touched is stiff already. With stress first, the step has begun.
     if (settings.scheme != Scheme::usf) dt = std::min(dt, stable_step());
     advance();
     push_absorbing();
+    watch.lap(spent.nodes);
     correct_contacts();
+    watch.lap(spent.contact);
     close();
+    watch.lap(spent.nodes);
     move_contacts();
+    watch.lap(spent.contact);
     if (settings.scheme == Scheme::musl) {
         gather(task::velocity, dt);
         remap();
@@ -201,7 +209,17 @@ void Simulation::step() {
     }
     t += dt;
     ++step_count;
+    ++spent.steps;
     account();
+    watch.lap(spent.gather);
+}
+
+Seconds Simulation::seconds() const {
+    Seconds out = spent;
+    for (const Part& part : parts)
+        for (const double of_strip : part.material_seconds)
+            out.material += of_strip / settings.threads;
+    return out;
 }
 
 Energy Simulation::energy() {

@@ -14,6 +14,7 @@
 #include "adapters/mpm/kernel/strips.hpp"
 #include "adapters/mpm/penalty_pair.hpp"
 #include "adapters/mpm/settings.hpp"
+#include "adapters/mpm/stopwatch.hpp"
 #include "adapters/mpm/thread_pool.hpp"
 #include "adapters/mpm/traction.hpp"
 
@@ -53,6 +54,8 @@ class Simulation {
     double time() const { return t; }
     double next_step() const { return dt; }
     long steps() const { return step_count; }
+    // Where the time of all steps since it was built went.
+    Seconds seconds() const;
 
     Body& body(std::size_t i) { return parts[i].body; }
     const std::vector<NodeRecord>& records(std::size_t body) const { return parts[body].records; }
@@ -102,12 +105,13 @@ class Simulation {
         std::vector<Deferred> deferred = {};
         std::vector<std::ptrdiff_t> by_id = {};  // particles, ids ascending
         double least_mass = 0.0;
-        std::vector<GatherSums> gather_sums = {};  // of each strip
-        std::vector<double> speed = {};            // largest v + c of each strip [m/s]
-        std::vector<Total> viscous_loss = {};      // of each strip in this step [J]
-        std::vector<double> most_stress = {};      // largest mean stress of each strip [Pa]
-        std::vector<NodeSums> node_sums = {};      // of each strip's rows
-        std::vector<Increments> increments = {};   // of each strip
+        std::vector<GatherSums> gather_sums = {};   // of each strip
+        std::vector<double> speed = {};             // largest v + c of each strip [m/s]
+        std::vector<Total> viscous_loss = {};       // of each strip in this step [J]
+        std::vector<double> material_seconds = {};  // of each strip since it was built
+        std::vector<double> most_stress = {};       // largest mean stress of each strip [Pa]
+        std::vector<NodeSums> node_sums = {};       // of each strip's rows
+        std::vector<Increments> increments = {};    // of each strip
     };
     // Rows of nodes of a strip; the last one has one more.
     struct Rows {
@@ -174,6 +178,7 @@ class Simulation {
     double largest_speed = 0.0;  // v + c [m/s]
     long step_count = 0;
     bool started = false;
+    Seconds spent;  // but what the materials took
 };
 
 }  // namespace grit::mpm

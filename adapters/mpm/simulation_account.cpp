@@ -73,7 +73,17 @@ void Simulation::find_largest() {
 
 // Sums of all strips in their order, and the next step.
 void Simulation::account() {
-    enum { lost, external_work, damping, viscosity, absorption, pic, transfer, count };
+    enum {
+        lost,
+        external_work,
+        traction_work,
+        damping,
+        viscosity,
+        absorption,
+        pic,
+        transfer,
+        count
+    };
     std::array<Total, count> step;
     for (Part& part : parts)
         for (std::size_t s = 0; s < part.speed.size(); ++s) {
@@ -87,9 +97,11 @@ void Simulation::account() {
             (((step[transfer] += n.change) -= g.kept) += g.pic_loss) += n.mapped_away;
         }
     (step[external_work] += load_work) += held_work;
+    step[traction_work] += load_work;
     step[absorption] += absorbed;
     exchange.sum(step, settings.fixed_point);
     sums.external_work += step[external_work].value();
+    sums.traction_work += step[traction_work].value();
     sums.damping += step[damping].value();
     sums.viscosity += step[viscosity].value();
     sums.absorbed += step[absorption].value();

@@ -134,9 +134,11 @@ double Simulation::update(Part& part, int strip, const Range& range) {
     const auto s = static_cast<std::size_t>(strip);
     const ParticleView& q = range.particles;
     const Material& material = *part.body.material;
+    Stopwatch watch;
     update_stress(part, range, part.increments[s]);
     double moduli[Increments::capacity], fastest = 0.0;
     material.wave_moduli(range, moduli);
+    watch.lap(part.material_seconds[s]);
     for (std::ptrdiff_t p = range.begin; p < range.end; ++p) {
         const double per_density = q[column::V0][p] * q.J(p) / q[column::mass][p];
         fastest = std::max(fastest, moduli[p - range.begin] * per_density);

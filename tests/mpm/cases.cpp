@@ -59,6 +59,18 @@ TEST(Boxes, AreFilledExactlyWhereverTheGridLinesAre) {
     }
 }
 
+TEST(Boxes, MayBeFinerThanTheirBody) {
+    const Axis r = make_axis({0.0, {{1.0, 5, 1.0}}}), z = make_axis({0.0, {{1.0, 5, 1.0}}});
+    BodyPlan body = elastic_box("body", 0.0, 0.4, 0.0, 1.0);
+    body.particles_r = body.particles_z = 1;
+    body.outlines[0].particles_r = 3;
+    body.outlines[0].particles_z = 2;
+    body.outlines.push_back(elastic_box("", 0.4, 1.0, 0.0, 1.0).outlines[0]);
+    Particles particles = fill(body, r, z, true, 0);
+    EXPECT_EQ(particles.size(), 2 * 5 * 3 * 2 + 3 * 5);
+    EXPECT_NEAR(volume(particles), 0.5, 1e-14);
+}
+
 TEST(Boxes, ThatShareAPlaceFillItOnce) {
     const Axis r = make_axis({0.0, {{1.0, 10, 1.0}}});
     const Axis& z = r;

@@ -179,6 +179,45 @@ TEST(Run, KeepsTheBalanceOfMomentumOfTheDrivenBody) {
     EXPECT_NEAR(mass * (before.velocity - start), impulse, 1e-6 * hammer);
 }
 
+TEST(Run, TellsTheWorkOfTractionsFromThatOfWeightAndWhatTheDrivenBodyHolds) {
+    Case plan = column_case();
+    const HistoryRow weight = [&plan] {
+        Runner runner(plan);
+        return run(runner);
+    }();
+    EXPECT_GT(weight.energy.external_work, 0.0);
+    EXPECT_EQ(weight.energy.traction_work, 0.0);
+    EXPECT_GT(weight.driven_stored, 0.0);
+    EXPECT_EQ(weight.driven_stored, weight.energy.stored);
+
+    plan.gravity = 0.0;
+    plan.tractions = {{.body = "column",
+                       .edge = Edge::top,
+                       .direction = {0.0, -1.0},
+                       .stress = TimeTable{{0.0}, {1e4}}}};
+    Runner runner(plan);
+    const HistoryRow load = run(runner);
+    EXPECT_GT(load.energy.traction_work, 0.0);
+    EXPECT_EQ(load.energy.traction_work, load.energy.external_work);
+}
+
+TEST(Run, FindsNothingStoredInARigidBody) {
+    Runner runner(plate_case());
+    const HistoryRow last = run(runner);
+    EXPECT_EQ(last.driven_stored, 0.0);
+    EXPECT_GT(last.energy.stored, 0.0);
+}
+
+TEST(Run, KnowsWhereTheTimeOfItsStepsWent) {
+    Runner runner(plate_case());
+    run(runner);
+    const Seconds spent = runner.simulation().seconds();
+    EXPECT_EQ(spent.steps, runner.simulation().steps());
+    for (const double part : {spent.scatter, spent.nodes, spent.contact, spent.material})
+        EXPECT_GT(part, 0.0);
+    EXPECT_LT(spent.material, spent.gather);
+}
+
 TEST(Run, StopsWhereTheEnergyBalanceBreaksAndSaysWhere) {
     Case plan = column_case();
     plan.bodies[0].velocity = {0.0, -0.1};
