@@ -34,11 +34,10 @@ GRIT_INLINE double exp2_integer(double k) {
 
 // x = m 2^k with m in [1/sqrt 2, sqrt 2): returns k, leaves m in x. x must be positive and normal.
 GRIT_INLINE double split_exponent(double& x) {
-    constexpr std::int64_t half_root = 0x3fe6a09e667f3bcdLL;  // 1/sqrt 2
-    const auto bits = std::bit_cast<std::int64_t>(x);
-    const std::int64_t shifted = bits - half_root;
-    const std::int64_t k = shifted >> 52;
-    x = std::bit_cast<double>(bits - (k << 52));
+    constexpr std::uint64_t half_root = 0x3fe6a09e667f3bcdULL;  // 1/sqrt 2
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    const std::int64_t k = static_cast<std::int64_t>(bits - half_root) >> 52;
+    x = std::bit_cast<double>(bits - (static_cast<std::uint64_t>(k) << 52));
     return static_cast<double>(k);
 }
 

@@ -139,14 +139,14 @@ template <int W> GRIT_INLINE Pack<W> exp2_integer(Pack<W> k) {
 }
 
 template <int W> GRIT_INLINE Pack<W> split_exponent(Pack<W>& x) {
-    using Bits = typename PackMask<W>::Vector;
-    const Bits bits = (Bits)x.v;
-    // Biased by 2048 octaves so that a logical shift serves where there is no 64-bit arithmetic one.
+    // Unsigned, so that lanes that are not asked for may hold anything. Biased by 2048 octaves so that a
+    // logical shift serves where there is no 64-bit arithmetic one.
     using Unsigned = typename VectorTypes<W>::Unsigned;
-    const Unsigned shifted = (Unsigned)bits - 0x3fe6a09e667f3bcdULL + (2048ULL << 52);
-    const Bits k = (Bits)(shifted >> 52);  // in [0, 4096)
-    x = Pack<W>((typename Pack<W>::Vector)(bits - ((k - 2048) << 52)));
-    const auto magic = (typename Pack<W>::Vector)(k + 0x4330000000000000LL);  // 2^52 + k
+    const Unsigned bits = (Unsigned)x.v;
+    const Unsigned shifted = bits - 0x3fe6a09e667f3bcdULL + (2048ULL << 52);
+    const Unsigned k = shifted >> 52;  // in [0, 4096)
+    x = Pack<W>((typename Pack<W>::Vector)(bits - ((k - 2048ULL) << 52)));
+    const auto magic = (typename Pack<W>::Vector)(k + 0x4330000000000000ULL);  // 2^52 + k
     return Pack<W>(magic) - Pack<W>(0x1p52 + 2048.0);
 }
 
