@@ -103,4 +103,14 @@ inline void add_exp(const std::string& when) {
     });
 }
 
+// The main of a program: its benchmarks with the yardstick before and after them.
+inline int run_beside_exp(int argc, char** argv, void (*register_all)()) {
+    add_exp("before");
+    register_all();
+    add_exp("after");
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+}
+
 }  // namespace benchmarks

@@ -33,7 +33,6 @@ void add(const std::string& name, const ColumnPlan& plan) {
 }
 
 void register_all() {
-    add_exp("before");
     constexpr int paper = 20;  // cells: 6 400 particles
     add("elastic", {paper});
     add("sand", {paper, true});
@@ -47,13 +46,8 @@ void register_all() {
         add("growth/elastic/" + std::to_string(cells), {cells});
         add("growth/sand/" + std::to_string(cells), {cells, true});
     }
-    add_exp("after");
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-    register_all();
-    benchmark::Initialize(&argc, argv);
-    benchmark::RunSpecifiedBenchmarks();
-}
+int main(int argc, char** argv) { return run_beside_exp(argc, argv, register_all); }

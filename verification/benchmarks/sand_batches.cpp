@@ -74,7 +74,6 @@ void wave_moduli(benchmark::State& state, bool together) {
 
 void register_all() {
     constexpr std::size_t many = 10000;
-    add_exp("before");
     for (const double increment : {1e-6, 1e-4, 1e-3, 1e-2}) {
         for (int isa = GRIT_ISA_BASELINE; isa <= grit_instruction_set(); ++isa)
             add("batch", {{.increment = increment, .instruction_set = isa}, many});
@@ -87,13 +86,8 @@ void register_all() {
         }
     add_benchmark("wave_moduli/alone", [](benchmark::State& s) { wave_moduli(s, false); });
     add_benchmark("wave_moduli/batch", [](benchmark::State& s) { wave_moduli(s, true); });
-    add_exp("after");
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-    register_all();
-    benchmark::Initialize(&argc, argv);
-    benchmark::RunSpecifiedBenchmarks();
-}
+int main(int argc, char** argv) { return run_beside_exp(argc, argv, register_all); }
