@@ -3,8 +3,6 @@
 // the spot. A lane never looks at its neighbours, so the result of a point does not depend on n.
 #pragma once
 
-#include <algorithm>
-
 #include "support/dual.hpp"
 #include "umat/ordinary_points.hpp"
 
@@ -54,11 +52,8 @@ class Batch {
 
     // Short increments of ordinary points end here; the other points are taken one by one.
     template <bool igs> void take_pack(std::ptrdiff_t first) {
-        Places<Lanes> places;
-        places.count = static_cast<int>(std::min<std::ptrdiff_t>(native_lanes, q.n - first));
-        for (int lane = 0; lane < native_lanes; ++lane)
-            places.at[lane] = place(first + std::min(lane, places.count - 1));
-        const OrdinaryPoints<Lanes> x = read_ordinary<Lanes>(m, igs, *q.points, places);
+        const Places<Lanes> places(q.points->index, first, q.n);
+        const OrdinaryPoints<Lanes> x = read_ordinary(q, places);
         PackMask<native_lanes> done = x.ordinary;
         Lanes spent(0.0);
         if (any(done)) {
@@ -78,8 +73,8 @@ class Batch {
     }
 
     template <bool igs> void take_alone() {
-        const Places<double> places{{place(0)}, 1};
-        const OrdinaryPoints<double> x = read_ordinary<double>(m, igs, *q.points, places);
+        const Places<double> places(q.points->index, 0, 1);
+        const OrdinaryPoints<double> x = read_ordinary(q, places);
         if (!x.ordinary) return take(0);
         const StraightPath<double> path = straight_path(m, x.strain_increment, x.h, x.e);
         const Segment<double> start = first_segment<double, igs>(m, path, x.T);

@@ -35,11 +35,11 @@ template <class Real> GRIT_INLINE Real determinant(const Tensor<Real>& A) {
 }
 
 // Q A Q^T, Q row-major.
-GRIT_INLINE Tensor<double> rotated(const double Q[9], const Tensor<double>& A) {
-    const double a[9] = {A[0], A[3] * root_half, A[4] * root_half, A[3] * root_half,
+template <class Real> GRIT_INLINE Tensor<Real> rotated(const Real Q[9], const Tensor<Real>& A) {
+    const Real a[9] = {A[0], A[3] * root_half, A[4] * root_half, A[3] * root_half,
                          A[1], A[5] * root_half, A[4] * root_half, A[5] * root_half,
                          A[2]};
-    double QA[9];
+    Real QA[9];
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
             QA[3 * i + j] = Q[3 * i] * a[j] + Q[3 * i + 1] * a[3 + j] + Q[3 * i + 2] * a[6 + j];

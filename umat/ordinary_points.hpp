@@ -1,59 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ordinary points: nothing to turn, to scale back, to close or to refuse. They need no decisions one by one,
+// Ordinary points: nothing to scale back, to close or to refuse. They need no decisions one by one,
 // so that they are read, checked and written as packs; every other point goes through point.hpp.
 #pragma once
 
 #include "umat/finish.hpp"
+#include "umat/places.hpp"
 
 GRIT_KERNEL_BEGIN
-
-// Where the points of a pack lie in the host's arrays.
-template <class Real> struct Places {
-    std::ptrdiff_t at[NumberTraits<Real>::lanes];
-    int count;  // lanes in use; the others repeat a point
-};
-
-GRIT_INLINE void set_lane(double& x, int, double value) { x = value; }
-template <int W> GRIT_INLINE void set_lane(Pack<W>& x, int lane, double value) {
-    x.set(lane, value);
-}
-GRIT_INLINE double lane_of(double x, int) { return x; }
-template <int W> GRIT_INLINE double lane_of(const Pack<W>& x, int lane) { return x[lane]; }
-GRIT_INLINE bool lane_of(bool x, int) { return x; }
-template <int W> GRIT_INLINE bool lane_of(const PackMask<W>& x, int lane) { return x[lane]; }
-
-template <class Real, class View>
-GRIT_INLINE Real read(const View& view, const Places<Real>& places, int component) {
-    Real x;
-    for (int lane = 0; lane < NumberTraits<Real>::lanes; ++lane)
-        set_lane(x, lane,
-                 element(view.base, view.point_stride, view.component_stride, places.at[lane],
-                         component));
-    return x;
-}
-
-template <class Real, class View>
-GRIT_INLINE void write(const View& view, const Places<Real>& places, int component, const Real& x,
-                       const MaskOf<Real>& where) {
-    for (int lane = 0; lane < NumberTraits<Real>::lanes; ++lane)
-        if (lane_of(where, lane))
-            view.base[places.at[lane] * view.point_stride + component * view.component_stride] =
-                lane_of(x, lane);
-}
 
 template <class Real> GRIT_INLINE MaskOf<Real> only_lane(int lane) {
     Real x(0.0);
     set_lane(x, lane, 1.0);
     return x > Real(0.5);
-}
-
-// Whether Q is anything but the identity.
-GRIT_INLINE bool turns(const grit_view& Q, std::ptrdiff_t at) {
-    bool same = true;
-    for (int c = 0; c < 9; ++c)
-        same = same && element(Q.base, Q.point_stride, Q.component_stride, at, c) ==
-                           (c % 4 == 0 ? 1.0 : 0.0);
-    return !same;
 }
 
 template <class Real> struct OrdinaryPoints {
@@ -62,9 +20,28 @@ template <class Real> struct OrdinaryPoints {
     MaskOf<Real> ordinary;
 };
 
+// What is not turned stays as it is to the last bit.
 template <class Real>
-GRIT_INLINE OrdinaryPoints<Real>
-read_ordinary(const Material& m, bool igs, const grit_sand_points& q, const Places<Real>& places) {
+GRIT_INLINE void turn(const UpdateRequest& request, const Places<Real>& places,
+                      OrdinaryPoints<Real>& r) {
+    const grit_sand_points& q = *request.points;
+    Real Q[9], off(0.0);
+    for (int c = 0; c < 9; ++c) {
+        Q[c] = read(q.rotation_increment, places, c);
+        off = off + fabs(Q[c] - (c % 4 == 0 ? 1.0 : 0.0));
+    }
+    const MaskOf<Real> stays = off <= Real(0.0);
+    r.ordinary = r.ordinary & (stays | is_rotation(Q, q.components == 4));
+    r.h = select(stays, r.h, rotated(Q, r.h));
+    if (!request.options->stress_is_rotated) r.T = select(stays, r.T, rotated(Q, r.T));
+}
+
+template <class Real>
+GRIT_INLINE OrdinaryPoints<Real> read_ordinary(const UpdateRequest& request,
+                                               const Places<Real>& places) {
+    const Material& m = *request.material;
+    const grit_sand_points& q = *request.points;
+    const bool igs = request.igs;
     const int n = q.components == 0 ? 6 : q.components;
     const Real zero(0.0);
     OrdinaryPoints<Real> r;
@@ -77,15 +54,11 @@ read_ordinary(const Material& m, bool igs, const grit_sand_points& q, const Plac
     r.e = read(q.state, places, GRIT_SAND_VOID_RATIO);
     const Real w = read(q.state, places, GRIT_SAND_SEPARATION);
     r.advised_step = zero;
-    const double* Q = q.rotation_increment.base;
     r.ordinary = MaskOf<Real>(true);
-    for (int lane = 0; lane < NumberTraits<Real>::lanes; ++lane)
-        if (lane >= places.count || (Q && turns(q.rotation_increment, places.at[lane])))
-            r.ordinary = r.ordinary & !only_lane<Real>(lane);
-    if (q.substep.base)
-        for (int lane = 0; lane < NumberTraits<Real>::lanes; ++lane)
-            set_lane(r.advised_step, lane,
-                     q.substep.base[places.at[lane] * q.substep.point_stride]);
+    for (int lane = places.count; lane < Places<Real>::lanes; ++lane)
+        r.ordinary = r.ordinary & !only_lane<Real>(lane);
+    if (q.substep.base) r.advised_step = read(q.substep, places, 0);
+    if (q.rotation_increment.base) turn(request, places, r);
 
     // Comparisons are written so that a NaN is not ordinary.
     const auto within = [](const Tensor<Real>& A, double limit) {
@@ -112,7 +85,7 @@ GRIT_INLINE void write_short_reports(const UpdateRequest& request, std::ptrdiff_
                                      const StraightPath<Real>& path,
                                      const ShortIncrement<Real>& end, const MaskOf<Real>& done) {
     const MaskOf<Real> clamped = void_clamped(*request.material, end.T, path.e_end);
-    for (int lane = 0; lane < NumberTraits<Real>::lanes; ++lane) {
+    for (int lane = 0; lane < Places<Real>::lanes; ++lane) {
         if (!lane_of(done, lane)) continue;
         const int flags = (lane_of(end.outside_cone, lane) ? GRIT_SAND_OUTSIDE_CONE : 0) |
                           (lane_of(clamped, lane) ? GRIT_SAND_VOID_CLAMPED : 0);

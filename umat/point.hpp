@@ -54,18 +54,19 @@ GRIT_INLINE bool finite(const double* x, int n) {
     return sum == 0.0;
 }
 
-inline bool is_rotation(const double Q[9], bool in_plane) {
-    double worst = 0.0;
+template <class Real> inline MaskOf<Real> is_rotation(const Real Q[9], bool in_plane) {
+    Real worst(0.0);
     for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) {
-            const double dot =
+        for (int j = 0; j <= i; ++j) {
+            const Real dot =
                 Q[3 * i] * Q[3 * j] + Q[3 * i + 1] * Q[3 * j + 1] + Q[3 * i + 2] * Q[3 * j + 2];
             worst = max(worst, fabs(dot - (i == j ? 1.0 : 0.0)));
         }
-    const double det = Q[0] * (Q[4] * Q[8] - Q[5] * Q[7]) - Q[1] * (Q[3] * Q[8] - Q[5] * Q[6]) +
-                       Q[2] * (Q[3] * Q[7] - Q[4] * Q[6]);
-    const double out_of_plane = max(max(fabs(Q[2]), fabs(Q[5])), max(fabs(Q[6]), fabs(Q[7])));
-    return worst <= 1e-8 && det > 0.0 && !(in_plane && out_of_plane > 1e-12);
+    const Real det = Q[0] * (Q[4] * Q[8] - Q[5] * Q[7]) - Q[1] * (Q[3] * Q[8] - Q[5] * Q[6]) +
+                     Q[2] * (Q[3] * Q[7] - Q[4] * Q[6]);
+    const Real out_of_plane = max(max(fabs(Q[2]), fabs(Q[5])), max(fabs(Q[6]), fabs(Q[7])));
+    const MaskOf<Real> proper = (worst <= Real(1e-8)) & (det > Real(0.0));
+    return in_plane ? proper & (out_of_plane <= Real(1e-12)) : proper;
 }
 
 inline Fault check_point(const Material& m, bool igs, int components, const RawPoint& raw) {

@@ -24,7 +24,8 @@ grit_contact_surfaces ContactPair::surfaces(std::vector<double>& of) {
 bool ContactPair::is_beside(const double* x, std::ptrdiff_t node) const {
     const double *at = &position[2 * node], *n = &normal[2 * node], *cell = &spacing[2 * node];
     const double across = n[0] * (x[1] - at[1]) - n[1] * (x[0] - at[0]);
-    return std::fabs(across) * std::hypot(n[1] / cell[0], n[0] / cell[1]) <= 0.5 + 1e-6;
+    const double per_r = n[1] / cell[0], per_z = n[0] / cell[1];
+    return across * across * (per_r * per_r + per_z * per_z) <= 0.25 + 1e-6;
 }
 
 // Adds the particles that have weight at an active node, and their corners beside one.

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <atomic>
-#include <condition_variable>
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -29,15 +28,18 @@ class ThreadPool {
     void start(int count, const void* task, Call call);
     void work();
     void serve();
+    // Returns once value is no longer what it was.
+    void wait(const std::atomic<int>& value, int was) const;
 
     std::vector<std::thread> threads;
-    std::mutex mutex;
-    std::condition_variable wake, done;
-    std::atomic<int> next{0};
-    int tasks = 0, busy = 0, generation = 0, failed_task = 0;
-    bool stopping = false;
+    int looks = 0;  // before a thread that waits goes to sleep
+    std::atomic<int> next{0}, busy{0}, generation{0};
+    std::atomic<bool> stopping{false};
+    int tasks = 0;
     const void* work_item = nullptr;
     Call work_call = nullptr;
+    std::mutex mutex;  // of what follows
+    int failed_task = 0;
     std::exception_ptr failure;
 };
 

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Components of some points between the host's arrays and the lanes of a pack. Columns of neighbouring points
+// are read and written whole, anything else lane by lane.
+#pragma once
+
+#include "support/pack.hpp"
+#include "umat/point.hpp"
+
+GRIT_KERNEL_BEGIN
+
+GRIT_INLINE void set_lane(double& x, int, double value) { x = value; }
+template <int W> GRIT_INLINE void set_lane(Pack<W>& x, int lane, double value) {
+    x.set(lane, value);
+}
+GRIT_INLINE double lane_of(double x, int) { return x; }
+template <int W> GRIT_INLINE double lane_of(const Pack<W>& x, int lane) { return x[lane]; }
+GRIT_INLINE bool lane_of(bool x, int) { return x; }
+template <int W> GRIT_INLINE bool lane_of(const PackMask<W>& x, int lane) { return x[lane]; }
+
+template <class Real> struct Places {
+    static constexpr int lanes = NumberTraits<Real>::lanes;
+    std::ptrdiff_t at[lanes];
+    int count;         // lanes in use; the others repeat a point
+    bool neighbours;  // one after the other, in all lanes
+
+    // Points first, first + 1, ... of n, or those that index has there.
+    GRIT_INLINE Places(const std::ptrdiff_t* index, std::ptrdiff_t first, std::ptrdiff_t n)
+        : count(n - first < lanes ? static_cast<int>(n - first) : lanes),
+          neighbours(lanes > 1 && count == lanes && !index) {
+        for (int lane = 0; lane < lanes; ++lane) {
+            const std::ptrdiff_t i = first + (lane < count ? lane : count - 1);
+            at[lane] = index ? index[i] : i;
+        }
+    }
+};
+
+template <class Real, class View>
+GRIT_INLINE Real read(const View& view, const Places<Real>& places, int component) {
+    Real x;
+    if (places.neighbours && view.point_stride == 1) {
+        __builtin_memcpy(&x, view.base + places.at[0] + component * view.component_stride,
+                         sizeof x);
+        return x;
+    }
+    for (int lane = 0; lane < Places<Real>::lanes; ++lane)
+        set_lane(x, lane,
+                 element(view.base, view.point_stride, view.component_stride, places.at[lane],
+                         component));
+    return x;
+}
+
+template <class Real>
+GRIT_INLINE void write(const grit_mutable_view& view, const Places<Real>& places, int component,
+                       const Real& x, const MaskOf<Real>& where) {
+    if (places.neighbours && view.point_stride == 1) {
+        const Real there = select(where, x, read(view, places, component));
+        __builtin_memcpy(view.base + places.at[0] + component * view.component_stride, &there,
+                         sizeof there);
+        return;
+    }
+    for (int lane = 0; lane < Places<Real>::lanes; ++lane)
+        if (lane_of(where, lane))
+            view.base[places.at[lane] * view.point_stride + component * view.component_stride] =
+                lane_of(x, lane);
+}
+
+GRIT_KERNEL_END
