@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Many points: those that need integration are collected until a pack is full, the others are done on
-// the spot. A lane never looks at its neighbours, so the result of a point does not depend on n.
+// Many points: ordinary ones as packs, those that need more than a short increment collected until a pack is
+// full; the others alone. A lane never looks at its neighbours: the result of a point does not depend on n.
 #pragma once
 
 #include "support/dual.hpp"
@@ -10,15 +10,14 @@ GRIT_KERNEL_BEGIN
 
 using Lanes = Pack<native_lanes>;
 
-struct Queued {
-    Point point;
-    Start<double> start;
-    std::ptrdiff_t i, at;
-    double spent;  // evaluations of a short increment that was not accepted, or 0
-};
+// Of an increment that may well be short enough for one step, in R. Where the others are integrated, the same
+// step is tried: what is right here is a matter of time alone.
+constexpr double promising_length = 0.3;
 
+// Ordinary points to be integrated.
 struct Queue {
-    Queued points[native_lanes];
+    std::ptrdiff_t points[native_lanes];
+    double spent[native_lanes];  // evaluations of a short increment that was not accepted, or 0
     int count = 0;
 };
 
@@ -31,62 +30,87 @@ class Batch {
     }
 
     UpdateOutcome run() {
-        const bool plain = q.options->tangent == GRIT_TANGENT_NONE && !q.options->validate_only;
-        if (plain && q.n == 1) {
-            q.igs ? take_alone<true>() : take_alone<false>();
-        } else if (plain) {
-            for (std::ptrdiff_t i = 0; i < q.n; i += native_lanes)
-                q.igs ? take_pack<true>(i) : take_pack<false>(i);
-        } else {
+        if (q.options->tangent == GRIT_TANGENT_CONSISTENT || q.options->validate_only)
             for (std::ptrdiff_t i = 0; i < q.n; ++i) take(i);
-        }
-        flush(turning);
-        flush(others);
+        else q.igs ? take_all<true>() : take_all<false>();
         return outcome;
     }
 
   private:
-    std::ptrdiff_t place(std::ptrdiff_t i) const {
-        return q.points->index ? q.points->index[i] : i;
+    template <bool igs> void take_all() {
+        if (q.n == 1) return take_alone<igs>();
+        for (std::ptrdiff_t i = 0; i < q.n; i += native_lanes) take_pack<igs>(i);
+        flush<igs>(turning);
+        flush<igs>(others);
     }
 
-    // Short increments of ordinary points end here; the other points are taken one by one.
+    // Short increments of ordinary points end here.
     template <bool igs> void take_pack(std::ptrdiff_t first) {
-        const Places<Lanes> places(q.points->index, first, q.n);
+        const auto places = Places<Lanes>::from(q, first);
         const OrdinaryPoints<Lanes> x = read_ordinary(q, places);
-        PackMask<native_lanes> done = x.ordinary;
+        const StraightPath<Lanes> path = straight_path(m, x.strain_increment, x.h, x.e);
+        PackMask<native_lanes> turns(false), shorter = x.ordinary;
+        if constexpr (igs) {
+            turns = turns_on_the_way(m, path);
+            shorter = shorter & !turns & (path.length <= Lanes(promising_length * m.R));
+        }
+        PackMask<native_lanes> done(false);
         Lanes spent(0.0);
-        if (any(done)) {
-            const StraightPath<Lanes> path = straight_path(m, x.strain_increment, x.h, x.e);
+        if (any(shorter)) {
             const Segment<Lanes> start = first_segment<Lanes, igs>(m, path, x.T);
             const auto end = short_increment<Lanes, igs>(m, control, path, start,
-                                                         allowed_error(control, path, start), 0.0);
-            spent = select(end.accepted, Lanes(0.0), end.evaluations);
-            done = write_short(q, first, places, x, path, end, start.last);
+                                                         allowed_error(control, path, start),
+                                                         select(shorter, Lanes(0.0), Lanes(1.0)));
+            spent = select(shorter & !end.accepted, end.evaluations, Lanes(0.0));
+            done = write_ends(q, places, x, path, end_of(path, start, end));
         }
-        for (int lane = 0; lane < places.count; ++lane)
-            if (!done[lane]) {
-                if (x.ordinary[lane])
-                    enqueue(queued(lane_of(x, lane), first + lane, places.at[lane], spent[lane]));
-                else take(first + lane);
-            }
+        for (int lane = 0; lane < places.count; ++lane) {
+            if (done[lane]) continue;
+            if (x.ordinary[lane])
+                enqueue<igs>(turns[lane] ? turning : others, places.i[lane], spent[lane]);
+            else take(places.i[lane]);
+        }
     }
 
     template <bool igs> void take_alone() {
-        const Places<double> places(q.points->index, 0, 1);
+        const auto places = Places<double>::from(q, 0);
         const OrdinaryPoints<double> x = read_ordinary(q, places);
         if (!x.ordinary) return take(0);
         const StraightPath<double> path = straight_path(m, x.strain_increment, x.h, x.e);
         const Segment<double> start = first_segment<double, igs>(m, path, x.T);
         const double allowed = allowed_error(control, path, start);
         const auto quick = short_increment<double, igs>(m, control, path, start, allowed, 0.0);
-        if (write_short(q, 0, places, x, path, quick, start.last)) return;
-        finish(queued(x, 0, places.at[0], 0.0), path,
-               integrate<double, igs>(m, control, path, start, quick, allowed, x.advised_step));
+        if (write_ends(q, places, x, path, end_of(path, start, quick))) return;
+        const auto end =
+            integrate<double, igs>(m, control, path, start, quick, allowed, x.advised_step);
+        if (!write_ends(q, places, x, path, end_of(end))) take(0);
     }
 
+    // Points of the same kind have as many segments and about as many steps.
+    template <bool igs> void enqueue(Queue& queue, std::ptrdiff_t i, double spent) {
+        queue.points[queue.count] = i;
+        queue.spent[queue.count++] = spent;
+        if (queue.count == native_lanes) flush<igs>(queue);
+    }
+
+    template <bool igs> void flush(Queue& queue) {
+        if (queue.count == 0) return;
+        const auto places = Places<Lanes>::of(q, queue.points, queue.count);
+        const OrdinaryPoints<Lanes> x = read_ordinary(q, places);
+        Lanes spent;
+        for (int lane = 0; lane < native_lanes; ++lane)
+            spent.set(lane, queue.spent[lane < queue.count ? lane : 0]);
+        const StraightPath<Lanes> path = straight_path(m, x.strain_increment, x.h, x.e);
+        const auto end = integrate<Lanes, igs>(m, control, path, x.T, x.advised_step, spent);
+        const PackMask<native_lanes> done = write_ends(q, places, x, path, end_of(end));
+        for (int lane = 0; lane < queue.count; ++lane)
+            if (!done[lane]) take(places.i[lane]);
+        queue.count = 0;
+    }
+
+    // A point that may be anything, or comes to an end that is not ordinary.
     void take(std::ptrdiff_t i) {
-        const std::ptrdiff_t at = place(i);
+        const std::ptrdiff_t at = q.points->index ? q.points->index[i] : i;
         const RawPoint raw = read_point(*q.points, at);
         const Fault fault = check_point(m, q.igs, q.points->components, raw);
         if (fault != Fault::none) return fail(i, fault, raw.strain, 0.0, 0);
@@ -99,63 +123,20 @@ class Batch {
         if (p.resting) return write_resting(q, i, at, raw, p);
         if (p.stress_free) return write_point(q, i, at, p, separated_result(q.igs, p));
         if (q.options->tangent == GRIT_TANGENT_CONSISTENT) return with_derivatives(p, i, at);
-        enqueue({p, start_of<double>(m, p, p.strain_increment), i, at, 0.0});
-    }
-
-    static Queued queued(const OrdinaryPoints<double>& x, std::ptrdiff_t i, std::ptrdiff_t at,
-                         double spent) {
-        return {{x.T, x.h, x.strain_increment, x.e, 0.0, x.advised_step, 0, false, false, false},
-                {x.T, x.h, x.strain_increment, x.e},
-                i,
-                at,
-                spent};
-    }
-
-    // Points of the same kind have as many segments and about as many steps.
-    void enqueue(const Queued& x) {
-        const bool turns = contract(x.start.h, x.start.strain_increment) < 0.0;
-        Queue& queue = turns ? turning : others;
-        queue.points[queue.count++] = x;
-        if (queue.count == native_lanes) flush(queue);
-    }
-
-    void flush(Queue& queue) {
-        if (queue.count == 1) alone(queue.points[0]);
-        else if (queue.count > 1) together(queue);
-        queue.count = 0;
+        const Start<double> start = start_of<double>(m, p, p.strain_increment);
+        const auto path = straight_path(m, start.strain_increment, start.h, start.e);
+        const auto end = integrated<double>(path, start.T, p.advised_step);
+        if (end.failed) return fail(p, i, end);
+        const PointResult r = result_of(m, q.igs, p, path, end);
+        if (!storable(m, r)) return fail(p, i, end);
+        write_point(q, i, at, p, r);
     }
 
     template <class Real>
     Integrated<Real> integrated(const StraightPath<Real>& path, const Tensor<Real>& T,
-                                const PlainOf<Real>& advised, const PlainOf<Real>& spent) const {
-        return q.igs ? integrate<Real, true>(m, control, path, T, advised, spent)
-                     : integrate<Real, false>(m, control, path, T, advised, spent);
-    }
-
-    void alone(const Queued& x) {
-        const auto path = straight_path(m, x.start.strain_increment, x.start.h, x.start.e);
-        finish(x, path, integrated<double>(path, x.start.T, x.point.advised_step, x.spent));
-    }
-
-    void together(const Queue& queue) {
-        Tensor<Lanes> dE, T, h;
-        Lanes e, advised, spent;
-        for (int lane = 0; lane < native_lanes; ++lane) {
-            const Queued& x =
-                queue.points[lane < queue.count ? lane : 0];  // idle lanes repeat the first point
-            for (int c = 0; c < 6; ++c) {
-                dE[c].set(lane, x.start.strain_increment[c]);
-                T[c].set(lane, x.start.T[c]);
-                h[c].set(lane, x.start.h[c]);
-            }
-            e.set(lane, x.start.e);
-            advised.set(lane, x.point.advised_step);
-            spent.set(lane, x.spent);
-        }
-        const StraightPath<Lanes> path = straight_path(m, dE, h, e);
-        const Integrated<Lanes> end = integrated<Lanes>(path, T, advised, spent);
-        for (int lane = 0; lane < queue.count; ++lane)
-            finish(queue.points[lane], lane_of(path, lane), lane_of(end, lane));
+                                double advised) const {
+        return q.igs ? integrate<Real, true>(m, control, path, T, advised, 0.0)
+                     : integrate<Real, false>(m, control, path, T, advised, 0.0);
     }
 
     void with_derivatives(const Point& p, std::ptrdiff_t i, std::ptrdiff_t at) {
@@ -163,34 +144,24 @@ class Batch {
         for (int c = 0; c < 6; ++c) dE[c] = Dual::variable(p.strain_increment[c], c);
         const Start<Dual> start = start_of<Dual>(m, p, dE);
         const auto path = straight_path(m, start.strain_increment, start.h, start.e);
-        const Integrated<Dual> end = integrated<Dual>(path, start.T, p.advised_step, 0.0);
-        Queued x{p,
-                 {value(start.T), value(start.h), value(start.strain_increment), start.e.v},
-                 i,
-                 at,
-                 0.0};
-        if (end.failed) return fail(x, end.progress, static_cast<int>(end.evaluations));
-        PointResult r = result_of(m, q.igs, p, plain(path), plain(end));
-        if (!storable(m, r)) return fail(x, 0.0, r.evaluations);
+        const Integrated<Dual> dual_end = integrated<Dual>(path, start.T, p.advised_step);
+        const Integrated<double> end = plain(dual_end);
+        if (end.failed) return fail(p, i, end);
+        PointResult r = result_of(m, q.igs, p, plain(path), end);
+        if (!storable(m, r)) return fail(p, i, end);
         r.has_tangent = true;
         for (int row = 0; row < 6; ++row)
-            for (int c = 0; c < 6; ++c) r.tangent.c[row][c] = end.y.T[row].d[c];
+            for (int c = 0; c < 6; ++c) r.tangent.c[row][c] = dual_end.y.T[row].d[c];
         for (const auto& row : r.tangent.c)
-            if (!finite(row, 6)) return fail(x, 0.0, r.evaluations);
+            if (!finite(row, 6)) return fail(p, i, end);
         write_point(q, i, at, p, r);
     }
 
-    void finish(const Queued& x, const StraightPath<double>& path, const Integrated<double>& end) {
-        if (end.failed) return fail(x, end.progress, static_cast<int>(end.evaluations));
-        const PointResult r = result_of(m, q.igs, x.point, path, end);
-        if (!storable(m, r)) return fail(x, 0.0, r.evaluations);
-        write_point(q, x.i, x.at, x.point, r);
-    }
-
-    void fail(const Queued& x, double progress, int evaluations) {
+    void fail(const Point& p, std::ptrdiff_t i, const Integrated<double>& end) {
         double strain[6];
-        strain_to_voigt(x.point.strain_increment, strain);
-        fail(x.i, Fault::evaluation_limit, strain, progress, evaluations);
+        strain_to_voigt(p.strain_increment, strain);
+        fail(i, Fault::evaluation_limit, strain, end.failed ? end.progress : 0.0,
+             static_cast<int>(end.evaluations));
     }
 
     void fail(std::ptrdiff_t i, Fault fault, const double strain[6], double progress,
@@ -199,72 +170,26 @@ class Batch {
         if (outcome.point < 0 || i < outcome.point) outcome = {fault, i, progress, evaluations};
     }
 
-    template <class Many, class Pick>
-    static StraightPath<double> path_with(const StraightPath<Many>& x, Pick pick) {
-        StraightPath<double> r;
-        for (int c = 0; c < 6; ++c) {
-            r.D_hat[c] = pick(x.D_hat[c]);
-            r.tau[c] = pick(x.tau[c]);
-        }
-        r.length = pick(x.length);
-        r.tr_D = pick(x.tr_D);
-        r.tau_sq = pick(x.tau_sq);
-        r.u_0 = pick(x.u_0);
-        r.e_0 = pick(x.e_0);
-        r.e_end = pick(x.e_end);
-        return r;
-    }
-
-    template <class Many, class Pick>
-    static Integrated<double> integrated_with(const Integrated<Many>& x, Pick pick) {
-        Integrated<double> r;
-        for (int c = 0; c < 6; ++c) r.y.T[c] = pick(x.y.T[c]);
-        r.s = pick(x.s);
-        r.h.rho = pick(x.h.rho);
-        r.h.c = pick(x.h.c);
-        r.h.across = pick(x.h.across);
-        r.h.rho_beta = pick(x.h.rho_beta);
-        r.h.J = r.h.J_growth = 0.0;
-        r.h_late = pick(x.h_late);
-        r.failed = pick(x.failed);
-        r.separated = pick(x.separated);
-        r.outside_cone = pick(x.outside_cone);
-        r.separation_at = pick(x.separation_at);
-        r.progress = pick(x.progress);
-        r.error = pick(x.error);
-        r.substeps = pick(x.substeps);
-        r.evaluations = pick(x.evaluations);
-        r.next_step = pick(x.next_step);
-        return r;
-    }
-
-    static OrdinaryPoints<double> lane_of(const OrdinaryPoints<Lanes>& x, int lane) {
-        OrdinaryPoints<double> r;
-        for (int c = 0; c < 6; ++c) {
-            r.T[c] = x.T[c][lane];
-            r.h[c] = x.h[c][lane];
-            r.strain_increment[c] = x.strain_increment[c][lane];
-        }
-        r.e = x.e[lane];
-        r.advised_step = x.advised_step[lane];
-        return r;
-    }
-    static StraightPath<double> lane_of(const StraightPath<Lanes>& x, int lane) {
-        return path_with(x, [lane](const auto& y) { return y[lane]; });
-    }
-    static Integrated<double> lane_of(const Integrated<Lanes>& x, int lane) {
-        return integrated_with(x, [lane](const auto& y) { return y[lane]; });
-    }
     static StraightPath<double> plain(const StraightPath<Dual>& x) {
-        return path_with(x, [](const Dual& y) { return y.v; });
+        return {value(x.D_hat), value(x.tau), x.length.v, x.tr_D.v,
+                x.tau_sq.v,     x.u_0.v,      x.e_0.v,    x.e_end.v};
     }
     static Integrated<double> plain(const Integrated<Dual>& x) {
-        struct Value {
-            double operator()(const Dual& y) const { return y.v; }
-            double operator()(double y) const { return y; }
-            bool operator()(bool y) const { return y; }
-        };
-        return integrated_with(x, Value{});
+        Integrated<double> r;
+        r.y.T = value(x.y.T);
+        r.s = x.s.v;
+        r.h = {x.h.rho.v, x.h.c.v, x.h.across.v, x.h.J.v, x.h.J_growth.v, x.h.rho_beta};
+        r.h_late = x.h_late;
+        r.failed = x.failed;
+        r.separated = x.separated;
+        r.outside_cone = x.outside_cone;
+        r.separation_at = x.separation_at.v;
+        r.progress = x.progress;
+        r.error = x.error;
+        r.substeps = x.substeps;
+        r.evaluations = x.evaluations;
+        r.next_step = x.next_step;
+        return r;
     }
 
     const UpdateRequest& q;

@@ -90,12 +90,18 @@ inline Matrix floor_tangent(const Material& m, bool igs, double e) {
     return dense_L(m, point_factors(m, isotropic(-m.p_floor), e), igs ? m.m_R : 1.0);
 }
 
+inline Matrix continuum_tangent(const Material& m, bool igs, const Tensor<double>& T,
+                                const Tensor<double>& h, double e,
+                                const Tensor<double>& strain_increment) {
+    const PointFactors k = point_factors(m, T, e);
+    if (igs) return intergranular_M(m, k, h, strain_increment);
+    return basic_M(m, k, scaled(strain_increment, 1.0 / norm(strain_increment)));
+}
+
 inline Matrix end_tangent(const Material& m, bool igs, const Point& p, const PointResult& r) {
     if (r.stress_free) return floor_tangent(m, igs, r.e);
     if (r.has_tangent) return r.tangent;
-    const PointFactors k = point_factors(m, r.T, r.e);
-    if (igs) return intergranular_M(m, k, r.h, p.strain_increment);
-    return basic_M(m, k, scaled(p.strain_increment, 1.0 / norm(p.strain_increment)));
+    return continuum_tangent(m, igs, r.T, r.h, r.e, p.strain_increment);
 }
 
 template <class Real>

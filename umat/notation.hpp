@@ -37,8 +37,8 @@ template <class Real> GRIT_INLINE Real determinant(const Tensor<Real>& A) {
 // Q A Q^T, Q row-major.
 template <class Real> GRIT_INLINE Tensor<Real> rotated(const Real Q[9], const Tensor<Real>& A) {
     const Real a[9] = {A[0], A[3] * root_half, A[4] * root_half, A[3] * root_half,
-                         A[1], A[5] * root_half, A[4] * root_half, A[5] * root_half,
-                         A[2]};
+                       A[1], A[5] * root_half, A[4] * root_half, A[5] * root_half,
+                       A[2]};
     Real QA[9];
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)

@@ -80,45 +80,88 @@ GRIT_INLINE OrdinaryPoints<Real> read_ordinary(const UpdateRequest& request,
     return r;
 }
 
+// Where a path ended, by one short increment or step by step.
+template <class Real> struct PathEnd {
+    Tensor<Real> T;
+    Mobilisation<Real> h;
+    PlainOf<Real> h_late, next_step, error, substeps, evaluations;
+    MaskOf<Real> outside_cone;
+    MaskOf<Real> reached;  // with stress
+};
+
 template <class Real>
-GRIT_INLINE void write_short_reports(const UpdateRequest& request, std::ptrdiff_t first,
-                                     const StraightPath<Real>& path,
-                                     const ShortIncrement<Real>& end, const MaskOf<Real>& done) {
+GRIT_INLINE PathEnd<Real> end_of(const StraightPath<Real>& path, const Segment<Real>& start,
+                                 const ShortIncrement<Real>& x) {
+    return {x.T,
+            x.h,
+            x.h_late,
+            path.length,
+            x.error,
+            PlainOf<Real>(1.0),
+            x.evaluations,
+            x.outside_cone,
+            MaskOf<Real>(x.accepted & start.last)};
+}
+
+template <class Real> GRIT_INLINE PathEnd<Real> end_of(const Integrated<Real>& x) {
+    return {x.y.T,
+            x.h,
+            x.h_late,
+            x.next_step,
+            x.error,
+            x.substeps,
+            x.evaluations,
+            x.outside_cone,
+            MaskOf<Real>(!(x.failed | x.separated))};
+}
+
+template <class Real>
+GRIT_INLINE void write_reports(const UpdateRequest& request, const Places<Real>& places,
+                               const StraightPath<Real>& path, const PathEnd<Real>& end,
+                               const MaskOf<Real>& done) {
     const MaskOf<Real> clamped = void_clamped(*request.material, end.T, path.e_end);
     for (int lane = 0; lane < Places<Real>::lanes; ++lane) {
         if (!lane_of(done, lane)) continue;
         const int flags = (lane_of(end.outside_cone, lane) ? GRIT_SAND_OUTSIDE_CONE : 0) |
                           (lane_of(clamped, lane) ? GRIT_SAND_VOID_CLAMPED : 0);
-        write_report(request.reports + first + lane, flags, 1,
+        write_report(request.reports + places.i[lane], flags,
+                     static_cast<int>(lane_of(end.substeps, lane)),
                      static_cast<int>(lane_of(end.evaluations, lane)), lane_of(end.error, lane));
     }
 }
 
-// Those of the points whose increment was short enough: says which.
+// Writes the ordinary points that reached their ends: says which.
 template <class Real>
-GRIT_INLINE MaskOf<Real> write_short(const UpdateRequest& request, std::ptrdiff_t first,
-                                     const Places<Real>& places, const OrdinaryPoints<Real>& x,
-                                     const StraightPath<Real>& path,
-                                     const ShortIncrement<Real>& end, const MaskOf<Real>& last) {
+GRIT_INLINE MaskOf<Real> write_ends(const UpdateRequest& request, const Places<Real>& places,
+                                    const OrdinaryPoints<Real>& x, const StraightPath<Real>& path,
+                                    const PathEnd<Real>& end) {
     const Material& m = *request.material;
     const grit_sand_points& q = *request.points;
     const double limit = largest_stress_per_h_s * m.h_s - m.p_t;
     const MaskOf<Real> done =
-        x.ordinary & end.accepted & last & (contract(end.T, end.T) <= Real(limit * limit));
+        x.ordinary & end.reached & (contract(end.T, end.T) <= Real(limit * limit));
     if (!any(done)) return done;
     const int n = q.components == 0 ? 6 : q.components;
     for (int c = 0; c < n; ++c) {
         const Real T = c < 3 ? end.T[c] + m.p_t : end.T[c] * root_half;  // (H10)
         write(q.stress, places, c, T, done);
     }
+    Tensor<Real> h = x.h;
     if (request.igs) {
-        const Tensor<Real> h = h_at_end(m, path, end.h, end.h_late);
+        h = h_at_end(m, path, end.h, end.h_late);
         for (int c = 0; c < 6; ++c) write(q.state, places, c, c < 3 ? h[c] : h[c] * root_2, done);
     }
     write(q.state, places, GRIT_SAND_VOID_RATIO, path.e_end, done);
     write(q.state, places, GRIT_SAND_SEPARATION, Real(0.0), done);
-    if (q.substep.base) write(q.substep, places, 0, path.length, done);
-    if (request.reports) write_short_reports(request, first, path, end, done);
+    if (q.substep.base) write(q.substep, places, 0, end.next_step, done);
+    if (request.reports) write_reports(request, places, path, end, done);
+    if (request.options->tangent == GRIT_TANGENT_CONTINUUM)
+        for (int lane = 0; lane < Places<Real>::lanes; ++lane)
+            if (lane_of(done, lane))
+                write_tangent(q, places.at[lane],
+                              continuum_tangent(m, request.igs, lane_of(end.T, lane),
+                                                lane_of(h, lane), lane_of(path.e_end, lane),
+                                                lane_of(x.strain_increment, lane)));
     return done;
 }
 

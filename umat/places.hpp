@@ -17,19 +17,45 @@ template <int W> GRIT_INLINE double lane_of(const Pack<W>& x, int lane) { return
 GRIT_INLINE bool lane_of(bool x, int) { return x; }
 template <int W> GRIT_INLINE bool lane_of(const PackMask<W>& x, int lane) { return x[lane]; }
 
+template <class Real> GRIT_INLINE Tensor<double> lane_of(const Tensor<Real>& A, int lane) {
+    Tensor<double> r;
+    for (int c = 0; c < 6; ++c) r[c] = lane_of(A[c], lane);
+    return r;
+}
+
 template <class Real> struct Places {
     static constexpr int lanes = NumberTraits<Real>::lanes;
-    std::ptrdiff_t at[lanes];
-    int count;         // lanes in use; the others repeat a point
-    bool neighbours;  // one after the other, in all lanes
+    std::ptrdiff_t i[lanes];   // numbers of the points in the call
+    std::ptrdiff_t at[lanes];  // and where they lie
+    int count;                 // lanes in use; the others repeat a point
+    bool neighbours;           // all lanes in use, one point after the other
 
-    // Points first, first + 1, ... of n, or those that index has there.
-    GRIT_INLINE Places(const std::ptrdiff_t* index, std::ptrdiff_t first, std::ptrdiff_t n)
-        : count(n - first < lanes ? static_cast<int>(n - first) : lanes),
-          neighbours(lanes > 1 && count == lanes && !index) {
+    // Points first, first + 1, ... of a call, as far as there are any.
+    template <class Request>
+    static GRIT_INLINE Places from(const Request& q, std::ptrdiff_t first) {
+        Places r;
+        r.count = q.n - first < lanes ? static_cast<int>(q.n - first) : lanes;
+        for (int lane = 0; lane < lanes; ++lane)
+            r.i[lane] = first + (lane < r.count ? lane : r.count - 1);
+        r.find(q.points->index);
+        return r;
+    }
+    template <class Request>
+    static GRIT_INLINE Places of(const Request& q, const std::ptrdiff_t* points, int count) {
+        Places r;
+        r.count = count;
+        for (int lane = 0; lane < lanes; ++lane) r.i[lane] = points[lane < count ? lane : 0];
+        r.find(q.points->index);
+        return r;
+    }
+
+  private:
+    Places() = default;
+    GRIT_INLINE void find(const std::ptrdiff_t* index) {
+        neighbours = lanes > 1 && count == lanes;
         for (int lane = 0; lane < lanes; ++lane) {
-            const std::ptrdiff_t i = first + (lane < count ? lane : count - 1);
-            at[lane] = index ? index[i] : i;
+            at[lane] = index ? index[i[lane]] : i[lane];
+            neighbours = neighbours && at[lane] == at[0] + lane;
         }
     }
 };

@@ -41,6 +41,17 @@ GRIT_INLINE void start_stress(const Material& m, const StraightPath<Real>& path,
     g.relative_rate = norm(value(g.rate.T)) / g.stress_scale;
 }
 
+// Arc length where unloading turns to loading, h:D_hat = 0.
+template <class Real>
+GRIT_INLINE Real reversal_of(const Material& m, const StraightPath<Real>& path) {
+    return -m.R * path.u_0;
+}
+
+template <class Real>
+GRIT_INLINE MaskOf<Real> turns_on_the_way(const Material& m, const StraightPath<Real>& path) {
+    return MaskOf<Real>((path.u_0 < Real(0.0)) & (reversal_of(m, path) < path.length));
+}
+
 template <class Real, bool igs>
 inline Segment<Real> first_segment(const Material& m, const StraightPath<Real>& path,
                                    const Tensor<Real>& T) {
@@ -54,9 +65,9 @@ inline Segment<Real> first_segment(const Material& m, const StraightPath<Real>& 
     g.course = {MaskOf<Real>(false), {zero, zero, zero, zero}, zero, zero};
     if constexpr (igs) {
         g.course = first_course(m, path);
-        const Real reversal = -m.R * path.u_0;  // arc length where h:D_hat = 0
-        g.last = g.course.loading | (reversal >= path.length);
+        g.last = !turns_on_the_way(m, path);
         if (any(!g.last)) {
+            const Real reversal = reversal_of(m, path);
             g.end = select(g.last, path.length, reversal);
             g.e_end = select(g.last, path.e_end, void_ratio(path, reversal));
         }

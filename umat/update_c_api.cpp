@@ -16,7 +16,7 @@ namespace {
 grit_sand_options default_options() {
     grit_sand_options options{};
     options.struct_size = sizeof options;
-    options.tolerance = 1e-5;
+    options.tolerance = 3e-3;
     options.evaluation_limit = 20000;
     return options;
 }

@@ -23,7 +23,7 @@ class WaveModuli {
   private:
     void pack(std::ptrdiff_t first) {
         const Material& m = *q.material;
-        const Places<Lanes> places(q.points->index, first, q.n);
+        const auto places = Places<Lanes>::from(q, first);
         const int n = q.points->components == 4 ? 4 : 6;
         const Lanes zero(0.0);
         Tensor<Lanes> T;

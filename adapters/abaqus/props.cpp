@@ -2,6 +2,7 @@
 #include "adapters/abaqus/props.hpp"
 
 #include <cmath>
+#include <cstring>
 
 #include "adapters/abaqus/complaint.hpp"
 #include "adapters/abaqus/layout.hpp"
@@ -22,9 +23,7 @@ grit_status check_angle(double phi_c, grit_error& error) {
                    other >= low && other <= high ? "?" : "");
 }
 
-}  // namespace
-
-grit_status read_props(const double* props, Material& out, grit_error& error) {
+grit_status prepare(const double* props, Material& out, grit_error& error) {
     if (const grit_status s = check_angle(props[0], error)) return s;
     double classic[GRIT_CLASSIC_NPROPS];
     if (const grit_status s = layout.classic(props, classic, error)) return s;
@@ -37,6 +36,25 @@ grit_status read_props(const double* props, Material& out, grit_error& error) {
         return failure(error, GRIT_BAD_PARAMETER, "PROPS(15) (K_w) must be >= 0 and finite, got %g",
                        out.K_w);
     return grit_sand_prepare(&parameters, &out.sand, &error);
+}
+
+struct Known {
+    bool any = false;
+    double props[GRIT_CLASSIC_NPROPS];
+    Material material;
+};
+
+}  // namespace
+
+grit_status read_props(const double* props, const Material*& out, grit_error& error) {
+    thread_local Known known;
+    out = &known.material;
+    if (known.any && std::memcmp(known.props, props, sizeof known.props) == 0) return GRIT_OK;
+    known.any = false;
+    if (const grit_status s = prepare(props, known.material, error)) return s;
+    std::memcpy(known.props, props, sizeof known.props);
+    known.any = true;
+    return GRIT_OK;
 }
 
 grit_status initial_void_ratio(const Material& material, double p, double& void_ratio,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The UMAT: one material point per call, prepared from PROPS every time.
+// The UMAT: one material point per call.
 #include <cmath>
 
 #include <grit/sand.h>
@@ -137,8 +137,9 @@ void write_tangent(const UmatArguments& call, const double tangent[36], double K
 
 grit_status run(const UmatArguments& call, grit_sand_report& report, grit_error& error) {
     if (const grit_status s = check_call(call, error)) return s;
-    Material material;
-    if (const grit_status s = read_props(call.props, material, error)) return s;
+    const Material* prepared = nullptr;
+    if (const grit_status s = read_props(call.props, prepared, error)) return s;
+    const Material& material = *prepared;
     Point start = read_point(call);
     if (const grit_status s = complete_state(material, start, error)) return s;
     Point end = start;

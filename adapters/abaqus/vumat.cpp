@@ -175,11 +175,12 @@ class Block {
 grit_status run(const VumatArguments& call, grit_error& error) {
     if (const grit_status s = check_call(call, error)) return s;
     if (const grit_status s = check_precision(call, error)) return s;
-    Material material{};
-    Block block(call, material);
-    if (const grit_status s = read_props(call.props, material, error)) {
+    const Material* material = nullptr;
+    const grit_status status = read_props(call.props, material, error);
+    Block block(call, *material);
+    if (status != GRIT_OK) {
         block.stand_still();
-        return s;
+        return status;
     }
     if (call.step_time && call.total_time && *call.step_time == 0.0 && *call.total_time == 0.0)
         block.try_elastic();

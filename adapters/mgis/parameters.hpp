@@ -4,7 +4,7 @@
 
 namespace grit::mgis {
 
-constexpr double default_tolerance = 1e-5;
+constexpr double default_tolerance = 3e-3;  // that of grit_sand_options_init
 constexpr int default_evaluation_limit = 20000;
 constexpr double default_smallest_reduction = 0.1;
 

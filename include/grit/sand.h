@@ -102,7 +102,7 @@ enum {
 
 typedef struct grit_sand_options {
     size_t struct_size;    /* set by init */
-    double tolerance;      /* of the stress, see grit_sand_update; [1e-12, 0.1], default 1e-5 */
+    double tolerance;      /* of the stress, see grit_sand_update; [1e-12, 0.1], default 3e-3 */
     int evaluation_limit;  /* of the rate per point, [2, 1000000], default 20000 */
     int intergranular_off; /* 1: basic hypoplasticity (H1), h left alone; default 0 */
     int tangent;           /* GRIT_TANGENT_..., default NONE */

@@ -53,17 +53,17 @@ void Particles::remove(std::ptrdiff_t p) {
     id.pop_back();
 }
 
+// Column by column: a second place for all of them would be half of what a particle takes.
 void Particles::permute(const std::vector<int>& order) {
-    spare.resize(data.size());
+    spare.resize(static_cast<std::size_t>(count));
     spare_id.resize(id.size());
     for (int c = 0; c < columns; ++c) {
-        const double* from = data.data() + c * stride;
-        double* to = spare.data() + c * stride;
-        for (std::ptrdiff_t p = 0; p < count; ++p) to[p] = from[order[static_cast<std::size_t>(p)]];
+        double* of_column = data.data() + c * stride;
+        for (std::size_t p = 0; p < spare.size(); ++p) spare[p] = of_column[order[p]];
+        std::copy(spare.begin(), spare.end(), of_column);
     }
     for (std::size_t p = 0; p < id.size(); ++p)
         spare_id[p] = id[static_cast<std::size_t>(order[p])];
-    data.swap(spare);
     id.swap(spare_id);
 }
 
