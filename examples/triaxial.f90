@@ -8,6 +8,7 @@ program triaxial
    real(c_double), parameter :: pressure = 100d0, axial = -0.2d0/increments  ! kPa, compression < 0
    type(grit_sand_parameters) :: parameters
    type(grit_sand) :: sand
+   type(grit_sand_options) :: options
    type(grit_error) :: error
    real(c_double) :: stress(6), state(grit_sand_state_size) = 0, strain(6) = 0, substep = 0
    integer :: i
@@ -15,6 +16,8 @@ program triaxial
    call check(grit_sand_parameters_init(parameters))
    call check(grit_sand_record_parameters(grit_sand_record_find('lausitz'), 1d0, parameters))
    call check(grit_sand_prepare(parameters, sand, error))
+   call check(grit_sand_options_init(options))
+   options%tolerance = 1d-5
    stress = [-pressure, -pressure, -pressure, 0d0, 0d0, 0d0]
    state(grit_sand_void_ratio) = 0.55d0
    call check(grit_sand_mobilise(sand, [-1d0, -1d0, -1d0, 0d0, 0d0, 0d0], 1d0, state))
@@ -37,7 +40,7 @@ contains
          trial_state = state
          advice = substep
          call check(grit_sand_update(sand, strain, trial, trial_state, tangent, substep=advice, &
-                                     error=error))
+                                     options=options, error=error))
          off = -pressure - trial(2)
          if (abs(off) <= 1d-10*norm2(trial)) exit
          strain(2:3) = strain(2:3) + off/(tangent(2, 2) + tangent(2, 3))

@@ -14,7 +14,8 @@ strain[0] = axial
 for i in range(1, increments + 1):
     for _ in range(25):
         trial, trial_state, advice = stress.copy(), state.copy(), substep.copy()
-        sand.update(strain, trial, trial_state, tangent=tangent, substep=advice)
+        sand.update(strain, trial, trial_state, tangent=tangent, substep=advice,
+                    tolerance=1e-5)
         off = -pressure - trial[1]
         if abs(off) <= 1e-10 * np.linalg.norm(trial):
             break

