@@ -48,7 +48,7 @@ template <class Real> struct Integrated {
 // Constants of the step control, calibrated so that single calls deliver what was asked: see the
 // table of docs/accuracy.md.
 constexpr double error_safety = 10.0;
-constexpr double heun_safety = 0.5;  // pessimistic for steps far below R
+constexpr double heun_safety = 0.75;  // its estimate is pessimistic for steps far below R
 constexpr double third_order_safety = 4.0;
 constexpr double start_reach = 3.0;
 constexpr double growth_reach = 0.7;  // longest step, in relative stress change / tolerance^(1/5)
