@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/abaqus/props.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -9,6 +10,9 @@
 
 namespace grit::abaqus {
 namespace {
+
+// Behind those of the classic layout, and optional.
+constexpr int tolerance_place = GRIT_CLASSIC_NPROPS, props_read = tolerance_place + 1;
 
 // phi_c in the layout's own unit: the library would speak of radians whatever PROPS are.
 grit_status check_angle(double phi_c, grit_error& error) {
@@ -35,24 +39,30 @@ grit_status prepare(const double* props, Material& out, grit_error& error) {
     if (!(out.K_w >= 0.0 && std::isfinite(out.K_w)))
         return failure(error, GRIT_BAD_PARAMETER, "PROPS(15) (K_w) must be >= 0 and finite, got %g",
                        out.K_w);
+    out.tolerance = props[tolerance_place];
+    if (out.tolerance != 0.0 && !(out.tolerance >= 1e-12 && out.tolerance <= 0.1))
+        return failure(error, GRIT_BAD_PARAMETER,
+                       "PROPS(17) (tolerance) must be 0 or in [1e-12, 0.1], got %g", out.tolerance);
     return grit_sand_prepare(&parameters, &out.sand, &error);
 }
 
 struct Known {
     bool any = false;
-    double props[GRIT_CLASSIC_NPROPS];
+    double props[props_read];
     Material material;
 };
 
 }  // namespace
 
-grit_status read_props(const double* props, const Material*& out, grit_error& error) {
+grit_status read_props(const double* props, int nprops, const Material*& out, grit_error& error) {
     thread_local Known known;
     out = &known.material;
-    if (known.any && std::memcmp(known.props, props, sizeof known.props) == 0) return GRIT_OK;
+    double given[props_read] = {};
+    std::copy_n(props, std::min(nprops, props_read), given);
+    if (known.any && std::memcmp(known.props, given, sizeof given) == 0) return GRIT_OK;
     known.any = false;
-    if (const grit_status s = prepare(props, known.material, error)) return s;
-    std::memcpy(known.props, props, sizeof known.props);
+    if (const grit_status s = prepare(given, known.material, error)) return s;
+    std::memcpy(known.props, given, sizeof given);
     known.any = true;
     return GRIT_OK;
 }

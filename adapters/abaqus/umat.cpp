@@ -90,17 +90,18 @@ bool read_rotation(const UmatArguments& call, double Q[9]) {
     return true;
 }
 
-grit_status update(const UmatArguments& call, const grit_sand& sand, Point& point,
+grit_status update(const UmatArguments& call, const Material& material, Point& point,
                    double tangent[36], grit_sand_report& report, grit_error& error) {
     grit_sand_options options;
     grit_sand_options_init(&options, sizeof options);
+    if (material.tolerance > 0.0) options.tolerance = material.tolerance;
     options.tangent = call.ddsdde ? GRIT_TANGENT_CONSISTENT : GRIT_TANGENT_NONE;
     options.stress_is_rotated = 1;  // Abaqus has rotated STRESS, but no tensor in STATEV
     double Q[9];
     grit_sand_points views = views_of(&point);
     if (read_rotation(call, Q)) views.rotation_increment = grit_view_of(Q, 9, 1);
     views.tangent = grit_mutable_matrix_view_of(tangent, 36, 6, 1);
-    return grit_sand_update(&sand, &options, 1, &views, &report, &error);
+    return grit_sand_update(&material.sand, &options, 1, &views, &report, &error);
 }
 
 void write_stress(const UmatArguments& call, const Point& start, const Point& end) {
@@ -138,13 +139,13 @@ void write_tangent(const UmatArguments& call, const double tangent[36], double K
 grit_status run(const UmatArguments& call, grit_sand_report& report, grit_error& error) {
     if (const grit_status s = check_call(call, error)) return s;
     const Material* prepared = nullptr;
-    if (const grit_status s = read_props(call.props, prepared, error)) return s;
+    if (const grit_status s = read_props(call.props, *call.nprops, prepared, error)) return s;
     const Material& material = *prepared;
     Point start = read_point(call);
     if (const grit_status s = complete_state(material, start, error)) return s;
     Point end = start;
     double tangent[36];
-    if (const grit_status s = update(call, material.sand, end, tangent, report, error)) return s;
+    if (const grit_status s = update(call, material, end, tangent, report, error)) return s;
 
     load_water(material, end);
     write_stress(call, start, end);

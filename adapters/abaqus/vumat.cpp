@@ -155,7 +155,10 @@ class Block {
         grit_error error{};
         grit_sand_points views = views_of(end);
         views.index = able;
-        grit_sand_update(&material.sand, nullptr, able_count, &views, reports, &error);
+        grit_sand_options options;
+        grit_sand_options_init(&options, sizeof options);
+        if (material.tolerance > 0.0) options.tolerance = material.tolerance;
+        grit_sand_update(&material.sand, &options, able_count, &views, reports, &error);
         for (std::ptrdiff_t r = 0; r < able_count; ++r) {
             const int k = static_cast<int>(able[r]);
             if (reports[r].status != GRIT_OK) {
@@ -176,7 +179,7 @@ grit_status run(const VumatArguments& call, grit_error& error) {
     if (const grit_status s = check_call(call, error)) return s;
     if (const grit_status s = check_precision(call, error)) return s;
     const Material* material = nullptr;
-    const grit_status status = read_props(call.props, material, error);
+    const grit_status status = read_props(call.props, *call.nprops, material, error);
     Block block(call, *material);
     if (status != GRIT_OK) {
         block.stand_still();

@@ -36,6 +36,9 @@ class Reader {
         element::GritLawOptions options;
         options.intergranular_strain =
             given.props[GRIT_CLASSIC_REVERSAL_STIFFNESS] > GRIT_CLASSIC_NO_MEMORY;
+        constexpr std::size_t tolerance = GRIT_CLASSIC_NPROPS;  // optional, as for the UMAT
+        if (given.props.size() > tolerance && given.props[tolerance] != 0.0)
+            options.tolerance = given.props[tolerance];
         try {
             out.law = std::make_shared<element::GritLaw>(parameters, options);
         } catch (const element::BadCase& error) {
