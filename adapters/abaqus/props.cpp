@@ -67,6 +67,13 @@ grit_status read_props(const double* props, int nprops, const Material*& out, gr
     return GRIT_OK;
 }
 
+grit_sand_options options_of(const Material& material) {
+    grit_sand_options options;
+    grit_sand_options_init(&options, sizeof options);
+    if (material.tolerance > 0.0) options.tolerance = material.tolerance;
+    return options;
+}
+
 grit_status initial_void_ratio(const Material& material, double p, double& void_ratio,
                                grit_error& error) {
     const grit_status status =

@@ -17,6 +17,9 @@ struct Material {
 // Compared to the last bit, for what lies at their address may change.
 grit_status read_props(const double* props, int nprops, const Material*& out, grit_error& error);
 
+// Those of the library, with the tolerance of PROPS.
+grit_sand_options options_of(const Material& material);
+
 // grit_classic_void_ratio, with words where it refuses.
 grit_status initial_void_ratio(const Material& material, double p, double& void_ratio,
                                grit_error& error);

@@ -155,9 +155,7 @@ class Block {
         grit_error error{};
         grit_sand_points views = views_of(end);
         views.index = able;
-        grit_sand_options options;
-        grit_sand_options_init(&options, sizeof options);
-        if (material.tolerance > 0.0) options.tolerance = material.tolerance;
+        const grit_sand_options options = options_of(material);
         grit_sand_update(&material.sand, &options, able_count, &views, reports, &error);
         for (std::ptrdiff_t r = 0; r < able_count; ++r) {
             const int k = static_cast<int>(able[r]);
