@@ -3,6 +3,8 @@
 // Every operation is lane-wise and IEEE, so a lane's result is that of the plain double.
 #pragma once
 
+#include <utility>
+
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif
@@ -55,9 +57,13 @@ template <int W> struct Pack {
     Vector v;
     Pack() = default;
     GRIT_INLINE Pack(Vector vector) : v(vector) {}
-    GRIT_INLINE Pack(double x) : v(Vector{} + x) {}
+    GRIT_INLINE Pack(double x) : v(each([x](int) { return x; }).v) {}
     GRIT_INLINE double operator[](int lane) const { return v[lane]; }
     GRIT_INLINE void set(int lane, double x) { v[lane] = x; }
+    // of(lane) in every lane.
+    template <class Of> static GRIT_INLINE Pack each(const Of& of) {
+        return each(of, std::make_integer_sequence<int, W>());
+    }
 
     friend GRIT_INLINE Pack operator+(Pack a, Pack b) { return a.v + b.v; }
     friend GRIT_INLINE Pack operator-(Pack a, Pack b) { return a.v - b.v; }
@@ -71,6 +77,10 @@ template <int W> struct Pack {
     friend GRIT_INLINE Mask operator>=(Pack a, Pack b) { return a.v >= b.v; }
 
   private:
+    template <class Of, int... lane>
+    static GRIT_INLINE Pack each(const Of& of, std::integer_sequence<int, lane...>) {
+        return Vector{of(lane)...};
+    }
     static GRIT_INLINE Vector fused(Vector a, Vector b, Vector c) {
 #if defined(__AVX512F__)
         if constexpr (W == 8) return (Vector)_mm512_fmadd_pd((__m512d)a, (__m512d)b, (__m512d)c);
