@@ -59,4 +59,10 @@ template <class Real> GRIT_INLINE Real max(const Real& a, const Real& b) {
 }
 template <class Real> GRIT_INLINE Real square(const Real& x) { return x * x; }
 
+// f(x), f(x, y): dual.hpp has a shorter way to their derivatives.
+template <class F, class Real> GRIT_INLINE Real chained(const F& f, const Real& x) { return f(x); }
+template <class F, class Real> GRIT_INLINE Real chained(const F& f, const Real& x, const Real& y) {
+    return f(x, y);
+}
+
 GRIT_KERNEL_END

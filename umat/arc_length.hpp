@@ -2,7 +2,7 @@
 // The arc length that a course of the intergranular strain takes, ds = R J dq, and back.
 #pragma once
 
-#include "umat/intergranular_strain.hpp"
+#include "umat/course_lanes.hpp"
 
 GRIT_KERNEL_BEGIN
 
@@ -15,29 +15,33 @@ constexpr double gauss_w[] = {0.17392742256872693, 0.32607257743127307, 0.326072
 
 // Mean of J over [q, q + dq].
 template <class Real>
-GRIT_INLINE Real mean_J(const Material& m, const Course<Real>& course, const Real& q,
-                        const Real& dq) {
+GRIT_INLINE Real mean_J_one_by_one(const Material& m, const Course<Real>& course, const Real& q,
+                                   const Real& dq) {
     Real sum = gauss_w[0] * mobilisation(m, course, fma(Real(gauss_x[0]), dq, q)).J;
     for (int i = 1; i < gauss_points; ++i)
         sum = fma(Real(gauss_w[i]), mobilisation(m, course, fma(Real(gauss_x[i]), dq, q)).J, sum);
     return sum;
 }
 
-// The points of one path at once, with the bits of the loop above.
-GRIT_INLINE double mean_J(const Material& m, const Course<double>& course, const double& q,
-                          const double& dq) {
-    using Points = Pack<gauss_points>;
-    const LoadingCurve<double>& c = course.curve;
-    const Course<Points> all{true,
-                             {Points(c.E_sq), Points(c.across), Points(c.y), Points(c.kappa)},
-                             Points(course.u_0),
-                             Points(course.tau_sq)};
-    Points at;
-    for (int i = 0; i < gauss_points; ++i) at.set(i, fma(gauss_x[i], dq, q));
-    const Points J = mobilisation(m, all, at).J;
-    double sum = gauss_w[0] * J[0];
-    for (int i = 1; i < gauss_points; ++i) sum = fma(gauss_w[i], J[i], sum);
+// The places of one point at once, with the bits of those one by one.
+template <class Real>
+GRIT_INLINE Real mean_J_in_lanes(const Material& m, const Course<Real>& course, const Real& q,
+                                 const Real& dq) {
+    using Places = Pack<gauss_points>;
+    const auto all = [](const Real& x) { return in_lanes<gauss_points>(x); };
+    const Places x = Places::each([](int i) { return gauss_x[i]; });
+    const auto J =
+        mobilisation(m, course_in_lanes<gauss_points>(course), fma(x, all(dq), all(q))).J;
+    Real sum = gauss_w[0] * of_lane(J, 0);
+    for (int i = 1; i < gauss_points; ++i) sum = fma(gauss_w[i], of_lane(J, i), sum);
     return sum;
+}
+
+template <class Real>
+GRIT_INLINE Real mean_J(const Material& m, const Course<Real>& course, const Real& q,
+                        const Real& dq) {
+    if constexpr (NumberTraits<Real>::lanes == 1) return mean_J_in_lanes(m, course, q, dq);
+    else return mean_J_one_by_one(m, course, q, dq);
 }
 
 template <class Plain>

@@ -3,7 +3,6 @@
 // full; the others alone. A lane never looks at its neighbours: the result of a point does not depend on n.
 #pragma once
 
-#include "support/dual.hpp"
 #include "umat/ordinary_points.hpp"
 
 GRIT_KERNEL_BEGIN
@@ -133,16 +132,16 @@ class Batch {
     }
 
     template <class Real>
-    Integrated<Real> integrated(const StraightPath<Real>& path, const Tensor<Real>& T,
+    Integrated<Real> integrated(const StraightPath<Real>& path, const Tensor<double>& T,
                                 double advised) const {
         return q.igs ? integrate<Real, true>(m, control, path, T, advised, 0.0)
                      : integrate<Real, false>(m, control, path, T, advised, 0.0);
     }
 
     void with_derivatives(const Point& p, std::ptrdiff_t i, std::ptrdiff_t at) {
-        Tensor<Dual> dE;
-        for (int c = 0; c < 6; ++c) dE[c] = Dual::variable(p.strain_increment[c], c);
-        const Start<Dual> start = start_of<Dual>(m, p, dE);
+        const StrainDirections along =
+            strain_directions(p.strain_increment, q.igs ? p.h : isotropic(0.0));
+        const Start<Dual> start = start_of<Dual>(m, p, variable(p.strain_increment, along));
         const auto path = straight_path(m, start.strain_increment, start.h, start.e);
         const Integrated<Dual> dual_end = integrated<Dual>(path, start.T, p.advised_step);
         const Integrated<double> end = plain(dual_end);
@@ -150,10 +149,11 @@ class Batch {
         PointResult r = result_of(m, q.igs, p, plain(path), end);
         if (!storable(m, r)) return fail(p, i, end);
         r.has_tangent = true;
-        for (int row = 0; row < 6; ++row)
-            for (int c = 0; c < 6; ++c) r.tangent.c[row][c] = dual_end.y.T[row].d[c];
-        for (const auto& row : r.tangent.c)
-            if (!finite(row, 6)) return fail(p, i, end);
+        for (int row = 0; row < 6; ++row) {
+            const Tensor<double> slope = by_strain(dual_end.y.T[row], along);
+            if (!finite(slope.c, 6)) return fail(p, i, end);
+            for (int c = 0; c < 6; ++c) r.tangent.c[row][c] = slope[c];
+        }
         write_point(q, i, at, p, r);
     }
 

@@ -2,7 +2,7 @@
 // L and N of von Wolffersdorff (1996) applied to a direction, without ever forming a 6 x 6 matrix.
 #pragma once
 
-#include "umat/notation.hpp"
+#include "umat/dual_tensor.hpp"
 #include "umat/scalar_factors.hpp"
 
 GRIT_KERNEL_BEGIN
@@ -20,7 +20,7 @@ template <class Real>
 GRIT_INLINE Real lode_factor(const Real& dev_sq, const Real& determinant_dev) {
     constexpr double limit = cone_limit * root_2;
     // The 1e-30 keeps the hydrostatic axis free of 0/0; there F = 1.
-    const Real tan_psi = min(sqrt(fma(3.0, dev_sq, Real(1e-30))), Real(limit));
+    const Real tan_psi = min(sqrt(fma(3.0, dev_sq, 1e-30)), Real(limit));
     const Real bound = root_2 * tan_psi;
     const Real raw = -18.0 * determinant_dev / (dev_sq + 1e-30);
     const Real q3 = max(min(raw, bound), -bound);
@@ -34,16 +34,19 @@ GRIT_INLINE StressShape<Real> stress_shape(const Material& m, const Tensor<Real>
     s.inverse_trace = 1.0 / min(trace(T), Real(-1.5 * m.p_floor));
     s.T_hat = scaled(T, s.inverse_trace);
     s.T_hat_dev = deviator(s.T_hat);
-    const Real dev_sq = contract(s.T_hat_dev, s.T_hat_dev);
+    const Real dev_sq = square(s.T_hat_dev);
     s.T_hat_sq = dev_sq + 1.0 / 3.0;
-    s.F = lode_factor(dev_sq, determinant(s.T_hat_dev));
+    s.F = chained(
+        [](const auto& x, const auto& y)
+            __attribute__((always_inline)) { return lode_factor(x, y); },
+        dev_sq, determinant(s.T_hat_dev));
     return s;
 }
 
 // L:X + N C for a direction X and a scalar C, per f_s:
 //   (F^2 X + a^2 T_hat (T_hat:X) + f_d a F (T_hat + T_hat*) C) / (T_hat:T_hat)     (H2), (H3)
-template <class Real>
-GRIT_INLINE Tensor<Real> apply_stiffness(const Material& m, const StressShape<Real>& s,
+template <class Stress, class Real>
+GRIT_INLINE Tensor<Real> apply_stiffness(const Material& m, const StressShape<Stress>& s,
                                          const ScalarFactors<Real>& f, const Tensor<Real>& X,
                                          const Real& C) {
     const Real scale = f.f_s / s.T_hat_sq;

@@ -73,7 +73,7 @@ GRIT_INLINE PlainOf<Real> allowed_error(const Control& control, const StraightPa
 
 template <class Real, bool igs>
 inline Integrated<Real> integrate(const Material& m, const Control& control,
-                                  const StraightPath<Real>& path, const Tensor<Real>& T_0,
+                                  const StraightPath<Real>& path, const Tensor<PlainOf<Real>>& T_0,
                                   const PlainOf<Real>& advised_step, const PlainOf<Real>& spent) {
     const Segment<Real> first = first_segment<Real, igs>(m, path, T_0);
     const auto allowed = allowed_error(control, path, first);

@@ -136,10 +136,10 @@ template <class Real, bool igs> class Integrator {
 
     void find_course() {
         if constexpr (!igs) {
-            course = basic_step_course<DormandPrinceNodes>(m, path, from, dq);
+            basic_step_course(m, path, from, dq, course);
             return;
         }
-        course = step_course<DormandPrinceNodes>(m, path, seg.course, from, out.h.J, dq);
+        step_course(m, path, seg.course, from, out.h.J, dq, course);
         const Plain rho = value(out.h.rho);
         const double finest = control.finest_panel();
         const Mask sharp =

@@ -81,7 +81,7 @@ GRIT_INLINE Mobilisation<Real> mobilisation(const Material& m, const Course<Real
                          Real(0.0),           PlainOf<Real>(1.0)};
     if (any(course.loading)) {
         const Real y = course.curve.y * decay * inverse;
-        const Real rho_beta = 1.0 / fma(course.curve.kappa, power(m.beta_r_power, y), one);
+        const Real rho_beta = 1.0 / fma(course.curve.kappa, power(m.beta_r_power, y), 1.0);
         const Real rho = power(m.inverse_beta_r_power, rho_beta);
         const Real stretch = (1.0 + E_sq) * inverse;
         r.rho = select(course.loading, rho, r.rho);
@@ -125,10 +125,11 @@ template <class Real> struct Interpolation { Real A, B, C; };
 template <class Real>
 GRIT_INLINE Interpolation<Real> interpolation(const Material& m, const Real& rho,
                                               const MaskOf<Real>& loading) {
+    using Plain = PlainOf<Real>;
     const Real rho_chi = power(m.chi_power, rho);
     Interpolation<Real> r;
-    r.A = fma(m.m_T - m.m_R, rho_chi, Real(m.m_R));
-    r.B = rho_chi * select(loading, Real(1.0 - m.m_T), Real(m.m_R - m.m_T));
+    r.A = fma(m.m_T - m.m_R, rho_chi, m.m_R);
+    r.B = rho_chi * select(loading, Plain(1.0 - m.m_T), Plain(m.m_R - m.m_T));
     r.C = select(loading, rho_chi, Real(0.0));
     return r;
 }

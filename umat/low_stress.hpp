@@ -67,7 +67,8 @@ inline void enter_domain(const Material& m, bool igs, Point& p) {
 
 // Where a point starts to carry stress: the whole path, or what is left of it after closing w.
 template <class Real> struct Start {
-    Tensor<Real> T, h, strain_increment;
+    Tensor<double> T;
+    Tensor<Real> h, strain_increment;
     Real e;
 };
 
@@ -75,10 +76,8 @@ template <class Real>
 inline Start<Real> start_of(const Material& m, const Point& p,
                             const Tensor<Real>& strain_increment) {
     Start<Real> start;
-    for (int i = 0; i < 6; ++i) {
-        start.T[i] = Real(p.T[i]);
-        start.h[i] = Real(p.h[i]);
-    }
+    start.T = p.T;
+    for (int i = 0; i < 6; ++i) start.h[i] = Real(p.h[i]);
     start.strain_increment = strain_increment;
     start.e = Real(p.e);
     if (p.separated) {
@@ -86,7 +85,7 @@ inline Start<Real> start_of(const Material& m, const Point& p,
         const Real closing = p.w / -tr;  // fraction of the increment
         start.strain_increment = scaled(strain_increment, 1.0 - closing);
         start.e = fma(1.0 + start.e, exp(closing * tr), Real(-1.0));
-        start.T = isotropic(Real(-max(m.p_floor, m.p_t)));
+        start.T = isotropic(-max(m.p_floor, m.p_t));
         start.h = scaled(strain_increment, m.R / norm(strain_increment));
     }
     return start;

@@ -34,6 +34,16 @@ template <class Real> GRIT_INLINE Real determinant(const Tensor<Real>& A) {
     return normal + root_half * shear - 0.5 * mixed;
 }
 
+// The derivative of the determinant.
+template <class Real> GRIT_INLINE Tensor<Real> cofactors(const Tensor<Real>& A) {
+    const auto normal = [&](int i, int j, int k) { return A[i] * A[j] - 0.5 * square(A[k]); };
+    const auto shear = [&](int i, int j, int k) {
+        return root_half * A[i] * A[j] - A[k] * A[6 - k - 1];
+    };
+    return {normal(1, 2, 5), normal(0, 2, 4), normal(0, 1, 3),
+            shear(4, 5, 3),  shear(3, 5, 4),  shear(3, 4, 5)};
+}
+
 // Q A Q^T, Q row-major.
 template <class Real> GRIT_INLINE Tensor<Real> rotated(const Real Q[9], const Tensor<Real>& A) {
     const Real a[9] = {A[0], A[3] * root_half, A[4] * root_half, A[3] * root_half,

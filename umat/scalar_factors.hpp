@@ -31,19 +31,24 @@ template <class Real> struct ScalarFactors {
     Real f_s;  // f_b f_e [stress] (H7), (H8)
 };
 
-template <class Real>
-GRIT_INLINE ScalarFactors<Real> scalar_factors(const Material& m, const Real& p,
-                                               const Compression<Real>& k, const Real& e) {
+// (H7) of the void ratio expanded to zero pressure; its slope is infinite at e_d, so that it is replaced by its
+// secant very near to it.
+template <class Real> GRIT_INLINE Real density_factor(const Material& m, const Real& e_0) {
+    const Real relative = (e_0 - m.e_d0) * m.inverse_e_range;
+    return power(m.alpha_power, max(relative, Real(linear_density))) *
+           min(relative * (1.0 / linear_density), Real(1.0));
+}
+
+template <class Stress, class Real>
+GRIT_INLINE ScalarFactors<Real> scalar_factors(const Material& m, const Stress& p,
+                                               const Compression<Stress>& k, const Real& e) {
     // Void ratio expanded to zero pressure, continuous outside [e_d0, e_i0].
     const Real e_0 = min(max(e * k.expansion, Real(m.e_d0)), Real(m.e_i0));
-    const Real relative = (e_0 - m.e_d0) * m.inverse_e_range;
-    // (H7); its slope is infinite at e_d, so that it is replaced by its secant very near to it.
-    const Real f_d = power(m.alpha_power, max(relative, Real(linear_density))) *
-                     min(relative * (1.0 / linear_density), Real(1.0));
+    const Real f_d = chained([&](const auto& x) { return density_factor(m, x); }, e_0);
     // f_b f_e = stiffness (1+e_i)/e_i (3p/h_s)^(1-n) (e_c/e)^beta    (H7), (H8)
-    const Real f_e = power(m.beta_power, m.e_c0 / e_0);
-    const Real f_s = m.stiffness * fma(k.expansion, Real(m.inverse_e_i0), Real(1.0)) *
-                     (hardness_ratio(m, p) / k.x) * f_e;
+    const Real f_e = chained([&](const auto& x) { return power(m.beta_power, m.e_c0 / x); }, e_0);
+    const Real f_s =
+        m.stiffness * fma(k.expansion, m.inverse_e_i0, 1.0) * (hardness_ratio(m, p) / k.x) * f_e;
     return {f_d, f_s};
 }
 

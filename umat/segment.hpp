@@ -22,9 +22,9 @@ template <class Real> struct Segment {
 // A point that carries stress opens below this pressure.
 GRIT_INLINE double opening_pressure(const Material& m) { return opening_per_floor * m.p_floor; }
 
-template <class Real, bool igs>
+template <class Real, bool igs, class Stress>
 GRIT_INLINE void start_stress(const Material& m, const StraightPath<Real>& path,
-                              const Tensor<Real>& T, Segment<Real>& g) {
+                              const Tensor<Stress>& T, Segment<Real>& g) {
     Waypoint<Real> at;
     if constexpr (igs) {
         g.h = mobilisation_at_start(m, g.course);
@@ -34,8 +34,9 @@ GRIT_INLINE void start_stress(const Material& m, const StraightPath<Real>& path,
         at = basic_waypoint(m, g.e);
     }
     g.ds = at.ds;
-    g.y = marched(m, T);
-    g.rate = course_rate<Real, igs>(m, path, at, g.y);
+    const Marched<Stress> y = marched(m, T);
+    g.y = converted<Real>(y);
+    g.rate = course_rate<Real, igs>(m, path, at, y);
     using Plain = PlainOf<Real>;
     g.stress_scale = max(norm(value(T)), Plain(opening_pressure(m)));
     g.relative_rate = norm(value(g.rate.T)) / g.stress_scale;
@@ -54,7 +55,7 @@ GRIT_INLINE MaskOf<Real> turns_on_the_way(const Material& m, const StraightPath<
 
 template <class Real, bool igs>
 inline Segment<Real> first_segment(const Material& m, const StraightPath<Real>& path,
-                                   const Tensor<Real>& T) {
+                                   const Tensor<PlainOf<Real>>& T) {
     Segment<Real> g;
     const Real zero = path.length * 0.0;
     g.s = zero;
@@ -62,8 +63,9 @@ inline Segment<Real> first_segment(const Material& m, const StraightPath<Real>& 
     g.e = path.e_0;
     g.e_end = path.e_end;
     g.last = MaskOf<Real>(true);
-    g.course = {MaskOf<Real>(false), {zero, zero, zero, zero}, zero, zero};
-    if constexpr (igs) {
+    if constexpr (!igs) {
+        g.course = {MaskOf<Real>(false), {zero, zero, zero, zero}, zero, zero};
+    } else {
         g.course = first_course(m, path);
         g.last = !turns_on_the_way(m, path);
         if (any(!g.last)) {

@@ -102,17 +102,17 @@ template <class Real, bool igs> class ShortSegment {
         StepCourse<Real, Nodes> course;
         const Position<Real> from{dq * 0.0, Real(1.0), start.s, start.e};
         if constexpr (igs) {
-            course = step_course<Nodes>(m, path, start.course, from, start.h.J, dq);
+            step_course(m, path, start.course, from, start.h.J, dq, course);
             Mask open = where & start.course.loading;
             for (int i = 0; i < 4; ++i) {
                 const Real excess = course.arc - arc;
                 open = open & (fabs(value(excess)) > control.tolerated_excess() * value(arc));
                 if (!any(open)) break;
                 dq = select(open, dq - excess / course.at_end().ds, dq);
-                course = step_course<Nodes>(m, path, start.course, from, start.h.J, dq);
+                step_course(m, path, start.course, from, start.h.J, dq, course);
             }
         } else {
-            course = basic_step_course<Nodes>(m, path, from, dq);
+            basic_step_course(m, path, from, dq, course);
         }
         const StepContext<Real> c{m, path, dq, arc, start.stress_scale};
         judge(where,

@@ -90,10 +90,11 @@ template <class Real, class Nodes> struct StepCourse {
     GRIT_INLINE const Waypoint<Real>& at_end() const { return at[Nodes::stages - 1]; }
 };
 
+// r is filled in place: with derivatives it is large.
 template <class Nodes, class Real>
-GRIT_INLINE StepCourse<Real, Nodes>
-step_course(const Material& m, const StraightPath<Real>& path, const Course<Real>& course,
-            const Position<Real>& from, const Real& J, const Real& dq) {
+GRIT_INLINE void step_course_one_by_one(const Material& m, const StraightPath<Real>& path,
+                                        const Course<Real>& course, const Position<Real>& from,
+                                        const Real& J, const Real& dq, StepCourse<Real, Nodes>& r) {
     constexpr int nodes = Nodes::nodes, stages = Nodes::stages;
     constexpr const ArcWeights<Nodes>& weight = arc_weight<Nodes>;
     Mobilisation<Real> h[nodes];
@@ -103,7 +104,6 @@ step_course(const Material& m, const StraightPath<Real>& path, const Course<Real
         h[i] = mobilisation(m, course, fma(Real(Nodes::at[i]), dq, from.q),
                             max(from.decay * decay[i], Real(least_decay)));
     const Real R_dq = m.R * dq;
-    StepCourse<Real, Nodes> r;
     for (int stage = 0; stage < stages; ++stage) {
         Real mean = weight.start[stage] * J;
         for (int i = 0; i < nodes; ++i) mean = fma(Real(weight.at[stage][i]), h[i].J, mean);
@@ -113,66 +113,75 @@ step_course(const Material& m, const StraightPath<Real>& path, const Course<Real
     }
     r.end_decay = max(from.decay * decay[stages - 1], Real(least_decay));
     r.end = h[stages - 1];
-    return r;
 }
 
-// The nodes of one path at once, with the bits of the loop above.
-template <class Nodes>
-GRIT_INLINE StepCourse<double, Nodes>
-step_course(const Material& m, const StraightPath<double>& path, const Course<double>& course,
-            const Position<double>& from, const double& J, const double& dq) {
+using NodeValues = Pack<8>;
+
+// exp(-q) over that at the start; of lanes that are no node, 1.
+template <class Nodes> GRIT_INLINE NodeValues decay_at_nodes(double dq) {
+    double decay[Nodes::nodes];
+    Nodes::decay(dq, decay);
+    return NodeValues::each([&](int i) { return i < Nodes::nodes ? decay[i] : 1.0; });
+}
+template <class Nodes> GRIT_INLINE DualPack<8> decay_at_nodes(const Dual& dq) {
+    const NodeValues decay = decay_at_nodes<Nodes>(dq.v);
+    const NodeValues at =
+        NodeValues::each([](int i) { return i < Nodes::nodes ? Nodes::at[i] : 0.0; });
+    return {decay, in_lanes<8>(dq).d * (-at * decay)};
+}
+
+// The nodes of one point at once, with the bits of those one by one.
+template <class Nodes, class Real>
+GRIT_INLINE void step_course_in_lanes(const Material& m, const StraightPath<Real>& path,
+                                      const Course<Real>& course, const Position<Real>& from,
+                                      const Real& J, const Real& dq, StepCourse<Real, Nodes>& r) {
     constexpr int nodes = Nodes::nodes, stages = Nodes::stages;
     constexpr const ArcWeights<Nodes>& weight = arc_weight<Nodes>;
-    using Points = Pack<8>;
-    const auto column = [](const auto& of_lane) {
-        Points x;
-        for (int lane = 0; lane < 8; ++lane) x.set(lane, of_lane(lane));
-        return x;
-    };
-    const LoadingCurve<double>& c = course.curve;
-    const Course<Points> all{course.loading,
-                             {Points(c.E_sq), Points(c.across), Points(c.y), Points(c.kappa)},
-                             Points(course.u_0),
-                             Points(course.tau_sq)};
-    const Points at = column([](int i) { return i < nodes ? Nodes::at[i] : 1.0; });
-    double decay[nodes];
-    Nodes::decay(dq, decay);
-    const Points all_decay = column([&](int i) { return decay[i < nodes ? i : stages - 1]; });
-    const Mobilisation<Points> h =
-        mobilisation(m, all, fma(at, Points(dq), Points(from.q)),
-                     max(Points(from.decay) * all_decay, Points(least_decay)));
-    Points mean = column([](int i) { return i < stages ? weight.start[i] : 0.0; }) * Points(J);
+    using All = InLanes<Real, 8>;
+    const auto all = [](const Real& x) { return in_lanes<8>(x); };
+    const Course<All> courses = course_in_lanes<8>(course);
+    const NodeValues at = NodeValues::each([](int i) { return i < nodes ? Nodes::at[i] : 0.0; });
+    const All decay =
+        max(all(from.decay) * decay_at_nodes<Nodes>(dq), All(NodeValues(least_decay)));
+    const Mobilisation<All> h = mobilisation(m, courses, fma(at, all(dq), all(from.q)), decay);
+    All mean = NodeValues::each([](int i) { return i < stages ? weight.start[i] : 0.0; }) * all(J);
     for (int j = 0; j < nodes; ++j)
-        mean = fma(column([j](int i) { return i < stages ? weight.at[i][j] : 0.0; }),
-                   Points(h.J[j]), mean);
-    const double R_dq = m.R * dq;
-    const Points e =
-        (1.0 + Points(from.e)) * exp_small(Points(R_dq) * mean * Points(path.tr_D)) - 1.0;
-    const Waypoint<Points> w = waypoint(m, all.loading, h, e);
-    StepCourse<double, Nodes> r;
+        mean = fma(NodeValues::each([j](int i) { return i < stages ? weight.at[i][j] : 0.0; }),
+                   all(of_lane(h.J, j)), mean);
+    const Real R_dq = m.R * dq;
+    const All e = (1.0 + all(from.e)) * exp_small(all(R_dq) * mean * all(path.tr_D)) - 1.0;
+    const Waypoint<All> w = waypoint(m, courses.loading, h, e);
     for (int i = 0; i < stages; ++i)
-        r.at[i] = {w.ds[i], w.e[i], w.along[i], w.across[i], w.flow[i]};
+        r.at[i] = {of_lane(w.ds, i), of_lane(w.e, i), of_lane(w.along, i), of_lane(w.across, i),
+                   of_lane(w.flow, i)};
     constexpr int end = stages - 1;
-    r.end = {h.rho[end], h.c[end], h.across[end], h.J[end], h.J_growth[end], h.rho_beta[end]};
-    r.end_decay = max(from.decay * decay[end], least_decay);
-    r.arc = R_dq * mean[end];
-    return r;
+    r.end = {of_lane(h.rho, end), of_lane(h.c, end),        of_lane(h.across, end),
+             of_lane(h.J, end),   of_lane(h.J_growth, end), h.rho_beta[end]};
+    r.end_decay = of_lane(decay, end);
+    r.arc = R_dq * of_lane(mean, end);
+}
+
+template <class Nodes, class Real>
+GRIT_INLINE void step_course(const Material& m, const StraightPath<Real>& path,
+                             const Course<Real>& course, const Position<Real>& from, const Real& J,
+                             const Real& dq, StepCourse<Real, Nodes>& r) {
+    if constexpr (NumberTraits<Real>::lanes == 1)
+        step_course_in_lanes(m, path, course, from, J, dq, r);
+    else step_course_one_by_one(m, path, course, from, J, dq, r);
 }
 
 // Without intergranular strain q is the strain over R.
 template <class Nodes, class Real>
-GRIT_INLINE StepCourse<Real, Nodes> basic_step_course(const Material& m,
-                                                      const StraightPath<Real>& path,
-                                                      const Position<Real>& from, const Real& dq) {
+GRIT_INLINE void basic_step_course(const Material& m, const StraightPath<Real>& path,
+                                   const Position<Real>& from, const Real& dq,
+                                   StepCourse<Real, Nodes>& r) {
     const Real R_dq = m.R * dq;
-    StepCourse<Real, Nodes> r;
     for (int i = 0; i < Nodes::stages; ++i)
         r.at[i] =
             basic_waypoint(m, (1.0 + from.e) * exp_small(Nodes::at[i] * R_dq * path.tr_D) - 1.0);
     r.end = no_mobilisation(dq);
     r.end_decay = from.decay;
     r.arc = R_dq;
-    return r;
 }
 
 GRIT_KERNEL_END

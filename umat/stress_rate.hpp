@@ -19,7 +19,7 @@ template <class Real> struct StraightPath {
 };
 
 template <class Real> GRIT_INLINE Real void_ratio(const StraightPath<Real>& path, const Real& s) {
-    return fma(1.0 + path.e_0, exp(s * path.tr_D), Real(-1.0));  // (H9)
+    return fma(1.0 + path.e_0, exp(s * path.tr_D), -1.0);  // (H9)
 }
 
 template <class Real>
@@ -82,6 +82,11 @@ template <class Real> GRIT_INLINE Marched<Real> marched(const Material& m, const
     return {T, compression(m, trace(T) * (-1.0 / 3.0))};
 }
 
+template <class Real, class Stress> GRIT_INLINE Marched<Real> converted(const Marched<Stress>& y) {
+    return {{Real(y.T[0]), Real(y.T[1]), Real(y.T[2]), Real(y.T[3]), Real(y.T[4]), Real(y.T[5])},
+            {Real(y.compression.x), Real(y.compression.expansion)}};
+}
+
 template <class Real>
 GRIT_INLINE Marched<Real> select(const MaskOf<Real>& mask, const Marched<Real>& yes,
                                  const Marched<Real>& no) {
@@ -91,14 +96,15 @@ GRIT_INLINE Marched<Real> select(const MaskOf<Real>& mask, const Marched<Real>& 
 }
 
 // d/dq of it. Finite for every finite T: see stress_shape, scalar_factors.
-template <class Real, bool igs>
+// Stress: Real, or its plain number where the stress is given and has no derivatives.
+template <class Real, bool igs, class Stress>
 inline __attribute__((noinline)) Marched<Real>
 course_rate(const Material& m, const StraightPath<Real>& path, const Waypoint<Real>& at,
-            const Marched<Real>& y) {
-    const StressShape<Real> shape = stress_shape(m, y.T);
+            const Marched<Stress>& y) {
+    const StressShape<Stress> shape = stress_shape(m, y.T);
     // Of a stage that overshoots to no pressure; the step is rejected.
-    const Compression<Real> k{max(y.compression.x, Real(1e-8)),
-                              max(y.compression.expansion, Real(1.0))};
+    const Compression<Stress> k{max(y.compression.x, Stress(1e-8)),
+                                max(y.compression.expansion, Stress(1.0))};
     ScalarFactors<Real> f = scalar_factors(m, trace(y.T) * (-1.0 / 3.0), k, at.e);
     f.f_s = f.f_s * at.ds;
     Tensor<Real> X = path.D_hat;

@@ -21,7 +21,10 @@ GRIT_INLINE auto contract(const Tensor<A>& a, const Tensor<B>& b) -> decltype(a[
            fma(a[3], b[3], fma(a[4], b[4], a[5] * b[5]));
 }
 
-template <class Real> GRIT_INLINE Real norm(const Tensor<Real>& A) { return sqrt(contract(A, A)); }
+// A:A
+template <class Real> GRIT_INLINE Real square(const Tensor<Real>& A) { return contract(A, A); }
+
+template <class Real> GRIT_INLINE Real norm(const Tensor<Real>& A) { return sqrt(square(A)); }
 
 template <class Real, class Scale>
 GRIT_INLINE auto scaled(const Tensor<Real>& A, const Scale& s) -> Tensor<decltype(A[0] * s)> {

@@ -7,6 +7,7 @@
 #include <unsupported/Eigen/AutoDiff>
 
 #include "support/dual.hpp"
+#include "umat/strain_directions.hpp"
 #include "umat/stress_rate.hpp"
 
 #include "tests/umat/support/paper.hpp"
@@ -121,6 +122,27 @@ TEST(Dual, DifferentiatesEveryOperation) {
         for (int k = 0; k < 2; ++k)
             EXPECT_NEAR(ours.d[k], theirs.derivatives()[k],
                         1e-11 * (1.0 + theirs.derivatives().norm()));
+    }
+}
+
+// The first three span I, the strain and h; even where these are parallel or zero.
+TEST(StrainDirections, AreOrthonormalAndTheLastThreeAreAcrossTheCourse) {
+    Random random(93);
+    const Vec I = (Vec() << 1.0, 1.0, 1.0, 0.0, 0.0, 0.0).finished();
+    for (int i = 0; i < 1000; ++i) {
+        const Vec strain = random.log_uniform(1e-12, 0.1) * (i % 4 == 1 ? I : random.direction());
+        const Vec h = i % 4 == 2   ? Vec(1e-4 * strain)
+                      : i % 4 == 3 ? Vec(Vec::Zero())
+                                   : Vec(1e-4 * random.direction());
+        kernel::Tensor<double> strain_, h_;
+        for (int c = 0; c < 6; ++c) strain_[c] = strain[c], h_[c] = h[c];
+        const kernel::StrainDirections r = kernel::strain_directions(strain_, h_);
+        Mat Q;
+        for (int k = 0; k < 6; ++k)
+            for (int c = 0; c < 6; ++c) Q(k, c) = r.d[k][c];
+        EXPECT_LE((Q * Q.transpose() - Mat::Identity()).norm(), 1e-14);
+        for (const Vec& course : {I, strain, h})
+            EXPECT_LE((Q * course).tail<3>().norm(), 1e-14 * course.norm());
     }
 }
 

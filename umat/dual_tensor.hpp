@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Invariants of tensors with derivatives: their gradients are tensors themselves.
+#pragma once
+
+#include "support/dual.hpp"
+#include "umat/notation.hpp"
+
+GRIT_KERNEL_BEGIN
+
+// G:dA
+GRIT_INLINE Dual::Derivatives derivatives_along(const Tensor<double>& G, const Tensor<Dual>& A) {
+    const auto half = [&](int i) {
+        return scaled_sum(A[i].d, G[i], scaled_sum(A[i + 1].d, G[i + 1], A[i + 2].d * G[i + 2]));
+    };
+    return half(0) + half(3);
+}
+
+GRIT_INLINE Dual square(const Tensor<Dual>& A) {
+    const Tensor<double> v = value(A);
+    return {square(v), derivatives_along(scaled(v, 2.0), A)};
+}
+
+GRIT_INLINE Dual determinant(const Tensor<Dual>& A) {
+    const Tensor<double> v = value(A);
+    return {determinant(v), derivatives_along(cofactors(v), A)};
+}
+
+GRIT_KERNEL_END
