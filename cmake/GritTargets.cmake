@@ -1,5 +1,7 @@
 # How Grit compiles: one set of flags, object libraries per folder, and the two libraries made of them.
 
+include(CheckCXXCompilerFlag)
+
 set(GRIT_SANITIZERS address,undefined,float-cast-overflow)
 
 # Warnings and sanitizers for everything that is built here; errors only when Grit is on top.
@@ -45,7 +47,12 @@ macro(grit_kernels result)
   set(${result} kernel_baseline.cpp)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     list(APPEND ${result} kernel_avx2.cpp kernel_avx512.cpp)
-    set_source_files_properties(kernel_avx2.cpp PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma")
+    # Structs are copied in whole registers: half of one that was just stored whole, or the reverse, waits for
+    # the cache. GCC's default is 16 bytes.
+    check_cxx_compiler_flag("-mmove-max=256 -mstore-max=256" GRIT_HAS_MOVE_MAX)
+    set_source_files_properties(
+      kernel_avx2.cpp
+      PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma;$<$<BOOL:${GRIT_HAS_MOVE_MAX}>:-mmove-max=256;-mstore-max=256>")
     # g++ 12 warns about its own AVX-512 header.
     set_source_files_properties(
       kernel_avx512.cpp

@@ -67,6 +67,13 @@ template <class Plain, class Part, int parts> struct DualOf {
     Derivatives d;
 
     DualOf() = default;
+    // Copied member by member: a move of the whole would load what was just stored in other pieces.
+    GRIT_INLINE DualOf(const DualOf& x) : v(x.v), d(x.d) {}
+    GRIT_INLINE DualOf& operator=(const DualOf& x) {
+        v = x.v;
+        d = x.d;
+        return *this;
+    }
     explicit(!std::is_same_v<Plain, double>) GRIT_INLINE DualOf(const Plain& x)
         : v(x), d(Derivatives::zero()) {}
     GRIT_INLINE DualOf(const Plain& x, const Derivatives& g) : v(x), d(g) {}

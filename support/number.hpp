@@ -59,6 +59,14 @@ template <class Real> GRIT_INLINE Real max(const Real& a, const Real& b) {
 }
 template <class Real> GRIT_INLINE Real square(const Real& x) { return x * x; }
 
+// to = x where the mask holds.
+template <class T> GRIT_INLINE void assign(bool where, T& to, const T& x) {
+    if (where) to = x;
+}
+template <class Mask, class T> GRIT_INLINE void assign(const Mask& where, T& to, const T& x) {
+    to = select(where, x, to);
+}
+
 // f(x), f(x, y): dual.hpp has a shorter way to their derivatives.
 template <class F, class Real> GRIT_INLINE Real chained(const F& f, const Real& x) { return f(x); }
 template <class F, class Real> GRIT_INLINE Real chained(const F& f, const Real& x, const Real& y) {

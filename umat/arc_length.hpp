@@ -40,7 +40,7 @@ GRIT_INLINE Real mean_J_in_lanes(const Material& m, const Course<Real>& course, 
 template <class Real>
 GRIT_INLINE Real mean_J(const Material& m, const Course<Real>& course, const Real& q,
                         const Real& dq) {
-    if constexpr (NumberTraits<Real>::lanes == 1) return mean_J_in_lanes(m, course, q, dq);
+    if constexpr (takes_lanes<Real>) return mean_J_in_lanes(m, course, q, dq);
     else return mean_J_one_by_one(m, course, q, dq);
 }
 

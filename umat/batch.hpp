@@ -150,9 +150,9 @@ class Batch {
         if (!storable(m, r)) return fail(p, i, end);
         r.has_tangent = true;
         for (int row = 0; row < 6; ++row) {
-            const Tensor<double> slope = by_strain(dual_end.y.T[row], along);
-            if (!finite(slope.c, 6)) return fail(p, i, end);
+            const Six slope = by_strain(dual_end.y.T[row], along);
             for (int c = 0; c < 6; ++c) r.tangent.c[row][c] = slope[c];
+            if (!finite(r.tangent.c[row], 6)) return fail(p, i, end);
         }
         write_point(q, i, at, p, r);
     }

@@ -22,7 +22,7 @@ GRIT_INLINE MaskOf<Real> back_into_cone(Tensor<Real>& T, const MaskOf<Real>& whe
         const Tensor<Real> T_dev = deviator(T);
         const Real scale = limit * fabs(trace(T)) / sqrt(3.0 * contract(T_dev, T_dev) + 1e-300);
         const Tensor<Real> inside = scaled_sum(scale, T_dev, isotropic(trace(T) * (1.0 / 3.0)));
-        T = select(outside, inside, T);
+        assign(outside, T, inside);
     }
     return outside;
 }

@@ -77,12 +77,14 @@ inline PointResult separated_result(bool igs, const Point& p) {
 }
 
 inline void write_tangent(const grit_sand_points& q, std::ptrdiff_t at, const Matrix& M) {
-    const int n = q.components == 0 ? 6 : q.components;
     const auto& t = q.tangent;
-    for (int r = 0; r < n; ++r)
-        for (int c = 0; c < n; ++c)
-            t.base[at * t.point_stride + r * t.row_stride + c * t.column_stride] =
-                M.c[r][c] * stiffness_to_voigt(r, c);
+    double* const to = t.base + at * t.point_stride;
+    const auto write = [&](int n) __attribute__((always_inline)) {
+        for (int r = 0; r < n; ++r)
+            for (int c = 0; c < n; ++c)
+                to[r * t.row_stride + c * t.column_stride] = M.c[r][c] * stiffness_to_voigt(r, c);
+    };
+    q.components == 4 ? write(4) : write(6);
 }
 
 // A stress-free point reports the stiffness it would have at the floor, so that hosts can go on.
@@ -98,10 +100,14 @@ inline Matrix continuum_tangent(const Material& m, bool igs, const Tensor<double
     return basic_M(m, k, scaled(strain_increment, 1.0 / norm(strain_increment)));
 }
 
-inline Matrix end_tangent(const Material& m, bool igs, const Point& p, const PointResult& r) {
-    if (r.stress_free) return floor_tangent(m, igs, r.e);
-    if (r.has_tangent) return r.tangent;
-    return continuum_tangent(m, igs, r.T, r.h, r.e, p.strain_increment);
+inline void write_end_tangent(const UpdateRequest& q, std::ptrdiff_t at, const Point& p,
+                              const PointResult& r) {
+    const Material& m = *q.material;
+    if (r.stress_free) write_tangent(*q.points, at, floor_tangent(m, q.igs, r.e));
+    else if (r.has_tangent) write_tangent(*q.points, at, r.tangent);
+    else
+        write_tangent(*q.points, at,
+                      continuum_tangent(m, q.igs, r.T, r.h, r.e, p.strain_increment));
 }
 
 template <class Real>
@@ -131,8 +137,7 @@ inline void write_point(const UpdateRequest& q, std::ptrdiff_t i, std::ptrdiff_t
     const Material& m = *q.material;
     const grit_sand_points& host = *q.points;
     const int n = host.components == 0 ? 6 : host.components;
-    if (q.options->tangent != GRIT_TANGENT_NONE)
-        write_tangent(host, at, end_tangent(m, q.igs, p, r));
+    if (q.options->tangent != GRIT_TANGENT_NONE) write_end_tangent(q, at, p, r);
 
     double stress[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     if (!r.stress_free) {

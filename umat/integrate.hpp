@@ -20,8 +20,8 @@ inline void to_end_of_segment(const Material& m, const Control& control,
     if (any(rest))
         Integrator<Real, igs>(m, control, path, start, rest, allowed, advised_step, out).run();
     if (!any(done)) return;
-    out.y.T = select(done, quick.T, out.y.T);
-    out.h = select<Real>(done, quick.h, out.h);
+    assign(done, out.y.T, quick.T);
+    assign(done, out.h, quick.h);
     out.outside_cone = out.outside_cone | (done & quick.outside_cone);
     out.error = out.error + select(done, quick.error, Plain(0.0));
     out.substeps = out.substeps + select(done, Plain(1.0), Plain(0.0));

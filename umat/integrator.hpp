@@ -29,8 +29,8 @@ template <class Real, bool igs> class Integrator {
                const Plain& advised, Integrated<Real>& result)
         : m(material), control(limits), path(along), seg(start), allowed(allowed_here),
           advised_step(advised), out(result), k1(start.rate), ds(start.ds), active(where) {
-        out.y = select<Real>(active, start.y, out.y);
-        out.h = select<Real>(active, start.h, out.h);
+        assign(active, out.y, start.y);
+        assign(active, out.h, start.h);
         out.s = select(active, start.s, out.s);
         const Real zero = path.length * 0.0;
         from = {zero, zero + 1.0, start.s, start.e};
@@ -61,13 +61,13 @@ template <class Real, bool igs> class Integrator {
         if constexpr (igs) {
             const Mobilisation<Real> h = mobilisation(m, seg.course, from.q, from.decay);
             at = waypoint(m, seg.course.loading, h, from.e);
-            out.h = select<Real>(here, h, out.h);
+            assign(here, out.h, h);
         } else {
             at = basic_waypoint(m, from.e);
         }
         ds = select(here, at.ds, ds);
-        out.y = select<Real>(here, marched(m, out.y.T), out.y);
-        k1 = select<Real>(here, course_rate<Real, igs>(m, path, at, out.y), k1);
+        assign(here, out.y, marched(m, out.y.T));
+        assign(here, k1, course_rate<Real, igs>(m, path, at, out.y));
         count(here, 1.0);
     }
 
@@ -183,15 +183,15 @@ template <class Real, bool igs> class Integrator {
     void advance() {
         const Plain zero(0.0);
         const Plain one(1.0);
-        out.y = select<Real>(accepted, trial.y, out.y);
+        assign(accepted, out.y, trial.y);
         out.s = select(accepted, select(to_end, seg.end, out.s + arc), out.s);
-        out.h = select<Real>(accepted, course.end, out.h);
+        assign(accepted, out.h, course.end);
         from.q = select(accepted, from.q + dq, from.q);
         from.decay = select(accepted, course.end_decay, from.decay);
         from.s = out.s;
         from.e = select(accepted, (1.0 + from.e) * exp_small(arc * path.tr_D) - 1.0, from.e);
         ds = select(accepted, course.at_end().ds, ds);
-        k1 = select<Real>(accepted, trial.rate, k1);
+        assign(accepted, k1, trial.rate);
         const Mask projected = back_into_cone(out.y.T, accepted);
         out.outside_cone = out.outside_cone | projected;
         out.error = out.error + select(accepted, trial.error, zero);

@@ -24,16 +24,17 @@ template <class Real, bool igs> class ShortSegment {
 
   public:
     ShortSegment(const Material& material, const Control& limits, const StraightPath<Real>& along,
-                 const Segment<Real>& segment, const Plain& allowed_here)
+                 const Segment<Real>& segment, const Plain& allowed_here,
+                 ShortIncrement<Real>& result)
         : m(material), control(limits), path(along), start(segment), allowed(allowed_here),
-          arc(segment.end - segment.s) {}
+          arc(segment.end - segment.s), r(result) {}
 
     // "spent": evaluations of an attempt that is known to have failed, or 0.
-    ShortIncrement<Real> run(const Plain& spent) {
+    void run(const Plain& spent) {
         const Mask fresh = spent <= Plain(0.0);
         r.accepted = r.outside_cone = Mask(false);
         r.evaluations = select(fresh, Plain(1.0), spent);
-        if (!any(fresh)) return r;
+        if (!any(fresh)) return;
         const Plain length = value(arc);
         // Stiffness changes by up to m_R chi (1 - rho): more than h itself where rho is near 1.
         change = Plain(0.0);
@@ -49,7 +50,7 @@ template <class Real, bool igs> class ShortSegment {
                 smooth = fresh & !(start.course.loading & (value(start.h.rho) < change));
         const Mask heun = smooth & (heun_safety * second <= allowed);
         const Mask third_order = smooth & (third_order_safety * third <= allowed);
-        if (!any(heun | third_order)) return r;
+        if (!any(heun | third_order)) return;
         dq = arc * m.inverse_R;
         if constexpr (igs) dq = predicted_course(m, start.h.J, start.h.J_growth, arc);
         if (any(heun)) try_heun(heun);
@@ -58,7 +59,6 @@ template <class Real, bool igs> class ShortSegment {
             (r.evaluations + 2.0 <= Plain(static_cast<double>(control.evaluation_limit)));
         if (any(again)) try_third_order(again);
         r.outside_cone = back_into_cone(r.T, r.accepted);
-        return r;
     }
 
   private:
@@ -128,8 +128,8 @@ template <class Real, bool igs> class ShortSegment {
             (p_1 >= Plain(opening_pressure(m))) | ((p_1 >= p_0) & (p_1 > Plain(0.0)));
         const Mask here = where & (trial.error <= allowed) & above;
         r.accepted = r.accepted | here;
-        r.T = select(here, trial.y.T, r.T);
-        r.h = select<Real>(here, h, r.h);
+        assign(here, r.T, trial.y.T);
+        assign(here, r.h, h);
         r.h_late = select(here, late, r.h_late);
         r.error = select(here, trial.error, r.error);
         r.evaluations = r.evaluations + select(where, Plain(evaluations), Plain(0.0));
@@ -143,7 +143,7 @@ template <class Real, bool igs> class ShortSegment {
     const Real arc;
     Real dq;
     Plain change;  // of the stiffness over the segment, relative
-    ShortIncrement<Real> r;
+    ShortIncrement<Real>& r;
 };
 
 template <class Real, bool igs>
@@ -151,7 +151,9 @@ inline ShortIncrement<Real>
 short_increment(const Material& m, const Control& control, const StraightPath<Real>& path,
                 const Segment<Real>& start, const PlainOf<Real>& allowed,
                 const PlainOf<Real>& spent) {
-    return ShortSegment<Real, igs>(m, control, path, start, allowed).run(spent);
+    ShortIncrement<Real> r;
+    ShortSegment<Real, igs>(m, control, path, start, allowed, r).run(spent);
+    return r;
 }
 
 GRIT_KERNEL_END

@@ -165,8 +165,7 @@ template <class Nodes, class Real>
 GRIT_INLINE void step_course(const Material& m, const StraightPath<Real>& path,
                              const Course<Real>& course, const Position<Real>& from, const Real& J,
                              const Real& dq, StepCourse<Real, Nodes>& r) {
-    if constexpr (NumberTraits<Real>::lanes == 1)
-        step_course_in_lanes(m, path, course, from, J, dq, r);
+    if constexpr (takes_lanes<Real>) step_course_in_lanes(m, path, course, from, J, dq, r);
     else step_course_one_by_one(m, path, course, from, J, dq, r);
 }
 

@@ -139,7 +139,10 @@ TEST(StrainDirections, AreOrthonormalAndTheLastThreeAreAcrossTheCourse) {
         const kernel::StrainDirections r = kernel::strain_directions(strain_, h_);
         Mat Q;
         for (int k = 0; k < 6; ++k)
-            for (int c = 0; c < 6; ++c) Q(k, c) = r.d[k][c];
+            for (int c = 0; c < 6; ++c) {
+                Q(k, c) = r.d[k][c];
+                EXPECT_NEAR(r.component[c][k], r.d[k][c], 1e-15);
+            }
         EXPECT_LE((Q * Q.transpose() - Mat::Identity()).norm(), 1e-14);
         for (const Vec& course : {I, strain, h})
             EXPECT_LE((Q * course).tail<3>().norm(), 1e-14 * course.norm());
