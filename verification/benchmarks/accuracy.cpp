@@ -21,7 +21,7 @@ int main() {
         for (const double tolerance : {1e-2, 5e-3, 3e-3, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10}) {
             std::vector<double> evaluations, errors, h_errors;
             int within = 0, failures = 0;
-            SandPoints points(list, list.size());
+            SandPoints points = SandPoints::structures(list, list.size());
             const grit_sand_options options = SandRequest{increment, tolerance}.options();
             update(sand, options, points, 0, list.size(), 1);
             for (std::size_t i = 0; i < list.size(); ++i) {

@@ -22,7 +22,8 @@ using namespace benchmarks;
 
 void count_c_abi(const SandRequest& request, std::size_t per_call) {
     const auto& calls = calls_of(request.increment);
-    SandPoints points(calls, calls.size(), request.tangent != GRIT_TANGENT_NONE);
+    SandPoints points =
+        SandPoints::structures(calls, calls.size(), request.tangent != GRIT_TANGENT_NONE);
     const grit_sand sand = lausitz();
     const grit_sand_options options = request.options();
     counted([&] { update(sand, options, points, 0, points.size(), per_call); });

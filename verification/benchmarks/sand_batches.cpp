@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a point of a batch costs: 10^4 points per call and instruction set, two threads that share them,
-// and 1 to 10^6 points per call. The points are those of the 320 states again and again.
+// What a point of a batch costs: 10^4 points per call and instruction set, in columns as explicit codes keep
+// them and in structures, two threads that share them, and 1 to 10^6 points per call. The points are those of the
+// 320 states again and again; no reports are asked for.
 #include <algorithm>
 #include <thread>
 
@@ -19,13 +20,22 @@ struct Batch {
     SandRequest request;
     std::size_t per_call;
     int threads = 1;
+    Layout layout = Layout::columns;
 };
+
+SandPoints points_of(const Batch& b, std::size_t size) {
+    const auto& calls = calls_of(b.request.increment);
+    if (b.layout == Layout::columns) return SandPoints::columns(calls, size);
+    SandPoints p = SandPoints::structures(calls, size);
+    p.reports.clear();
+    return p;
+}
 
 void batch(benchmark::State& state, const Batch& b) {
     const grit_sand sand = lausitz();
     const grit_sand_options options = b.request.options();
     const std::size_t size = std::max<std::size_t>(b.per_call, 256);
-    Copies memory(SandPoints(calls_of(b.request.increment), size), 1 + cold / size);
+    Copies memory(points_of(b, size), 1 + cold / size);
     SandPoints* points = nullptr;
     const auto part = [&](std::size_t first, std::size_t last) {
         update(sand, options, *points, first, last, b.per_call);
@@ -54,7 +64,7 @@ void add(const std::string& name, const Batch& b) {
 void wave_moduli(benchmark::State& state, bool together) {
     const auto& calls = calls_of(1e-3);
     const grit_sand sand = lausitz();
-    SandPoints points(calls, calls.size());
+    SandPoints points = SandPoints::columns(calls, calls.size());
     std::vector<double> moduli(calls.size());
     const grit_sand_points all = points.views(0);
     const auto pass = [&] {
@@ -63,8 +73,8 @@ void wave_moduli(benchmark::State& state, bool together) {
                                   moduli.data(), nullptr);
         else
             for (std::size_t i = 0; i < calls.size(); ++i)
-                grit_sand_wave_modulus(&sand, 0, &points.stress[6 * i],
-                                       points.state[8 * i + GRIT_SAND_VOID_RATIO], &moduli[i]);
+                grit_sand_wave_modulus(&sand, 0, calls[i].stress,
+                                       calls[i].state[GRIT_SAND_VOID_RATIO], &moduli[i]);
         benchmark::DoNotOptimize(moduli.data());
     };
     best_of(
@@ -78,6 +88,7 @@ void register_all() {
         for (int isa = GRIT_ISA_BASELINE; isa <= grit_instruction_set(); ++isa)
             add("batch", {{.increment = increment, .instruction_set = isa}, many});
         add("threads", {{increment}, many, 2});
+        add("structures", {{increment}, many, 1, Layout::structures});
     }
     for (const double increment : {1e-6, 1e-4})
         for (std::size_t n = 1; n <= 1000000; n *= 10) {

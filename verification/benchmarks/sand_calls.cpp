@@ -32,7 +32,8 @@ void call(benchmark::State& state, const SandRequest& request) {
     const auto& calls = calls_of(request.increment);
     const grit_sand sand = lausitz();
     const grit_sand_options options = request.options();
-    Copies memory(SandPoints(calls, calls.size(), request.tangent != GRIT_TANGENT_NONE), copies);
+    Copies memory(SandPoints::structures(calls, calls.size(), request.tangent != GRIT_TANGENT_NONE),
+                  copies);
     SandPoints* points = nullptr;
     best_of(
         state, static_cast<double>(calls.size()), [&] { points = &memory.next(); },

@@ -4,25 +4,51 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace benchmarks {
 
-SandPoints::SandPoints(const std::vector<Call>& calls, std::size_t count, bool with_tangent)
-    : tangent(with_tangent ? 36 * count : 0), reports(count) {
+SandPoints SandPoints::structures(const std::vector<Call>& calls, std::size_t count,
+                                  bool with_tangent) {
+    SandPoints p;
+    p.tangent.resize(with_tangent ? 36 * count : 0);
+    p.reports.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
         const Call& c = calls[i % calls.size()];
-        strain.insert(strain.end(), c.strain, c.strain + 6);
-        stress.insert(stress.end(), c.stress, c.stress + 6);
-        state.insert(state.end(), c.state, c.state + GRIT_SAND_STATE_SIZE);
+        p.strain.insert(p.strain.end(), c.strain, c.strain + 6);
+        p.stress.insert(p.stress.end(), c.stress, c.stress + 6);
+        p.state.insert(p.state.end(), c.state, c.state + GRIT_SAND_STATE_SIZE);
     }
+    return p;
+}
+
+SandPoints SandPoints::columns(const std::vector<Call>& calls, std::size_t count) {
+    SandPoints p;
+    p.layout = Layout::columns;
+    const auto add = [&](std::vector<double>& to, int components, const auto& of) {
+        for (int c = 0; c < components; ++c)
+            for (std::size_t i = 0; i < count; ++i) to.push_back(of(calls[i % calls.size()])[c]);
+    };
+    add(p.strain, 6, [](const Call& c) { return c.strain; });
+    add(p.stress, 6, [](const Call& c) { return c.stress; });
+    add(p.state, GRIT_SAND_STATE_SIZE, [](const Call& c) { return c.state; });
+    return p;
 }
 
 grit_sand_points SandPoints::views(std::size_t first) {
+    const auto n = static_cast<std::ptrdiff_t>(size());
+    const auto stride = [&](std::ptrdiff_t components) {
+        return layout == Layout::columns ? std::pair<std::ptrdiff_t, std::ptrdiff_t>{1, n}
+                                         : std::pair<std::ptrdiff_t, std::ptrdiff_t>{components, 1};
+    };
+    const auto [of_tensor, of_component] = stride(6);
+    const auto [of_state, of_variable] = stride(GRIT_SAND_STATE_SIZE);
+    const auto at = static_cast<std::ptrdiff_t>(first);
     grit_sand_points q{};
     q.struct_size = sizeof q;
-    q.strain_increment = grit_view_of(&strain[6 * first], 6, 1);
-    q.stress = grit_mutable_view_of(&stress[6 * first], 6, 1);
-    q.state = grit_mutable_view_of(&state[GRIT_SAND_STATE_SIZE * first], GRIT_SAND_STATE_SIZE, 1);
+    q.strain_increment = grit_view_of(&strain[at * of_tensor], of_tensor, of_component);
+    q.stress = grit_mutable_view_of(&stress[at * of_tensor], of_tensor, of_component);
+    q.state = grit_mutable_view_of(&state[at * of_state], of_state, of_variable);
     if (!tangent.empty()) q.tangent = grit_mutable_matrix_view_of(&tangent[36 * first], 36, 6, 1);
     return q;
 }
@@ -59,7 +85,7 @@ void update(const grit_sand& sand, const grit_sand_options& options, SandPoints&
         const grit_sand_points views = points.views(first);
         const std::size_t n = std::min(per_call, last - first);
         grit_sand_update(&sand, &options, static_cast<std::ptrdiff_t>(n), &views,
-                         &points.reports[first], nullptr);
+                         points.reports.empty() ? nullptr : &points.reports[first], nullptr);
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Points of a host in arrays of structures, and what is asked of the library with them.
+// Points of a host, and what is asked of the library with them.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -12,13 +12,19 @@
 
 namespace benchmarks {
 
+// How a host keeps its points: all components of one together, or one component of all together.
+enum class Layout { structures, columns };
+
 struct SandPoints {
+    Layout layout = Layout::structures;
     std::vector<double> strain, stress, state, tangent;
-    std::vector<grit_sand_report> reports;
+    std::vector<grit_sand_report> reports;  // none: not asked for
 
     // The calls again and again, up to count points.
-    SandPoints(const std::vector<Call>& calls, std::size_t count, bool with_tangent = false);
-    std::size_t size() const { return reports.size(); }
+    static SandPoints structures(const std::vector<Call>& calls, std::size_t count,
+                                 bool with_tangent = false);
+    static SandPoints columns(const std::vector<Call>& calls, std::size_t count);
+    std::size_t size() const { return strain.size() / 6; }
     // From first on; tangents if there is memory for them.
     grit_sand_points views(std::size_t first);
 };

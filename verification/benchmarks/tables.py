@@ -105,7 +105,7 @@ def single_calls(report, runs, folder):
                                                           for p in PERCENTILES), "failures"], rows)
 
     default = runs.find("c_abi", default_tolerance=1, tangent=0)
-    table("single", f"Single calls, C ABI, default tolerance {power(default[0]['tolerance'])}", default)
+    table("single", f"Single calls, C ABI, default tolerance {default[0]['tolerance']:.0e}", default)
     table("single 1e-6", "Single calls, C ABI, tolerance 1e-6", runs.find("c_abi", tolerance=1e-6, default_tolerance=0))
     table("single tangent", "Single calls, C ABI, default tolerance, consistent tangent",
           runs.find("c_abi", default_tolerance=1, tangent=2))
@@ -144,10 +144,11 @@ def batches(report, runs, folder):
     for increment in dict.fromkeys(r["increment"] for r in runs.find("batch")):
         ns = [runs.ns("batch", increment=increment, instruction_set=i) for i in used]
         rows.append([power(increment), *(x / 1e3 for x in ns), *(x / runs.exp for x in ns),
+                     runs.ns("structures", increment=increment) / runs.exp,
                      ns[-1] / runs.ns("threads", increment=increment)])
     report.table("batches", "Batches of 10^4 points, per point, default tolerance",
                  ["increment", *(f"{names[i]} µs" for i in used), *(f"{names[i]} exp" for i in used),
-                  "two threads: faster by"], rows)
+                  f"{names[used[-1]]} exp, structures", "two threads: faster by"], rows)
     report.table("wave moduli", "Wave moduli, per point", ["", "ns"],
                  [["one point per call", runs.ns("wave_moduli", together=0)],
                   ["320 points per call", runs.ns("wave_moduli", together=1)]])
