@@ -26,6 +26,13 @@ template <int W> GRIT_INLINE Dual of_lane(const DualPack<W>& x, int lane) {
                            [&](int i) { return i < course_directions ? x.d[i][lane] : 0.0; })};
 }
 
+// What one lane holds, in all.
+template <int W> GRIT_INLINE Pack<W> spread(const Pack<W>& x, int lane) { return x[lane]; }
+template <int W> GRIT_INLINE DualPack<W> spread(const DualPack<W>& x, int lane) {
+    return {x.v[lane],
+            DualPack<W>::Derivatives::each([&](int i) { return Pack<W>(x.d[i][lane]); })};
+}
+
 template <class Real, int W> using InLanes = decltype(in_lanes<W>(Real()));
 
 template <int W, class Real>

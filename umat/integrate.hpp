@@ -68,7 +68,7 @@ template <class Real>
 GRIT_INLINE PlainOf<Real> allowed_error(const Control& control, const StraightPath<Real>& path,
                                         const Segment<Real>& first) {
     return allowed_error<PlainOf<Real>>(control, value(path.length),
-                                        first.relative_rate / value(first.ds));
+                                        first.relative_rate / value(first.at.ds));
 }
 
 template <class Real, bool igs>

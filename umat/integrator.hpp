@@ -28,7 +28,7 @@ template <class Real, bool igs> class Integrator {
                const Segment<Real>& start, const Mask& where, const Plain& allowed_here,
                const Plain& advised, Integrated<Real>& result)
         : m(material), control(limits), path(along), seg(start), allowed(allowed_here),
-          advised_step(advised), out(result), k1(start.rate), ds(start.ds), active(where) {
+          advised_step(advised), out(result), k1(start.rate), ds(start.at.ds), active(where) {
         assign(active, out.y, start.y);
         assign(active, out.h, start.h);
         out.s = select(active, start.s, out.s);

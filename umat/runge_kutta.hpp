@@ -3,8 +3,7 @@
 // Prince 5(4) (1980, J. Comput. Appl. Math. 6:19) beyond.
 #pragma once
 
-#include "umat/step_control.hpp"
-#include "umat/step_course.hpp"
+#include "umat/averaged_course.hpp"
 
 GRIT_KERNEL_BEGIN
 
@@ -70,7 +69,8 @@ GRIT_INLINE Trial<Real> heun_step(const StepContext<Real>& c, const Marched<Real
     using Plain = PlainOf<Real>;
     constexpr double euler[] = {1.0};
     constexpr double half[] = {0.5, 0.5};
-    Marched<Real> k[2] = {k1, {}};
+    Marched<Real> k[2];
+    k[0] = k1;
     k[1] = course_rate<Real, igs>(c.m, c.path, end, advanced(y, c.dq, euler, k));
     Trial<Real> trial;
     trial.y = advanced(y, c.dq, half, k);
@@ -88,35 +88,34 @@ GRIT_INLINE Trial<Real> heun_step(const StepContext<Real>& c, const Marched<Real
     return trial;
 }
 
-// Bogacki & Shampine (1989, Appl. Math. Lett. 2:321) without their last stage: the midpoint rule is embedded.
-template <class Real, bool igs>
-GRIT_INLINE Trial<Real> third_order_step(const StepContext<Real>& c, const Marched<Real>& y,
-                                         const Real& ds_start, const Waypoint<Real>* at,
-                                         const Marched<Real>& k1,
+// Bogacki & Shampine (1989, Appl. Math. Lett. 2:321) without their last stage, on averaged waypoints.
+template <class Real, bool igs, class Nodes>
+GRIT_INLINE Trial<Real> third_order_step(const StepContext<Real>& c, const Segment<Real>& start,
+                                         const AveragedCourse<Real, Nodes>& course,
                                          const PlainOf<Real>& stiffness_change) {
     using Plain = PlainOf<Real>;
     constexpr double a2[] = {1.0 / 2.0};
     constexpr double a3[] = {0.0, 3.0 / 4.0};
     constexpr double b[] = {2.0 / 9.0, 1.0 / 3.0, 4.0 / 9.0};
-    constexpr double d[] = {2.0 / 9.0, -2.0 / 3.0, 4.0 / 9.0};  // less the midpoint rule
-    Marched<Real> k[3] = {k1, {}, {}};
+    const Waypoint<Real>* const at = course.at;
+    const Marched<Real>& y = start.y;
+    Marched<Real> k[3];
+    k[0] = start.rate;
     k[1] = course_rate<Real, igs>(c.m, c.path, at[0], advanced(y, c.dq, a2, k));
     k[2] = course_rate<Real, igs>(c.m, c.path, at[1], advanced(y, c.dq, a3, k));
     Trial<Real> trial;
     trial.y = advanced(y, c.dq, b, k);
     trial.rate = k[2];
-    const Real own_mean = fma(b[0], ds_start, fma(b[1], at[0].ds, b[2] * at[1].ds));
-    const Plain arc_error = value(c.dq) * fma(d[0], value(ds_start),
-                                              fma(d[1], value(at[0].ds), d[2] * value(at[1].ds)));
-    Tensor<Plain> error;
-    for (int j = 0; j < 6; ++j)
-        error[j] = value(c.dq) *
-                   fma(d[0], value(k1.T[j]), fma(d[1], value(k[1].T[j]), d[2] * value(k[2].T[j])));
-    const Plain midpoint_error =
-        error_at_end<Plain>(error, arc_error, value(at[1].ds), value(k[2].T), c.stress_scale);
-    const Plain first_order = value(c.dq) * norm(value(k1.T)) / c.stress_scale;
-    const Plain change = stiffness_change + midpoint_error / max(first_order, Plain(1e-300));
-    trial.error = third_order_safety * midpoint_error * min(change, Plain(1.0));
+    // What the change of the stress makes of the increment is of second order.
+    const Tensor<Plain> unchanged =
+        stress_rate<igs>(c.m, value(c.path.D_hat), value(c.path.tau), start.stiffness, course.mean);
+    const Tensor<Plain> increment = difference(value(trial.y.T), value(y.T));
+    const Plain coupling = norm(scaled_sum(-value(c.dq), unchanged, increment)) / c.stress_scale;
+    const Plain growth = norm(increment) / c.stress_scale;
+    const Plain change = min(stiffness_change + growth, Plain(1.0));
+    trial.error =
+        third_order_safety * coupling * change + roughness_safety * course.roughness * growth;
+    const Real own_mean = fma(b[0], start.at.ds, fma(b[1], at[0].ds, b[2] * at[1].ds));
     meet_end(c, c.dq * own_mean, at[1].ds, k[2], trial.y);
     return trial;
 }

@@ -14,8 +14,9 @@ template <class Real> struct Segment {
     Real e, e_end;  // void ratios there
     MaskOf<Real> last;
     Mobilisation<Real> h;
-    Real ds;                                    // per step of the course
-    Marched<Real> y, rate;                      // rate: per step of the course
+    Waypoint<Real> at;
+    Marched<Real> y, rate;  // rate: per step of the course
+    Stiffness<PlainOf<Real>, PlainOf<Real>> stiffness;
     PlainOf<Real> stress_scale, relative_rate;  // |rate of T| over the scale
 };
 
@@ -25,18 +26,18 @@ GRIT_INLINE double opening_pressure(const Material& m) { return opening_per_floo
 template <class Real, bool igs, class Stress>
 GRIT_INLINE void start_stress(const Material& m, const StraightPath<Real>& path,
                               const Tensor<Stress>& T, Segment<Real>& g) {
-    Waypoint<Real> at;
     if constexpr (igs) {
         g.h = mobilisation_at_start(m, g.course);
-        at = waypoint(m, g.course.loading, g.h, g.e);
+        g.at = waypoint(m, g.course.loading, g.h, g.e);
     } else {
         g.h = no_mobilisation(g.e);
-        at = basic_waypoint(m, g.e);
+        g.at = basic_waypoint(m, g.e);
     }
-    g.ds = at.ds;
     const Marched<Stress> y = marched(m, T);
+    const Stiffness<Stress, Real> k = stiffness(m, y, g.e);
     g.y = converted<Real>(y);
-    g.rate = course_rate<Real, igs>(m, path, at, y);
+    g.rate = course_rate<Real, igs>(m, path, g.at, y, k);
+    g.stiffness = value(k);
     using Plain = PlainOf<Real>;
     g.stress_scale = max(norm(value(T)), Plain(opening_pressure(m)));
     g.relative_rate = norm(value(g.rate.T)) / g.stress_scale;

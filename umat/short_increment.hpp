@@ -41,15 +41,16 @@ template <class Real, bool igs> class ShortSegment {
         if constexpr (igs)
             change = min(m.m_R * m.chi * memory_of(start.h, start.course.loading), Plain(1.0)) *
                      (m.inverse_R * length);
-        const Plain growth = start.relative_rate / value(start.ds) * length;
+        const Plain growth = start.relative_rate / value(start.at.ds) * length;
         const Plain second = 0.1 * growth * square(growth + change);
-        const Plain third = 0.02 * growth * square(growth + change) * (growth + change);
+        const Plain third = 0.5 * square(growth) * min(growth + change, Plain(1.0));
         Mask smooth = fresh;
         if constexpr (igs)
             if (m.chi < 2.0)
                 smooth = fresh & !(start.course.loading & (value(start.h.rho) < change));
         const Mask heun = smooth & (heun_safety * second <= allowed);
-        const Mask third_order = smooth & (third_order_safety * third <= allowed);
+        const Mask third_order =
+            smooth & (change <= longest_averaged) & (third_order_safety * third <= allowed);
         if (!any(heun | third_order)) return;
         dq = arc * m.inverse_R;
         if constexpr (igs) dq = predicted_course(m, start.h.J, start.h.J_growth, arc);
@@ -74,7 +75,7 @@ template <class Real, bool igs> class ShortSegment {
             end = basic_waypoint(m, start.e_end);
         }
         const StepContext<Real> c{m, path, dq_here, arc, start.stress_scale};
-        judge(where, heun_step<Real, igs>(c, start.y, start.ds, end, start.rate, change), h,
+        judge(where, heun_step<Real, igs>(c, start.y, start.at.ds, end, start.rate, change), h,
               Plain(0.0), 1.0);
     }
 
@@ -100,6 +101,7 @@ template <class Real, bool igs> class ShortSegment {
     void try_third_order(const Mask& where) {
         using Nodes = ThirdOrderNodes;
         StepCourse<Real, Nodes> course;
+        AveragedCourse<Real, Nodes> averaged;
         const Position<Real> from{dq * 0.0, Real(1.0), start.s, start.e};
         if constexpr (igs) {
             step_course(m, path, start.course, from, start.h.J, dq, course);
@@ -111,13 +113,14 @@ template <class Real, bool igs> class ShortSegment {
                 dq = select(open, dq - excess / course.at_end().ds, dq);
                 step_course(m, path, start.course, from, start.h.J, dq, course);
             }
+            average(start, course, averaged);
         } else {
             basic_step_course(m, path, from, dq, course);
+            basic_average(start, course, averaged);
         }
         const StepContext<Real> c{m, path, dq, arc, start.stress_scale};
-        judge(where,
-              third_order_step<Real, igs>(c, start.y, start.ds, course.at, start.rate, change),
-              course.end, value(arc) - value(course.arc), 2.0);
+        judge(where, third_order_step<Real, igs>(c, start, averaged, change), course.end,
+              value(arc) - value(course.arc), 2.0);
     }
 
     void judge(const Mask& where, const Trial<Real>& trial, const Mobilisation<Real>& h,

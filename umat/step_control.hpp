@@ -48,8 +48,10 @@ template <class Real> struct Integrated {
 // Constants of the step control, calibrated so that single calls deliver what was asked: see the
 // table of docs/accuracy.md.
 constexpr double error_safety = 10.0;
-constexpr double heun_safety = 0.75;  // its estimate is pessimistic for steps far below R
-constexpr double third_order_safety = 4.0;
+constexpr double heun_safety = 0.75;         // its estimate is pessimistic for steps far below R
+constexpr double third_order_safety = 0.07;  // of what the stress makes of the increment
+constexpr double roughness_safety = 1.0;     // of what a quadrature might miss
+constexpr double longest_averaged = 2.0;     // in R: beyond, waypoints are too rough as a rule
 constexpr double start_reach = 3.0;
 constexpr double growth_reach = 0.7;  // longest step, in relative stress change / tolerance^(1/5)
 constexpr double slowest_rate =

@@ -3,75 +3,10 @@
 #pragma once
 
 #include "umat/arc_length.hpp"
+#include "umat/course_nodes.hpp"
 #include "umat/stress_rate.hpp"
 
 GRIT_KERNEL_BEGIN
-
-// Where J is evaluated within a step: the stages of a method, its end last, and more so that the weights of
-// the arc length are positive. The start of the step is known.
-// decay: exp(-q) at the nodes over that at the start, as powers of one exponential.
-struct DormandPrinceNodes {
-    static constexpr int stages = 5, nodes = 7;
-    static constexpr double at[nodes] = {1.0 / 5.0, 3.0 / 10.0, 4.0 / 5.0, 8.0 / 9.0,
-                                         1.0,       0.1,        0.55};
-
-    template <class Real> static GRIT_INLINE void decay(const Real& dq, Real (&d)[nodes]) {
-        const Real half = exp(dq * (-1.0 / 180.0)), x = half * half;  // x: of dq/90
-        const Real x_2 = x * x, x_4 = x_2 * x_2, x_8 = x_4 * x_4;
-        d[5] = x_8 * x;
-        d[0] = d[5] * d[5];
-        d[1] = d[0] * d[5];
-        const Real x_36 = d[0] * d[0], x_45 = d[1] * d[0];
-        d[2] = x_36 * x_36;
-        d[3] = d[2] * x_8;
-        d[4] = x_45 * x_45;
-        d[6] = x_45 * (x_4 * half);
-    }
-};
-struct ThirdOrderNodes {
-    static constexpr int stages = 3, nodes = 5;
-    static constexpr double at[nodes] = {0.5, 0.75, 1.0, 0.125, 0.25};
-
-    template <class Real> static GRIT_INLINE void decay(const Real& dq, Real (&d)[nodes]) {
-        d[3] = exp(dq * -0.125);
-        d[4] = d[3] * d[3];
-        d[0] = d[4] * d[4];
-        d[1] = d[0] * d[4];
-        d[2] = d[0] * d[0];
-    }
-};
-
-template <class Nodes> struct ArcWeights {
-    double start[Nodes::stages];             // of J at the start of the step
-    double at[Nodes::stages][Nodes::nodes];  // of J at the nodes
-};
-
-// Weights of the polynomial through the start and all nodes, integrated from the start to each stage.
-template <class Nodes> constexpr ArcWeights<Nodes> arc_weights() {
-    constexpr int nodes = Nodes::nodes;
-    ArcWeights<Nodes> w{};
-    for (int i = -1; i < nodes; ++i) {
-        long double polynomial[nodes + 1] = {1.0L};  // of Lagrange: 1 at node i, 0 at the others
-        const long double own = i < 0 ? 0.0L : static_cast<long double>(Nodes::at[i]);
-        for (int j = -1, degree = 0; j < nodes; ++j) {
-            if (j == i) continue;
-            const long double other = j < 0 ? 0.0L : static_cast<long double>(Nodes::at[j]);
-            ++degree;
-            for (int k = degree; k >= 0; --k)
-                polynomial[k] =
-                    ((k > 0 ? polynomial[k - 1] : 0.0L) - other * polynomial[k]) / (own - other);
-        }
-        for (int stage = 0; stage < Nodes::stages; ++stage) {
-            const long double to = Nodes::at[stage];
-            long double integral = 0.0L;
-            for (int k = nodes; k >= 0; --k) integral = (integral + polynomial[k] / (k + 1)) * to;
-            (i < 0 ? w.start[stage] : w.at[stage][i]) = static_cast<double>(integral);
-        }
-    }
-    return w;
-}
-
-template <class Nodes> constexpr ArcWeights<Nodes> arc_weight = arc_weights<Nodes>();
 
 constexpr double least_decay = 1e-300;
 
@@ -81,11 +16,21 @@ template <class Real> struct Position {
     Real s, e;      // arc length, void ratio
 };
 
+// At all nodes, those of one point as lanes; for methods that average them.
+template <class Real, class Nodes, bool averaged, bool in_lanes> struct NodeWaypoints {};
+template <class Real, class Nodes> struct NodeWaypoints<Real, Nodes, true, true> {
+    Waypoint<InLanes<Real, 8>> all;
+};
+template <class Real, class Nodes> struct NodeWaypoints<Real, Nodes, true, false> {
+    Waypoint<Real> at[Nodes::nodes];
+};
+
 template <class Real, class Nodes> struct StepCourse {
     Waypoint<Real> at[Nodes::stages];
     Mobilisation<Real> end;
     Real end_decay;  // exp(-q) there
     Real arc;        // length of the step
+    NodeWaypoints<Real, Nodes, Nodes::averaged, takes_lanes<Real>> nodes;
 
     GRIT_INLINE const Waypoint<Real>& at_end() const { return at[Nodes::stages - 1]; }
 };
@@ -111,6 +56,9 @@ GRIT_INLINE void step_course_one_by_one(const Material& m, const StraightPath<Re
                                (1.0 + from.e) * exp_small(R_dq * mean * path.tr_D) - 1.0);
         r.arc = R_dq * mean;
     }
+    if constexpr (Nodes::averaged)
+        for (int i = 0; i < nodes; ++i)
+            r.nodes.at[i] = i < stages ? r.at[i] : waypoint(m, course.loading, h[i], from.e);
     r.end_decay = max(from.decay * decay[stages - 1], Real(least_decay));
     r.end = h[stages - 1];
 }
@@ -147,13 +95,19 @@ GRIT_INLINE void step_course_in_lanes(const Material& m, const StraightPath<Real
     All mean = NodeValues::each([](int i) { return i < stages ? weight.start[i] : 0.0; }) * all(J);
     for (int j = 0; j < nodes; ++j)
         mean = fma(NodeValues::each([j](int i) { return i < stages ? weight.at[i][j] : 0.0; }),
-                   all(of_lane(h.J, j)), mean);
+                   spread(h.J, j), mean);
     const Real R_dq = m.R * dq;
     const All e = (1.0 + all(from.e)) * exp_small(all(R_dq) * mean * all(path.tr_D)) - 1.0;
     const Waypoint<All> w = waypoint(m, courses.loading, h, e);
-    for (int i = 0; i < stages; ++i)
-        r.at[i] = {of_lane(w.ds, i), of_lane(w.e, i), of_lane(w.along, i), of_lane(w.across, i),
-                   of_lane(w.flow, i)};
+    if constexpr (Nodes::averaged) r.nodes.all = w;
+    for (int i = 0; i < stages; ++i) {
+        r.at[i].e = of_lane(w.e, i);
+        if (Nodes::averaged && i < stages - 1) continue;  // the others come from the average
+        r.at[i].ds = of_lane(w.ds, i);
+        r.at[i].along = of_lane(w.along, i);
+        r.at[i].across = of_lane(w.across, i);
+        r.at[i].flow = of_lane(w.flow, i);
+    }
     constexpr int end = stages - 1;
     r.end = {of_lane(h.rho, end), of_lane(h.c, end),        of_lane(h.across, end),
              of_lane(h.J, end),   of_lane(h.J_growth, end), h.rho_beta[end]};

@@ -51,24 +51,28 @@ GRIT_INLINE Course<Real> first_course(const Material& m, const StraightPath<Real
 
 // What the stress rate needs at a point of a course: nothing of it depends on the stress.
 template <class Real> struct Waypoint {
-    Real ds;             // per step of the course, R J
+    Real ds;             // per step of the course, R J; the rate is linear in this and ...
     Real e;              // void ratio
     Real along, across;  // L is applied to X = along D_hat + across tau ...
-    Real flow;           // ... and N to this: M:D_hat = L:X + N flow     (G1), (G2)
+    Real flow;           // ... and N to this: M:D_hat ds = L:X + N flow     (G1), (G2)
 };
+
+template <class Real> GRIT_INLINE Waypoint<PlainOf<Real>> value(const Waypoint<Real>& w) {
+    return {value(w.ds), value(w.e), value(w.along), value(w.across), value(w.flow)};
+}
 
 template <class Real>
 GRIT_INLINE Waypoint<Real> waypoint(const Material& m, const MaskOf<Real>& loading,
                                     const Mobilisation<Real>& h, const Real& e) {
     const Interpolation<Real> k = interpolation(m, h.rho, loading);
-    const Real B_c = k.B * h.c;
-    return {m.R * h.J, e, fma(B_c, h.c, k.A), B_c * h.across, k.C * h.c};
+    const Real ds = m.R * h.J, B_c = ds * k.B * h.c;
+    return {ds, e, fma(B_c, h.c, ds * k.A), B_c * h.across, ds * k.C * h.c};
 }
 
 // The basic model: L:D_hat + N     (H1)
 template <class Real> GRIT_INLINE Waypoint<Real> basic_waypoint(const Material& m, const Real& e) {
-    const Real zero = e * 0.0, one = zero + 1.0;
-    return {zero + m.R, e, one, zero, one};
+    const Real zero = e * 0.0, ds = zero + m.R;
+    return {ds, e, ds, zero, ds};
 }
 
 // What is marched along a course. Functions of the pressure go with the stress: within a step they are
@@ -95,25 +99,59 @@ GRIT_INLINE Marched<Real> select(const MaskOf<Real>& mask, const Marched<Real>& 
              select(mask, yes.compression.expansion, no.compression.expansion)}};
 }
 
-// d/dq of it. Finite for every finite T: see stress_shape, scalar_factors.
+// Of a stage that overshoots to no pressure; the step is rejected.
+template <class Real> GRIT_INLINE Compression<Real> bounded(const Compression<Real>& k) {
+    return {max(k.x, Real(1e-8)), max(k.expansion, Real(1.0))};
+}
+
+// L and N at a stress and a void ratio. Finite for every finite T: see stress_shape, scalar_factors.
+template <class Stress, class Real> struct Stiffness {
+    StressShape<Stress> shape;
+    ScalarFactors<Real> f;
+};
+
+template <class Stress, class Real>
+GRIT_INLINE Stiffness<PlainOf<Real>, PlainOf<Real>> value(const Stiffness<Stress, Real>& k) {
+    return {{value(k.shape.T_hat), value(k.shape.T_hat_dev), value(k.shape.T_hat_sq),
+             value(k.shape.F), value(k.shape.inverse_trace)},
+            {value(k.f.f_d), value(k.f.f_s)}};
+}
+
+template <class Stress, class Real>
+GRIT_INLINE Stiffness<Stress, Real> stiffness(const Material& m, const Marched<Stress>& y,
+                                              const Real& e) {
+    return {stress_shape(m, y.T),
+            scalar_factors(m, trace(y.T) * (-1.0 / 3.0), bounded(y.compression), e)};
+}
+
+template <bool igs, class Stress, class Real>
+GRIT_INLINE Tensor<Real> stress_rate(const Material& m, const Tensor<Real>& D_hat,
+                                     const Tensor<Real>& tau, const Stiffness<Stress, Real>& k,
+                                     const Waypoint<Real>& at) {
+    Tensor<Real> X = scaled(D_hat, at.along);
+    if constexpr (igs) X = scaled_sum(at.across, tau, X);
+    return apply_stiffness(m, k.shape, k.f, X, at.flow);
+}
+
+// d/dq of what is marched.
 // Stress: Real, or its plain number where the stress is given and has no derivatives.
+template <class Real, bool igs, class Stress>
+GRIT_INLINE Marched<Real> course_rate(const Material& m, const StraightPath<Real>& path,
+                                      const Waypoint<Real>& at, const Marched<Stress>& y,
+                                      const Stiffness<Stress, Real>& k) {
+    Marched<Real> rate;
+    rate.T = stress_rate<igs>(m, path.D_hat, path.tau, k, at);
+    const Compression<Stress> now = bounded(y.compression);
+    rate.compression.x = now.x * (m.n * (trace(rate.T) * k.shape.inverse_trace));
+    rate.compression.expansion = now.expansion * rate.compression.x;
+    return rate;
+}
+
 template <class Real, bool igs, class Stress>
 inline __attribute__((noinline)) Marched<Real>
 course_rate(const Material& m, const StraightPath<Real>& path, const Waypoint<Real>& at,
             const Marched<Stress>& y) {
-    const StressShape<Stress> shape = stress_shape(m, y.T);
-    // Of a stage that overshoots to no pressure; the step is rejected.
-    const Compression<Stress> k{max(y.compression.x, Stress(1e-8)),
-                                max(y.compression.expansion, Stress(1.0))};
-    ScalarFactors<Real> f = scalar_factors(m, trace(y.T) * (-1.0 / 3.0), k, at.e);
-    f.f_s = f.f_s * at.ds;
-    Tensor<Real> X = path.D_hat;
-    if constexpr (igs) X = scaled_sum(at.across, path.tau, scaled(path.D_hat, at.along));
-    Marched<Real> rate;
-    rate.T = apply_stiffness(m, shape, f, X, at.flow);
-    rate.compression.x = k.x * (m.n * (trace(rate.T) * shape.inverse_trace));
-    rate.compression.expansion = k.expansion * rate.compression.x;
-    return rate;
+    return course_rate<Real, igs>(m, path, at, y, stiffness(m, y, at.e));
 }
 
 GRIT_KERNEL_END
