@@ -60,6 +60,18 @@ TEST(UmatRadian, IsTheClassicUmatWithOtherPlaces) {
             }
 }
 
+TEST(UmatRadian, HasTheToleranceInTheSamePlace) {
+    UmatCall classic = UmatCall::hochstetten();
+    classic.set_tolerance(1e-7);
+    classic.set_dstran(-1e-2, 2e-3, 3e-3, 4e-3, -3e-3, 2e-3);
+    UmatCall radian = in_radians(classic);
+    classic.run();
+    radian.run(radian_umat());
+    ASSERT_EQ(radian.pnewdt, 1.0);
+    expect_same(radian, classic);
+    EXPECT_EQ(radian.statev[9], classic.statev[9]) << "evaluations";
+}
+
 TEST(UmatRadian, KeepsTheVoidRatioOfStatevOne) {
     UmatCall call = in_radians(UmatCall::hochstetten());
     call.statev[0] = 0.66;

@@ -48,6 +48,27 @@ TEST(Vumat, GivesEveryPointTheBitsOfAUmat) {
     }
 }
 
+TEST(Vumat, TakesTheToleranceOfAUmatAndGoesBackToTheDefault) {
+    const double d[6] = {-5e-3, 1e-3, 2e-3, 4e-3, -3e-3, 2e-3};
+    UmatCall usual = UmatCall::hochstetten();
+    usual.set_dstran(d[0], d[1], d[2], d[3], d[4], d[5]);
+    const UmatCall start = usual;
+    usual.run();
+    for (const double tolerance : {1e-6, 0.0, 1e-4, 3e-2, 0.0}) {
+        VumatCall block(2);
+        for (int i = 0; i < 2; ++i) block.set_strain(i, d);
+        UmatCall point = start;
+        if (tolerance > 0.0) {
+            block.set_tolerance(tolerance);
+            point.set_tolerance(tolerance);
+        }
+        block.run();
+        point.run();
+        for (int i = 0; i < 2; ++i) expect_point(block, i, point);
+        EXPECT_EQ(point.stress == usual.stress, tolerance == 0.0) << tolerance;
+    }
+}
+
 TEST(Vumat, LeavesStressAndMemoryBitwiseAloneInAPureRotation) {
     const double first[6] = {-3e-4, 1e-4, 2e-5, 1e-4, -5e-5, 7e-5}, none[6] = {};
     for (const double K_w : {0.0, 2e6}) {

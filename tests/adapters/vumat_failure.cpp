@@ -166,11 +166,15 @@ TEST(VumatFailure, LeavesAllPointsStandingWhereTheMaterialIsWrong) {
         int place;
         double value;
         const char* word;
-    } wrong[] = {{0, 0.576, "radians?"}, {3, nan, "n"}, {14, -1.0, "K_w"}};
+    } wrong[] = {{0, 0.576, "radians?"},
+                 {3, nan, "n"},
+                 {14, -1.0, "K_w"},
+                 {16, 0.2, "PROPS(17) (tolerance) must be 0 or in [1e-12, 0.1], got 0.2"}};
     for (const double time : {0.0, 1e-3})
         for (const auto& prop : wrong) {
             VumatCall block = loaded(70);
             block.step_time = block.total_time = time;
+            block.set_tolerance(0.0);
             block.props[static_cast<std::size_t>(prop.place)] = prop.value;
             const std::string said = block.complaint();
             EXPECT_EQ(said.rfind("Grit VUMAT: ", 0), 0U) << said;

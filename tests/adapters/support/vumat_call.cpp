@@ -86,6 +86,12 @@ void VumatCall::advance() {
     inelas_old = inelas_new;
 }
 
+void VumatCall::set_tolerance(double tolerance) {
+    nprops = 17;
+    props.resize(17);
+    props[16] = tolerance;
+}
+
 void VumatCall::set_strain(int point, const double* d) {
     for (int c = 0; c < 3 + nshr; ++c) strain_inc(point, place[c]) = c < 3 ? d[c] : 0.5 * d[c];
 }

@@ -54,6 +54,8 @@ struct VumatCall {
     std::string complaint();
     // What is new becomes old, for the next increment.
     void advance();
+    // PROPS(17), which is not there without this.
+    void set_tolerance(double tolerance);
     // Strain increment of a point: 11 22 33 12 13 23 with engineering shear, as a UMAT takes it.
     void set_strain(int point, const double* d);
     // Stress of a point in the same order.
