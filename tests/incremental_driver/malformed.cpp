@@ -67,6 +67,9 @@ const std::vector<Bad> bad_files{
     parameter("AngleInRadians", 3, "0.576", "PROPS(1): phi_c must be in [10, 60] degrees"),
     parameter("NegativeHardness", 5, "-1.6e6", "PROPS(3): granulate_hardness"),
     parameter("LooserThanLoosest", 8, "1.2", "critical_void_ratio"),
+    {"ToleranceTooLarge", "parameters.inp",
+     with_line(with_line(lausitz_parameters(), 2, "17"), 18, "10.6\n0.2"), 19,
+     "PROPS(17): tolerance must be in [1e-12, 0.1], got 0.2"},
     parameter("NegativeWater", 17, "-1", "PROPS(15): K_w must be >= 0, got -1"),
     {"BinaryParameters", "parameters.inp", std::string("a\0b\n", 4), 1, "not a line of text"},
 

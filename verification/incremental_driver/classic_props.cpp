@@ -36,8 +36,7 @@ class Reader {
         element::GritLawOptions options;
         options.intergranular_strain =
             given.props[GRIT_CLASSIC_REVERSAL_STIFFNESS] > GRIT_CLASSIC_NO_MEMORY;
-        constexpr std::size_t tolerance = GRIT_CLASSIC_NPROPS;  // optional, as for the UMAT
-        if (given.props.size() > tolerance && given.props[tolerance] != 0.0)
+        if (given.props.size() > std::size_t{tolerance} && given.props[tolerance] != 0.0)
             options.tolerance = given.props[tolerance];
         try {
             out.law = std::make_shared<element::GritLaw>(parameters, options);
@@ -48,6 +47,8 @@ class Reader {
     }
 
   private:
+    static constexpr int tolerance = GRIT_CLASSIC_NPROPS;  // optional, as for the UMAT
+
     // The library's message begins with the name of a parameter. It has p_t behind beta, PROPS has it
     // behind phi_c.
     static int place_of(const std::string& message) {
@@ -55,7 +56,7 @@ class Reader {
         for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i)
             if (message.starts_with(std::string(grit_sand_parameter_describe(i)->name) + " "))
                 return i == pressure_shift ? 1 : i == 0 || i > pressure_shift ? i : i + 1;
-        return 0;
+        return message.starts_with("tolerance ") ? tolerance : 0;
     }
 
     [[noreturn]] void fail(int place, const std::string& why) const {

@@ -60,7 +60,9 @@ std::vector<Row> parameters(bool radian) {
         parameter("K_w", "K_w", "stress",
                   "bulk stiffness of the pore water in the mixture, K_water/n_porosity; 0: drained",
                   "≥ 0"),
-        parameter("e_0", "e_0", "–", "initial void ratio, see docs/umat.md", "> 0 if used")};
+        parameter("e_0", "e_0", "–", "initial void ratio, see docs/umat.md", "> 0 if used"),
+        parameter("tol", "tol", "–", "tolerance of the stress; may be missing; 0: 3e-3",
+                  "0 or 1e-12 … 0.1")};
 }
 
 Row state(int first, int last, const char* symbol, const char* plain, const char* meaning,

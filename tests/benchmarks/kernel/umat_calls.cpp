@@ -27,7 +27,7 @@ UmatPoints run(const char* library, const char* file, bool tangent) {
 }
 
 SandPoints through_c_abi() {
-    SandPoints points(some_calls(), some_calls().size());
+    SandPoints points = SandPoints::structures(some_calls(), some_calls().size());
     update(lausitz(), SandRequest{1e-3}.options(), points, 0, points.size(), 1);
     return points;
 }
