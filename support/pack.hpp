@@ -57,7 +57,7 @@ template <int W> struct Pack {
     Vector v;
     Pack() = default;
     GRIT_INLINE Pack(Vector vector) : v(vector) {}
-    GRIT_INLINE Pack(double x) : v(each([x](int) { return x; }).v) {}
+    GRIT_INLINE Pack(double x) : v(x - Vector{}) {}  // -0 stays -0
     GRIT_INLINE double operator[](int lane) const { return v[lane]; }
     GRIT_INLINE void set(int lane, double x) { v[lane] = x; }
     // of(lane) in every lane.
