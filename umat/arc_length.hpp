@@ -76,9 +76,11 @@ GRIT_INLINE Real arc_length(const Material& m, const Course<Real>& course, const
 template <class Real>
 GRIT_INLINE Real predicted_course(const Material& m, const Real& J, const Real& J_growth,
                                   const Real& ds) {
-    const Real first = m.inverse_R * ds / J;
+    const Real straight = m.inverse_R * ds;
+    const Real first = straight / J;
     const Real bend = max(fma(2.0 * J_growth, first, Real(1.0)), Real(0.1));
-    return 2.0 * first / (1.0 + sqrt(bend));
+    // From near h = 0, where J is next to nothing, it takes some 1/beta_r to get away.
+    return min(2.0 * first / (1.0 + sqrt(bend)), fma(3.0, straight, Real(10.0 / m.beta_r)));
 }
 
 GRIT_KERNEL_END

@@ -7,7 +7,7 @@
 GRIT_KERNEL_BEGIN
 
 // Where J is evaluated within a step: the stages of a method, its end last, and more so that the weights of
-// the arc length are positive. The start of the step is known.
+// the arc length up to there are not negative. The start of the step is known.
 // decay: exp(-q) at the nodes over that at the start, as powers of one exponential.
 // averaged: see AverageWeights.
 struct DormandPrinceNodes {

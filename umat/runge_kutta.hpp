@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One explicit step of the stress along its course: Heun 2(1) for increments far below R, Dormand &
-// Prince 5(4) (1980, J. Comput. Appl. Math. 6:19) beyond.
+// One explicit step of the stress along its course: Heun 2(1) for increments far below R, third order on averaged
+// waypoints about R, Dormand & Prince 5(4) (1980, J. Comput. Appl. Math. 6:19) beyond.
 #pragma once
 
 #include "umat/averaged_course.hpp"
@@ -62,6 +62,16 @@ GRIT_INLINE Plain error_at_end(const Tensor<Plain>& dT, const Plain& arc_error, 
     return norm(scaled_sum(-(arc_error / ds), rate, dT)) / stress_scale;
 }
 
+template <class Plain>
+GRIT_INLINE Waypoint<Plain> combined(const double (&weight)[3], const Waypoint<Plain>& a,
+                                     const Waypoint<Plain>& b, const Waypoint<Plain>& c) {
+    const auto sum = [&](const Plain& x, const Plain& y, const Plain& z) {
+        return fma(weight[0], x, fma(weight[1], y, weight[2] * z));
+    };
+    return {sum(a.ds, b.ds, c.ds), a.e, sum(a.along, b.along, c.along),
+            sum(a.across, b.across, c.across), sum(a.flow, b.flow, c.flow)};
+}
+
 template <class Real, bool igs>
 GRIT_INLINE Trial<Real> heun_step(const StepContext<Real>& c, const Marched<Real>& y,
                                   const Real& ds_start, const Waypoint<Real>& end,
@@ -83,8 +93,12 @@ GRIT_INLINE Trial<Real> heun_step(const StepContext<Real>& c, const Marched<Real
     // the relative change of the rate over the step.
     const Plain first_order = value(c.dq) * norm(value(k1.T)) / c.stress_scale;
     const Plain change = stiffness_change + euler_error / max(first_order, Plain(1e-300));
-    trial.error = heun_safety * euler_error * min(change, Plain(1.0));
-    meet_end(c, 0.5 * c.dq * (ds_start + end.ds), end.ds, k[1], trial.y);
+    const Real own_arc = 0.5 * c.dq * (ds_start + end.ds);
+    // What is left of the arc gets the rate at the end alone.
+    const Plain left =
+        fabs(value(c.arc) - value(own_arc)) / max(value(c.dq) * value(ds_start), Plain(1e-300));
+    trial.error = euler_error * fma(heun_safety, min(change, Plain(1.0)), left);
+    meet_end(c, own_arc, end.ds, k[1], trial.y);
     return trial;
 }
 
@@ -97,6 +111,7 @@ GRIT_INLINE Trial<Real> third_order_step(const StepContext<Real>& c, const Segme
     constexpr double a2[] = {1.0 / 2.0};
     constexpr double a3[] = {0.0, 3.0 / 4.0};
     constexpr double b[] = {2.0 / 9.0, 1.0 / 3.0, 4.0 / 9.0};
+    constexpr double d[] = {2.0 / 9.0, -2.0 / 3.0, 4.0 / 9.0};  // less the midpoint rule
     const Waypoint<Real>* const at = course.at;
     const Marched<Real>& y = start.y;
     Marched<Real> k[3];
@@ -113,8 +128,18 @@ GRIT_INLINE Trial<Real> third_order_step(const StepContext<Real>& c, const Segme
     const Plain coupling = norm(scaled_sum(-value(c.dq), unchanged, increment)) / c.stress_scale;
     const Plain growth = norm(increment) / c.stress_scale;
     const Plain change = min(stiffness_change + growth, Plain(1.0));
-    trial.error =
-        third_order_safety * coupling * change + roughness_safety * course.roughness * growth;
+    // The embedded midpoint rule, less what is due to the waypoints.
+    const Tensor<Plain> due =
+        stress_rate<igs>(c.m, value(c.path.D_hat), value(c.path.tau), start.stiffness,
+                         combined(d, value(start.at), value(at[0]), value(at[1])));
+    Tensor<Plain> bend;
+    for (int j = 0; j < 6; ++j)
+        bend[j] =
+            fma(d[0], value(k[0].T[j]), fma(d[1], value(k[1].T[j]), d[2] * value(k[2].T[j]))) -
+            due[j];
+    const Plain midpoint_error = value(c.dq) * norm(bend) / c.stress_scale;
+    trial.error = max(third_order_safety * coupling * change, midpoint_safety * midpoint_error) +
+                  roughness_safety * course.roughness * growth;
     const Real own_mean = fma(b[0], start.at.ds, fma(b[1], at[0].ds, b[2] * at[1].ds));
     meet_end(c, c.dq * own_mean, at[1].ds, k[2], trial.y);
     return trial;

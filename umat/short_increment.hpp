@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Heun's step over a whole segment: most increments of explicit codes are far below R and end here. What it
-// does not accept is integrated: integrate.hpp.
+// One step over a whole segment, of second or third order: most increments of explicit codes are far below R and
+// end here. What these do not accept is integrated: integrate.hpp.
 #pragma once
 
 #include "umat/cone.hpp"
@@ -33,6 +33,8 @@ template <class Real, bool igs> class ShortSegment {
     void run(const Plain& spent) {
         const Mask fresh = spent <= Plain(0.0);
         r.accepted = r.outside_cone = Mask(false);
+        r.T = start.y.T;
+        r.h_late = r.error = Plain(0.0);
         r.evaluations = select(fresh, Plain(1.0), spent);
         if (!any(fresh)) return;
         const Plain length = value(arc);
@@ -44,13 +46,16 @@ template <class Real, bool igs> class ShortSegment {
         const Plain growth = start.relative_rate / value(start.at.ds) * length;
         const Plain second = 0.1 * growth * square(growth + change);
         const Plain third = 0.5 * square(growth) * min(growth + change, Plain(1.0));
-        Mask smooth = fresh;
-        if constexpr (igs)
-            if (m.chi < 2.0)
-                smooth = fresh & !(start.course.loading & (value(start.h.rho) < change));
+        // From near h = 0 nothing is smooth.
+        Mask smooth = fresh, smoother = fresh & (change <= longest_averaged);
+        if constexpr (igs) {
+            const Plain rho = value(start.h.rho);
+            smooth = smooth & !(start.course.loading & (rho < (m.chi < 2.0 ? 1.0 : 0.01) * change));
+            smoother =
+                smoother & !(start.course.loading & (rho < (m.chi < 2.0 ? 1.0 : 0.1) * change));
+        }
         const Mask heun = smooth & (heun_safety * second <= allowed);
-        const Mask third_order =
-            smooth & (change <= longest_averaged) & (third_order_safety * third <= allowed);
+        const Mask third_order = smoother & (third_order_safety * third <= allowed);
         if (!any(heun | third_order)) return;
         dq = arc * m.inverse_R;
         if constexpr (igs) dq = predicted_course(m, start.h.J, start.h.J_growth, arc);
@@ -76,7 +81,8 @@ template <class Real, bool igs> class ShortSegment {
         }
         const StepContext<Real> c{m, path, dq_here, arc, start.stress_scale};
         judge(where, heun_step<Real, igs>(c, start.y, start.at.ds, end, start.rate, change), h,
-              Plain(0.0), 1.0);
+              Plain(0.0));
+        r.evaluations = r.evaluations + select(where, Plain(1.0), Plain(0.0));
     }
 
     // Newton's method from the prediction, which is good enough where J hardly changes.
@@ -119,12 +125,14 @@ template <class Real, bool igs> class ShortSegment {
             basic_average(start, course, averaged);
         }
         const StepContext<Real> c{m, path, dq, arc, start.stress_scale};
-        judge(where, third_order_step<Real, igs>(c, start, averaged, change), course.end,
-              value(arc) - value(course.arc), 2.0);
+        const Plain late = value(arc) - value(course.arc);
+        judge(where & (fabs(late) <= control.tolerated_excess() * value(arc)),
+              third_order_step<Real, igs>(c, start, averaged, change), course.end, late);
+        r.evaluations = r.evaluations + select(where, Plain(2.0), Plain(0.0));
     }
 
     void judge(const Mask& where, const Trial<Real>& trial, const Mobilisation<Real>& h,
-               const Plain& late, double evaluations) {
+               const Plain& late) {
         const Plain p_0 = trace(value(start.y.T)) * (-1.0 / 3.0);
         const Plain p_1 = trace(value(trial.y.T)) * (-1.0 / 3.0);
         const Mask above =
@@ -135,7 +143,6 @@ template <class Real, bool igs> class ShortSegment {
         assign(here, r.h, h);
         r.h_late = select(here, late, r.h_late);
         r.error = select(here, trial.error, r.error);
-        r.evaluations = r.evaluations + select(where, Plain(evaluations), Plain(0.0));
     }
 
     const Material& m;

@@ -48,8 +48,9 @@ template <class Real> struct Integrated {
 // Constants of the step control, calibrated so that single calls deliver what was asked: see the
 // table of docs/accuracy.md.
 constexpr double error_safety = 10.0;
-constexpr double heun_safety = 0.75;         // its estimate is pessimistic for steps far below R
+constexpr double heun_safety = 1.5;          // of Euler's error times the change of the rate
 constexpr double third_order_safety = 0.07;  // of what the stress makes of the increment
+constexpr double midpoint_safety = 0.25;     // of a method of second order for one of third
 constexpr double roughness_safety = 1.0;     // of what a quadrature might miss
 constexpr double longest_averaged = 2.0;     // in R: beyond, waypoints are too rough as a rule
 constexpr double start_reach = 3.0;
