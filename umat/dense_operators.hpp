@@ -11,10 +11,7 @@ struct Matrix {
     double c[6][6];  // Mandel, [row][column]
 };
 
-struct PointFactors {
-    StressShape<double> shape;
-    ScalarFactors<double> f;
-};
+using PointFactors = Stiffness<double, double>;
 
 GRIT_INLINE PointFactors point_factors(const Material& m, const Tensor<double>& T, double e) {
     return {stress_shape(m, T), scalar_factors(m, trace(T) * (-1.0 / 3.0), e)};

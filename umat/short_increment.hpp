@@ -49,10 +49,12 @@ template <class Real, bool igs> class ShortSegment {
         // From near h = 0 nothing is smooth.
         Mask smooth = fresh, smoother = fresh & (change <= longest_averaged);
         if constexpr (igs) {
-            const Plain rho = value(start.h.rho);
-            smooth = smooth & !(start.course.loading & (rho < (m.chi < 2.0 ? 1.0 : 0.01) * change));
-            smoother =
-                smoother & !(start.course.loading & (rho < (m.chi < 2.0 ? 1.0 : 0.1) * change));
+            const auto away = [&](double share) {
+                const Plain near = (m.chi < 2.0 ? 1.0 : share) * change;
+                return !(start.course.loading & (value(start.h.rho) < near));
+            };
+            smooth = smooth & away(0.01);
+            smoother = smoother & away(0.1);
         }
         const Mask heun = smooth & (heun_safety * second <= allowed);
         const Mask third_order = smoother & (third_order_safety * third <= allowed);
