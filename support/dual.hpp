@@ -14,6 +14,14 @@ template <class Plain, class Part, int parts> struct Gradient {
     static constexpr int per_part = NumberTraits<Part>::lanes / NumberTraits<Plain>::lanes;
     Part part[parts];
 
+    Gradient() = default;
+    // Copied part by part: what is moved as a whole goes in pieces that a load of a part would have to wait for.
+    GRIT_INLINE Gradient(const Gradient& x) { *this = x; }
+    GRIT_INLINE Gradient& operator=(const Gradient& x) {
+        for (int i = 0; i < parts; ++i) part[i] = x.part[i];
+        return *this;
+    }
+
     GRIT_INLINE Plain operator[](int i) const {
         if constexpr (per_part == 1) return part[i];
         else return part[i / per_part][i % per_part];
@@ -67,7 +75,6 @@ template <class Plain, class Part, int parts> struct DualOf {
     Derivatives d;
 
     DualOf() = default;
-    // Copied member by member: a move of the whole would load what was just stored in other pieces.
     GRIT_INLINE DualOf(const DualOf& x) : v(x.v), d(x.d) {}
     GRIT_INLINE DualOf& operator=(const DualOf& x) {
         v = x.v;

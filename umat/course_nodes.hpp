@@ -9,10 +9,11 @@ GRIT_KERNEL_BEGIN
 // Where J is evaluated within a step: the stages of a method, its end last, and more so that the weights of
 // the arc length up to there are not negative. The start of the step is known.
 // decay: exp(-q) at the nodes over that at the start, as powers of one exponential.
-// averaged: see AverageWeights.
+// averages: stages that are given averaged waypoints, and moments that these share with the course;
+// left_out: the node that AverageWeights do without to see how rough a course is.
 struct DormandPrinceNodes {
-    static constexpr bool averaged = false;
     static constexpr int stages = 5, nodes = 7;
+    static constexpr int averages = 5, moments = 3, left_out = 6;
     static constexpr double at[nodes] = {1.0 / 5.0, 3.0 / 10.0, 4.0 / 5.0, 8.0 / 9.0,
                                          1.0,       0.1,        0.55};
 
@@ -30,8 +31,8 @@ struct DormandPrinceNodes {
     }
 };
 struct ThirdOrderNodes {
-    static constexpr bool averaged = true;
     static constexpr int stages = 3, nodes = 5;
+    static constexpr int averages = 2, moments = 2, left_out = 1;
     static constexpr double at[nodes] = {0.5, 0.75, 1.0, 0.125, 0.25};
 
     template <class Real> static GRIT_INLINE void decay(const Real& dq, Real (&d)[nodes]) {
@@ -87,36 +88,61 @@ template <class Nodes> constexpr ArcWeights<Nodes> arc_weights() {
 
 template <class Nodes> constexpr ArcWeights<Nodes> arc_weight = arc_weights<Nodes>();
 
-// The rate is linear in a waypoint, which may change much within a step while the stress hardly does. A method of
-// third order integrates parabolas, so it is given the one that starts at the waypoint at the start and has the
-// mean and the first moment of the polynomial through all nodes: what is left is the error of the stress.
+// Of the polynomial that starts at w and has the given moments over [0, 1], at x: the weights of these.
+template <int moments> struct Matched {
+    long double of_start = 0.0L, of_moment[moments] = {};
+
+    constexpr explicit Matched(long double x) {
+        // Rows: moments of w + sum c_k x^k, k from 1; right-hand sides: unit moments, and -w's.
+        constexpr int columns = 2 * moments + 1;
+        long double a[moments][columns] = {};
+        for (int j = 0; j < moments; ++j) {
+            for (int k = 0; k < moments; ++k) a[j][k] = 1.0L / (j + k + 2);
+            a[j][moments + j] = 1.0L;
+            a[j][columns - 1] = -1.0L / (j + 1);
+        }
+        for (int pivot = 0; pivot < moments; ++pivot)
+            for (int row = 0; row < moments; ++row) {
+                const long double share = a[row][pivot] / a[pivot][pivot];
+                if (row != pivot)
+                    for (int k = 0; k < columns; ++k) a[row][k] -= share * a[pivot][k];
+            }
+        of_start = 1.0L;
+        long double power = 1.0L;
+        for (int k = 0; k < moments; ++k) {
+            power *= x;
+            for (int j = 0; j < moments; ++j) of_moment[j] += power * a[k][moments + j] / a[k][k];
+            of_start += power * a[k][columns - 1] / a[k][k];
+        }
+    }
+};
+
+// The rate is linear in a waypoint, which may change much within a step while the stress hardly does. A method
+// integrates polynomials of some degree exactly, so it is given the one that starts at the waypoint at the start and
+// has the mean and the first moments of the polynomial through all nodes: what is left is the error of the stress.
 template <class Nodes> struct AverageWeights {
-    static constexpr int parabola = Nodes::stages - 1;  // at the stages before the end
-    static constexpr int mean = parabola, rough = parabola + 1, rows = parabola + 2;
+    static constexpr int rough = Nodes::averages,
+                         rows = rough + 1;  // rough: what one node less makes of the mean
     double start[rows], at[rows][Nodes::nodes];
 };
 
-// Node 0.75 is left out to see how rough it is.
 template <class Nodes> constexpr AverageWeights<Nodes> average_weights() {
+    constexpr int left_out = Nodes::left_out + 1;
     AverageWeights<Nodes> w{};
-    constexpr int left_out = 2;
     for (int i = 0; i <= Nodes::nodes; ++i) {
         const Lagrange<Nodes> all(i);
-        const long double mean = all.integral(1.0L), moment = all.integral(1.0L, 1);
+        const auto set = [&](int row, long double weight) {
+            (i == 0 ? w.start[row] : w.at[row][i - 1]) = static_cast<double>(weight);
+        };
+        for (int row = 0; row < Nodes::averages; ++row) {
+            const Matched<Nodes::moments> p(Nodes::at[row]);
+            long double sum = i == 0 ? p.of_start : 0.0L;
+            for (int j = 0; j < Nodes::moments; ++j) sum += p.of_moment[j] * all.integral(1.0L, j);
+            set(row, sum);
+        }
         const long double coarse =
             i == left_out ? 0.0L : Lagrange<Nodes>(i, left_out).integral(1.0L);
-        for (int row = 0; row < w.rows; ++row) {
-            double& weight = i == 0 ? w.start[row] : w.at[row][i - 1];
-            if (row == w.mean) weight = static_cast<double>(mean);
-            else if (row == w.rough) weight = static_cast<double>(mean - coarse);
-            else {
-                const long double x = Nodes::at[row];
-                const long double of_mean = x * (18.0L - 24.0L * x);
-                const long double of_moment = x * (36.0L * x - 24.0L);
-                weight = static_cast<double>(of_mean * mean + of_moment * moment +
-                                             (i == 0 ? 1.0L - of_mean - 0.5L * of_moment : 0.0L));
-            }
-        }
+        set(w.rough, all.integral(1.0L) - coarse);
     }
     return w;
 }

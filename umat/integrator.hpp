@@ -28,7 +28,7 @@ template <class Real, bool igs> class Integrator {
                const Segment<Real>& start, const Mask& where, const Plain& allowed_here,
                const Plain& advised, Integrated<Real>& result)
         : m(material), control(limits), path(along), seg(start), allowed(allowed_here),
-          advised_step(advised), out(result), k1(start.rate), ds(start.at.ds), active(where) {
+          advised_step(advised), out(result), k1(start.rate), here(start.at), active(where) {
         assign(active, out.y, start.y);
         assign(active, out.h, start.h);
         out.s = select(active, start.s, out.s);
@@ -55,20 +55,20 @@ template <class Real, bool igs> class Integrator {
   private:
     void evaluate_rate(const Mask& needed) {
         give_up(needed & !affordable(1.0));
-        const Mask here = needed & active;
+        const Mask now = needed & active;
         Waypoint<Real> at;
-        from.e = select(here, void_ratio(path, from.s), from.e);
+        from.e = select(now, void_ratio(path, from.s), from.e);
         if constexpr (igs) {
             const Mobilisation<Real> h = mobilisation(m, seg.course, from.q, from.decay);
             at = waypoint(m, seg.course.loading, h, from.e);
-            assign(here, out.h, h);
+            assign(now, out.h, h);
         } else {
             at = basic_waypoint(m, from.e);
         }
-        ds = select(here, at.ds, ds);
-        assign(here, out.y, marched(m, out.y.T));
-        assign(here, k1, course_rate<Real, igs>(m, path, at, out.y));
-        count(here, 1.0);
+        assign(now, here, at);
+        assign(now, out.y, marched(m, out.y.T));
+        assign(now, k1, course_rate<Real, igs>(m, path, at, out.y));
+        count(now, 1.0);
     }
 
     void choose_step() {
@@ -86,7 +86,7 @@ template <class Real, bool igs> class Integrator {
         if (any(starting)) {
             const Plain change_of_h = 0.2 * value(out.h.J) * memory_here();
             const Plain first = control.reach / max(change_of_h + 0.5 * relative_rate, least);
-            const Plain advised = advised_step / value(ds);
+            const Plain advised = advised_step / value(here.ds);
             step = select(starting, select(advised > none, advised, first), step);
             if constexpr (igs)
                 if (any(starting & seg.course.loading))
@@ -109,7 +109,7 @@ template <class Real, bool igs> class Integrator {
     // what is allowed, or with rho itself.
     Plain gentle_start() const {
         const double order = m.chi < 1.0 + m.beta_r ? 1.0 + m.chi : 2.0 + m.beta_r;
-        const Plain rate = m.R * norm(value(k1.T)) / stress_scale / value(ds);
+        const Plain rate = m.R * norm(value(k1.T)) / stress_scale / value(here.ds);
         const Plain error = allowed / (error_safety * max(rate, Plain(1e-30)));
         const Plain smooth = rough_root(max(error, Plain(1e-30)), order);
         return max(start_reach * smooth, 3.0 * value(out.h.rho));
@@ -123,7 +123,7 @@ template <class Real, bool igs> class Integrator {
             const Real excess = course.arc - left;
             open = open & (fabs(value(excess)) > control.tolerated_excess() * value(left));
             if (!any(open)) break;
-            dq = select(open, dq - excess / course.at_end().ds, dq);
+            dq = select(open, dq - excess / (m.R * course.end.J), dq);
             find_course();
         }
         const Mask beyond = active & to_end & !(value(dq) <= 1.1 * step);
@@ -152,7 +152,9 @@ template <class Real, bool igs> class Integrator {
     void attempt() {
         arc = select(to_end, left, course.arc);
         const StepContext<Real> c{m, path, dq, arc, stress_scale};
-        trial = dormand_prince_step<Real, igs>(c, out.y, ds, course.at, k1);
+        if constexpr (igs) average(m, seg.course, here, course, averaged);
+        else basic_average(m, course, averaged);
+        trial = dormand_prince_step<Real, igs>(c, out.y, k1, here.ds, averaged);
         count(active, 6.0);
     }
 
@@ -172,9 +174,9 @@ template <class Real, bool igs> class Integrator {
     }
 
     void separate() {
-        const Real here = trace(out.y.T) * (-1.0 / 3.0);
-        const Real there = trace(trial.y.T) * (-1.0 / 3.0);
-        const Real part = (here - opening_pressure(m)) / (here - there);
+        const Real p_0 = trace(out.y.T) * (-1.0 / 3.0);
+        const Real p_1 = trace(trial.y.T) * (-1.0 / 3.0);
+        const Real part = (p_0 - opening_pressure(m)) / (p_0 - p_1);
         const Real at = fma(min(max(part, Real(0.0)), Real(1.0)), arc, out.s);
         out.separation_at = select(separating, at, out.separation_at);
         out.separated = out.separated | separating;
@@ -190,7 +192,7 @@ template <class Real, bool igs> class Integrator {
         from.decay = select(accepted, course.end_decay, from.decay);
         from.s = out.s;
         from.e = select(accepted, (1.0 + from.e) * exp_small(arc * path.tr_D) - 1.0, from.e);
-        ds = select(accepted, course.at_end().ds, ds);
+        assign(accepted, here, averaged.end);
         assign(accepted, k1, trial.rate);
         const Mask projected = back_into_cone(out.y.T, accepted);
         out.outside_cone = out.outside_cone | projected;
@@ -200,7 +202,7 @@ template <class Real, bool igs> class Integrator {
         const Mask ended = accepted & to_end;
         out.h_late = select(ended, value(left) - value(course.arc), out.h_late);
         if (control.next_step_wanted || any(active & !(ended | separating))) adapt_step();
-        give_up(rejected & (step * value(ds) < smallest_fraction * value(path.length)));
+        give_up(rejected & (step * value(here.ds) < smallest_fraction * value(path.length)));
         active = active & !(separating | ended);
         needs_rate = projected;
     }
@@ -213,7 +215,7 @@ template <class Real, bool igs> class Integrator {
         factor = select(rejected, min(factor, largest), factor);
         factor = select(trial.error <= Plain(1e300), factor, Plain(0.2));
         step = select(active, value(dq) * factor, step);
-        out.next_step = select(active, step * value(ds), out.next_step);
+        out.next_step = select(active, step * value(here.ds), out.next_step);
     }
 
     void give_up(const Mask& failed) {
@@ -238,14 +240,15 @@ template <class Real, bool igs> class Integrator {
     Integrated<Real>& out;
     Position<Real> from;
     Marched<Real> k1;  // rate at the current position
-    Real ds;           // per step of the course, there
-    Plain step;        // next dq to try
+    Waypoint<Real> here;
+    Plain step;  // next dq to try
     Mask active;
     Mask needs_rate;
 
     // of the current attempt
     Real left, dq, arc;
     StepCourse<Real, DormandPrinceNodes> course;
+    AveragedCourse<Real, DormandPrinceNodes> averaged;
     Plain stress_scale;
     Mask to_end, accepted, separating, rejected, above;
     Trial<Real> trial;

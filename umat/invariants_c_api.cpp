@@ -2,12 +2,13 @@
 // Output quantities and initial states.
 #define GRIT_TARGET c_api
 #include <cmath>
+#include <cstddef>
 
 #include <grit/sand_operators.h>
 
 #include "support/versioned.hpp"
+#include "umat/deviatoric_plane.hpp"
 #include "umat/point.hpp"
-#include "umat/principal.hpp"
 
 using namespace grit;
 using namespace grit::c_api;
@@ -31,26 +32,25 @@ grit_status grit_sand_invariants_of(const grit_sand* sand, const double stress[6
         return GRIT_BAD_CALL;
     const Material& m = material_of(*sand);
     const Tensor<double> T = stress_from_voigt(stress);
-    const Tensor<double> dev = deviator(T);
     grit_sand_invariants ours{};
     ours.p = trace(T) * (-1.0 / 3.0);
-    ours.q = std::sqrt(1.5 * contract(dev, dev));
-    const Eigen::Vector3d principal = principal_values(dev);
-    // Lode angle from the intermediate value: 0 in triaxial compression, where it equals the largest.
-    const double spread = principal[2] - principal[0];
-    if (spread > 0.0)
-        ours.lode_angle = std::atan2(std::sqrt(3.0) * (principal[2] - principal[1]),
-                                     principal[1] + principal[2] - 2.0 * principal[0]);
+    const DeviatoricPlane plane = deviatoric_plane(deviator(T));
+    ours.q = std::sqrt(1.5) * plane.length;
+    ours.lode_angle = plane.angle;
     const double shifted = ours.p + m.p_t;  // (H10)
     if (shifted > 0.0) {
-        ours.tan_psi = std::sqrt(3.0 * contract(dev, dev)) / (3.0 * shifted);
-        const double sine = spread / (2.0 * shifted - principal[0] - principal[2]);
+        ours.tan_psi = plane.length / (std::sqrt(3.0) * shifted);
+        // The largest and the smallest sum up to minus the middle one.
+        const double sine = plane.largest_less_smallest() / (2.0 * shifted + plane.middle());
         ours.mobilised_friction_angle =
             sine < 1.0 && sine >= 0.0 ? std::asin(sine) : std::asin(1.0);
     }
     if (m.has_intergranular_strain != 0.0) ours.rho = norm(strain_from_voigt(state)) * m.inverse_R;
-    const double E = void_ratio_scale(m, std::fmax(shifted, 0.0));
-    ours.relative_density = (m.e_c0 * E - state[GRIT_SAND_VOID_RATIO]) / ((m.e_c0 - m.e_d0) * E);
+    if (invariants->struct_size > offsetof(grit_sand_invariants, relative_density)) {
+        const double E = void_ratio_scale(m, std::fmax(shifted, 0.0));
+        ours.relative_density =
+            (m.e_c0 * E - state[GRIT_SAND_VOID_RATIO]) / ((m.e_c0 - m.e_d0) * E);
+    }
     return write_versioned(ours, *invariants) ? GRIT_OK : GRIT_BAD_CALL;
 }
 

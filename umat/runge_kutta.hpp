@@ -122,16 +122,17 @@ GRIT_INLINE Trial<Real> third_order_step(const StepContext<Real>& c, const Segme
     trial.y = advanced(y, c.dq, b, k);
     trial.rate = k[2];
     // What the change of the stress makes of the increment is of second order.
-    const Tensor<Plain> unchanged =
-        stress_rate<igs>(c.m, value(c.path.D_hat), value(c.path.tau), start.stiffness, course.mean);
+    const auto unstressed = [&](const double(&weight)[3]) {
+        return stress_rate<igs>(c.m, value(c.path.D_hat), value(c.path.tau), start.stiffness,
+                                combined(weight, value(start.at), value(at[0]), value(at[1])));
+    };
+    const Tensor<Plain> unchanged = unstressed(b);
     const Tensor<Plain> increment = difference(value(trial.y.T), value(y.T));
     const Plain coupling = norm(scaled_sum(-value(c.dq), unchanged, increment)) / c.stress_scale;
     const Plain growth = norm(increment) / c.stress_scale;
     const Plain change = min(stiffness_change + growth, Plain(1.0));
     // The embedded midpoint rule, less what is due to the waypoints.
-    const Tensor<Plain> due =
-        stress_rate<igs>(c.m, value(c.path.D_hat), value(c.path.tau), start.stiffness,
-                         combined(d, value(start.at), value(at[0]), value(at[1])));
+    const Tensor<Plain> due = unstressed(d);
     Tensor<Plain> bend;
     for (int j = 0; j < 6; ++j)
         bend[j] =
@@ -145,10 +146,11 @@ GRIT_INLINE Trial<Real> third_order_step(const StepContext<Real>& c, const Segme
     return trial;
 }
 
-template <class Real, bool igs>
+// Dormand & Prince 5(4) (1980, J. Comput. Appl. Math. 6:19) on averaged waypoints.
+template <class Real, bool igs, class Nodes>
 GRIT_INLINE Trial<Real> dormand_prince_step(const StepContext<Real>& c, const Marched<Real>& y,
-                                            const Real& ds_start, const Waypoint<Real>* at,
-                                            const Marched<Real>& k1) {
+                                            const Marched<Real>& k1, const Real& ds_start,
+                                            const AveragedCourse<Real, Nodes>& course) {
     using Plain = PlainOf<Real>;
     constexpr double a2[] = {1.0 / 5.0};
     constexpr double a3[] = {3.0 / 40.0, 9.0 / 40.0};
@@ -160,7 +162,8 @@ GRIT_INLINE Trial<Real> dormand_prince_step(const StepContext<Real>& c, const Ma
                             -2187.0 / 6784.0, 11.0 / 84.0};
     constexpr double d[] = {71.0 / 57600.0,      0.0,          -71.0 / 16695.0, 71.0 / 1920.0,
                             -17253.0 / 339200.0, 22.0 / 525.0, -1.0 / 40.0};
-    Marched<Real> k[7];
+    const Waypoint<Real>* const at = course.at;
+    Marched<Real> k[6];
     k[0] = k1;
     const auto rate = [&](int stage, const Marched<Real>& there) {
         return course_rate<Real, igs>(c.m, c.path, at[stage], there);
@@ -172,27 +175,30 @@ GRIT_INLINE Trial<Real> dormand_prince_step(const StepContext<Real>& c, const Ma
     k[5] = rate(4, advanced(y, c.dq, a6, k));
     Trial<Real> trial;
     trial.y = marched(c.m, advanced(y, c.dq, b, k).T);
-    k[6] = rate(4, trial.y);
-    trial.rate = k[6];
+    const Stiffness<Real, Real> at_end = stiffness(c.m, trial.y, course.end.e);
+    trial.rate = course_rate<Real, igs>(c.m, c.path, course.end, trial.y, at_end);
 
-    // The method's own arc length and its error; stages 5 and 6 are at the same place.
-    const Real& ds = at[4].ds;
-    const Real own_mean = fma(
-        b[0], ds_start, fma(b[2], at[1].ds, fma(b[3], at[2].ds, fma(b[4], at[3].ds, b[5] * ds))));
-    const Plain arc_error =
-        value(c.dq) *
-        fma(d[0], value(ds_start),
-            fma(d[2], value(at[1].ds),
-                fma(d[3], value(at[2].ds), fma(d[4], value(at[3].ds), (d[5] + d[6]) * value(ds)))));
+    // What the waypoints alone make of the stress is exact in both methods.
+    const Tensor<Plain> k7 =
+        stress_rate<igs>(c.m, value(c.path.D_hat), value(c.path.tau), value(at_end), value(at[4]));
     Tensor<Plain> error;
     for (int j = 0; j < 6; ++j) {
-        Plain total = d[0] * value(k[0].T[j]);
-        for (int i = 2; i < 7; ++i) total = fma(d[i], value(k[i].T[j]), total);
+        Plain total = fma(d[0], value(k[0].T[j]), d[6] * k7[j]);
+        for (int i = 2; i < 6; ++i) total = fma(d[i], value(k[i].T[j]), total);
         error[j] = value(c.dq) * total;
     }
-    trial.error = error_safety *
-                  error_at_end<Plain>(error, arc_error, value(ds), value(k[6].T), c.stress_scale);
-    meet_end(c, c.dq * own_mean, ds, k[6], trial.y);
+    // The difference to the embedded method is of fourth order; the error left is of fifth: smaller by the relative
+    // change of the rate over the step, of which the difference itself tells the fourth power.
+    const Plain growth = norm(difference(value(trial.y.T), value(y.T))) / c.stress_scale;
+    const Plain fourth = norm(error) / c.stress_scale;
+    const Plain change = change_safety * sqrt(sqrt(fourth / max(growth, Plain(1e-300))));
+    trial.error = fma(error_safety * min(change, Plain(1.0)), fourth,
+                      roughness_safety * course.roughness * growth);
+    // Stages 5 and 6 are at the same place.
+    const Real own_mean =
+        fma(b[0], ds_start,
+            fma(b[2], at[1].ds, fma(b[3], at[2].ds, fma(b[4], at[3].ds, b[5] * at[4].ds))));
+    meet_end(c, c.dq * own_mean, course.end.ds, trial.rate, trial.y);
     return trial;
 }
 

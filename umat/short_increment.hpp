@@ -118,13 +118,13 @@ template <class Real, bool igs> class ShortSegment {
                 const Real excess = course.arc - arc;
                 open = open & (fabs(value(excess)) > control.tolerated_excess() * value(arc));
                 if (!any(open)) break;
-                dq = select(open, dq - excess / course.at_end().ds, dq);
+                dq = select(open, dq - excess / (m.R * course.end.J), dq);
                 step_course(m, path, start.course, from, start.h.J, dq, course);
             }
-            average(start, course, averaged);
+            average(m, start.course, start.at, course, averaged);
         } else {
             basic_step_course(m, path, from, dq, course);
-            basic_average(start, course, averaged);
+            basic_average(m, course, averaged);
         }
         const StepContext<Real> c{m, path, dq, arc, start.stress_scale};
         const Plain late = value(arc) - value(course.arc);

@@ -47,7 +47,8 @@ template <class Real> struct Integrated {
 
 // Constants of the step control, calibrated so that single calls deliver what was asked: see the
 // table of docs/accuracy.md.
-constexpr double error_safety = 10.0;
+constexpr double error_safety = 10.0;        // of the embedded method's error ...
+constexpr double change_safety = 40.0;       // ... times the change of the rate
 constexpr double heun_safety = 1.5;          // of Euler's error times the change of the rate
 constexpr double third_order_safety = 0.07;  // of what the stress makes of the increment
 constexpr double midpoint_safety = 0.25;     // of a method of second order for one of third

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The course of a step before any stress is known: what every stage of it needs, and its arc length.
+// The course of a step before any stress is known: how far h is mobilised on the way, and its arc length.
 #pragma once
 
 #include "umat/arc_length.hpp"
@@ -16,23 +16,20 @@ template <class Real> struct Position {
     Real s, e;      // arc length, void ratio
 };
 
-// At all nodes, those of one point as lanes; for methods that average them.
-template <class Real, class Nodes, bool averaged, bool in_lanes> struct NodeWaypoints {};
-template <class Real, class Nodes> struct NodeWaypoints<Real, Nodes, true, true> {
-    Waypoint<InLanes<Real, 8>> all;
+// At all nodes, those of one point as lanes.
+template <class Real, class Nodes, bool in_lanes> struct MobilisationAtNodes {
+    Mobilisation<InLanes<Real, 8>> all;
 };
-template <class Real, class Nodes> struct NodeWaypoints<Real, Nodes, true, false> {
-    Waypoint<Real> at[Nodes::nodes];
+template <class Real, class Nodes> struct MobilisationAtNodes<Real, Nodes, false> {
+    Mobilisation<Real> at[Nodes::nodes];
 };
 
 template <class Real, class Nodes> struct StepCourse {
-    Waypoint<Real> at[Nodes::stages];
+    Real e[Nodes::stages];  // void ratios
+    Real arc;               // length of the step
+    MobilisationAtNodes<Real, Nodes, takes_lanes<Real>> nodes;
     Mobilisation<Real> end;
     Real end_decay;  // exp(-q) there
-    Real arc;        // length of the step
-    NodeWaypoints<Real, Nodes, Nodes::averaged, takes_lanes<Real>> nodes;
-
-    GRIT_INLINE const Waypoint<Real>& at_end() const { return at[Nodes::stages - 1]; }
 };
 
 // r is filled in place: with derivatives it is large.
@@ -42,7 +39,7 @@ GRIT_INLINE void step_course_one_by_one(const Material& m, const StraightPath<Re
                                         const Real& J, const Real& dq, StepCourse<Real, Nodes>& r) {
     constexpr int nodes = Nodes::nodes, stages = Nodes::stages;
     constexpr const ArcWeights<Nodes>& weight = arc_weight<Nodes>;
-    Mobilisation<Real> h[nodes];
+    Mobilisation<Real>(&h)[nodes] = r.nodes.at;
     Real decay[nodes];
     Nodes::decay(dq, decay);
     for (int i = 0; i < nodes; ++i)
@@ -52,13 +49,9 @@ GRIT_INLINE void step_course_one_by_one(const Material& m, const StraightPath<Re
     for (int stage = 0; stage < stages; ++stage) {
         Real mean = weight.start[stage] * J;
         for (int i = 0; i < nodes; ++i) mean = fma(Real(weight.at[stage][i]), h[i].J, mean);
-        r.at[stage] = waypoint(m, course.loading, h[stage],
-                               (1.0 + from.e) * exp_small(R_dq * mean * path.tr_D) - 1.0);
+        r.e[stage] = (1.0 + from.e) * exp_small(R_dq * mean * path.tr_D) - 1.0;
         r.arc = R_dq * mean;
     }
-    if constexpr (Nodes::averaged)
-        for (int i = 0; i < nodes; ++i)
-            r.nodes.at[i] = i < stages ? r.at[i] : waypoint(m, course.loading, h[i], from.e);
     r.end_decay = max(from.decay * decay[stages - 1], Real(least_decay));
     r.end = h[stages - 1];
 }
@@ -91,23 +84,15 @@ GRIT_INLINE void step_course_in_lanes(const Material& m, const StraightPath<Real
     const NodeValues at = NodeValues::each([](int i) { return i < nodes ? Nodes::at[i] : 0.0; });
     const All decay =
         max(all(from.decay) * decay_at_nodes<Nodes>(dq), All(NodeValues(least_decay)));
-    const Mobilisation<All> h = mobilisation(m, courses, fma(at, all(dq), all(from.q)), decay);
+    const Mobilisation<All>& h = r.nodes.all =
+        mobilisation(m, courses, fma(at, all(dq), all(from.q)), decay);
     All mean = NodeValues::each([](int i) { return i < stages ? weight.start[i] : 0.0; }) * all(J);
     for (int j = 0; j < nodes; ++j)
         mean = fma(NodeValues::each([j](int i) { return i < stages ? weight.at[i][j] : 0.0; }),
                    spread(h.J, j), mean);
     const Real R_dq = m.R * dq;
     const All e = (1.0 + all(from.e)) * exp_small(all(R_dq) * mean * all(path.tr_D)) - 1.0;
-    const Waypoint<All> w = waypoint(m, courses.loading, h, e);
-    if constexpr (Nodes::averaged) r.nodes.all = w;
-    for (int i = 0; i < stages; ++i) {
-        r.at[i].e = of_lane(w.e, i);
-        if (Nodes::averaged && i < stages - 1) continue;  // the others come from the average
-        r.at[i].ds = of_lane(w.ds, i);
-        r.at[i].along = of_lane(w.along, i);
-        r.at[i].across = of_lane(w.across, i);
-        r.at[i].flow = of_lane(w.flow, i);
-    }
+    for (int i = 0; i < stages; ++i) r.e[i] = of_lane(e, i);
     constexpr int end = stages - 1;
     r.end = {of_lane(h.rho, end), of_lane(h.c, end),        of_lane(h.across, end),
              of_lane(h.J, end),   of_lane(h.J_growth, end), h.rho_beta[end]};
@@ -130,8 +115,7 @@ GRIT_INLINE void basic_step_course(const Material& m, const StraightPath<Real>& 
                                    StepCourse<Real, Nodes>& r) {
     const Real R_dq = m.R * dq;
     for (int i = 0; i < Nodes::stages; ++i)
-        r.at[i] =
-            basic_waypoint(m, (1.0 + from.e) * exp_small(Nodes::at[i] * R_dq * path.tr_D) - 1.0);
+        r.e[i] = (1.0 + from.e) * exp_small(Nodes::at[i] * R_dq * path.tr_D) - 1.0;
     r.end = no_mobilisation(dq);
     r.end_decay = from.decay;
     r.arc = R_dq;

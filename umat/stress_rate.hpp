@@ -62,6 +62,14 @@ template <class Real> GRIT_INLINE Waypoint<PlainOf<Real>> value(const Waypoint<R
 }
 
 template <class Real>
+GRIT_INLINE Waypoint<Real> select(const MaskOf<Real>& mask, const Waypoint<Real>& yes,
+                                  const Waypoint<Real>& no) {
+    return {select(mask, yes.ds, no.ds), select(mask, yes.e, no.e),
+            select(mask, yes.along, no.along), select(mask, yes.across, no.across),
+            select(mask, yes.flow, no.flow)};
+}
+
+template <class Real>
 GRIT_INLINE Waypoint<Real> waypoint(const Material& m, const MaskOf<Real>& loading,
                                     const Mobilisation<Real>& h, const Real& e) {
     const Interpolation<Real> k = interpolation(m, h.rho, loading);

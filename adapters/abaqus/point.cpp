@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/abaqus/point.hpp"
 
+#include <cstddef>
+
 #include "adapters/abaqus/layout.hpp"
 
 namespace grit::abaqus {
@@ -48,7 +50,7 @@ void write_state(const Statev& statev, const Material& material, const Point& en
         statev[GRIT_CLASSIC_SEPARATION] = end.state[GRIT_SAND_SEPARATION];
 
     grit_sand_invariants invariants{};
-    invariants.struct_size = sizeof invariants;
+    invariants.struct_size = offsetof(grit_sand_invariants, relative_density);  // not in STATEV
     grit_sand_invariants_of(&material.sand, end.stress, end.state, &invariants);
     statev[GRIT_CLASSIC_PRESSURE] = invariants.p;
     statev[GRIT_CLASSIC_EVALUATIONS] = evaluations;

@@ -53,6 +53,48 @@ TEST(Invariants, AgreeWithThePrincipalStresses) {
     }
 }
 
+// Where two principal stresses nearly coincide, in axes of any direction, the Lode angle is told to roundoff:
+// by the determinant alone it would be off by the root of it, 1e-8.
+TEST(Invariants, TellTheLodeAngleToRoundoffWhereTwoPrincipalStressesCoincide) {
+    const Sand& sand = four_sands()[0];
+    Random random(31);
+    for (const double theta : {0.0, 1e-12, 1e-9, 1e-6, 1e-3})
+        for (const bool extension : {false, true})
+            for (int k = 0; k < 20; ++k) {
+                const double angle = extension ? M_PI / 3.0 - theta : theta;
+                State x;
+                x.e = 0.7;
+                const double third = 2.0 * M_PI / 3.0, from_largest = M_PI / 3.0 - angle;
+                x.T = rotated(random.rotation(),
+                              principal(-100.0 + 60.0 * std::cos(from_largest),
+                                        -100.0 + 60.0 * std::cos(from_largest - third),
+                                        -100.0 + 60.0 * std::cos(from_largest + third)));
+                const grit_sand_invariants i = invariants_of(sand, x);
+                EXPECT_NEAR(i.lode_angle, angle, 1e-14);
+                const double largest = std::cos(angle - M_PI / 3.0), smallest = -std::cos(angle);
+                EXPECT_NEAR(std::sin(i.mobilised_friction_angle),
+                            60.0 * (largest - smallest) / (200.0 - 60.0 * (largest + smallest)),
+                            1e-14);
+            }
+}
+
+// Members behind the caller's struct_size are neither written nor computed.
+TEST(Invariants, ReachAsFarAsTheCallersStruct) {
+    const Sand& sand = four_sands()[0];
+    State x;
+    x.e = 0.7;
+    x.T = principal(-300.0, -100.0, -150.0);
+    const grit_sand_invariants whole = invariants_of(sand, x);
+    grit_sand_invariants part{};
+    part.struct_size = offsetof(grit_sand_invariants, relative_density);
+    part.relative_density = 7.0;
+    ASSERT_EQ(grit_sand_invariants_of(sand, voigt_stress(x.T).data(), state_array(x).data(), &part),
+              GRIT_OK);
+    EXPECT_EQ(part.relative_density, 7.0);
+    EXPECT_EQ(part.rho, whole.rho);
+    EXPECT_EQ(part.mobilised_friction_angle, whole.mobilised_friction_angle);
+}
+
 TEST(VoidRatios, FallWithPressureByBauersLaw) {
     for (const Sand& sand : four_sands())
         for (const double p : {0.0, 1.0, 100.0, 1e4}) {

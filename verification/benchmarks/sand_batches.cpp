@@ -3,6 +3,7 @@
 // them and in structures, two threads that share them, and 1 to 10^6 points per call. The points are those of the
 // 320 states again and again; no reports are asked for.
 #include <algorithm>
+#include <atomic>
 #include <thread>
 
 #include <grit/sand_operators.h>
@@ -23,6 +24,34 @@ struct Batch {
     Layout layout = Layout::columns;
 };
 
+// Another caller's thread, which looks for work without a pause: to start or to wake one takes as long as a pass.
+template <class Work> class Other {
+  public:
+    explicit Other(const Work& its_work)
+        : work(its_work), thread([this] {
+              for (int seen; (seen = turn) != ends;)
+                  if (seen == works) {
+                      work();
+                      turn = waits;
+                  }
+          }) {}
+    ~Other() {
+        turn = ends;
+        thread.join();
+    }
+    void start() { turn = works; }
+    void finish() const {
+        while (turn == works) {
+        }
+    }
+
+  private:
+    static constexpr int waits = 0, works = 1, ends = 2;
+    const Work& work;
+    std::atomic<int> turn{waits};
+    std::thread thread;
+};
+
 SandPoints points_of(const Batch& b, std::size_t size) {
     const auto& calls = calls_of(b.request.increment);
     if (b.layout == Layout::columns) return SandPoints::columns(calls, size);
@@ -41,15 +70,20 @@ void batch(benchmark::State& state, const Batch& b) {
         update(sand, options, *points, first, last, b.per_call);
     };
     const auto whole = [&] { part(0, size); };
-    const auto halves = [&] {
-        std::thread other(part, size / 2, size);
-        part(0, size / 2);
-        other.join();
-    };
     const auto prepare = [&] { points = &memory.next(); };
     const auto items = static_cast<double>(size);
-    if (b.threads == 2) best_of(state, items, prepare, halves, Threads::several);
-    else best_of(state, items, prepare, whole);
+    if (b.threads == 2) {
+        const auto second_half = [&] { part(size / 2, size); };
+        Other other(second_half);
+        const auto halves = [&] {
+            other.start();
+            part(0, size / 2);
+            other.finish();
+        };
+        best_of(state, items, prepare, halves, Threads::several);
+    } else {
+        best_of(state, items, prepare, whole);
+    }
     b.request.tell(state);
     state.counters["per_call"] = static_cast<double>(b.per_call);
     state.counters["threads_used"] = b.threads;
