@@ -73,6 +73,10 @@ GRIT_INLINE Vector<Real, C> where(const Mask& mask, const Vector<Real, C>& v) {
     return r;
 }
 
+// Columns are a dozen streams and more, too many for a processor to foresee all of them: what a later pack takes is
+// asked for.
+constexpr std::ptrdiff_t nodes_ahead = 64;
+
 template <class Real> inline constexpr bool is_pack = (lanes_of<Real>) != 1;
 
 template <class Real, class View>
@@ -82,6 +86,7 @@ GRIT_INLINE Real load(const View& view, int component, const Places<lanes_of<Rea
         if (places.consecutive && view.point_stride == 1) {
             Real x;
             __builtin_memcpy(&x.v, p + places.at[0], sizeof x.v);
+            __builtin_prefetch(p + places.at[0] + nodes_ahead);
             return x;
         }
     return gather(p, view.point_stride, places, Real());
