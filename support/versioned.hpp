@@ -13,6 +13,10 @@ constexpr std::size_t largest_struct = 4096;
 // ours and asks (non-zero bytes) for something this version does not know.
 template <class Struct> inline bool read_versioned(const Struct& caller, Struct& ours) {
     const std::size_t size = caller.struct_size;
+    if (size == sizeof(Struct)) {  // as it mostly is: a copy of known length
+        ours = caller;
+        return true;
+    }
     if (size < sizeof(std::size_t) || size > largest_struct) return false;
     const auto* bytes = reinterpret_cast<const unsigned char*>(&caller);
     for (std::size_t i = sizeof(Struct); i < size; ++i)
