@@ -39,10 +39,12 @@ grit_status prepare(const double* props, Material& out, grit_error& error) {
     if (!(out.K_w >= 0.0 && std::isfinite(out.K_w)))
         return failure(error, GRIT_BAD_PARAMETER, "PROPS(15) (K_w) must be >= 0 and finite, got %g",
                        out.K_w);
-    out.tolerance = props[tolerance_place];
-    if (out.tolerance != 0.0 && !(out.tolerance >= 1e-12 && out.tolerance <= 0.1))
+    const double tolerance = props[tolerance_place];
+    grit_sand_options_init(&out.options, sizeof out.options);
+    if (tolerance != 0.0) out.options.tolerance = tolerance;
+    if (!(out.options.tolerance >= 1e-12 && out.options.tolerance <= 0.1))
         return failure(error, GRIT_BAD_PARAMETER,
-                       "PROPS(17) (tolerance) must be 0 or in [1e-12, 0.1], got %g", out.tolerance);
+                       "PROPS(17) (tolerance) must be 0 or in [1e-12, 0.1], got %g", tolerance);
     return grit_sand_prepare(&parameters, &out.sand, &error);
 }
 
@@ -57,21 +59,15 @@ struct Known {
 grit_status read_props(const double* props, int nprops, const Material*& out, grit_error& error) {
     thread_local Known known;
     out = &known.material;
-    double given[props_read] = {};
-    std::copy_n(props, std::min(nprops, props_read), given);
-    if (known.any && std::memcmp(known.props, given, sizeof given) == 0) return GRIT_OK;
+    double filled[props_read] = {};
+    const double* given = props;
+    if (nprops < props_read) given = std::copy_n(props, nprops, filled) - nprops;
+    if (known.any && std::memcmp(known.props, given, sizeof known.props) == 0) return GRIT_OK;
     known.any = false;
     if (const grit_status s = prepare(given, known.material, error)) return s;
-    std::memcpy(known.props, given, sizeof given);
+    std::memcpy(known.props, given, sizeof known.props);
     known.any = true;
     return GRIT_OK;
-}
-
-grit_sand_options options_of(const Material& material) {
-    grit_sand_options options;
-    grit_sand_options_init(&options, sizeof options);
-    if (material.tolerance > 0.0) options.tolerance = material.tolerance;
-    return options;
 }
 
 grit_status initial_void_ratio(const Material& material, double p, double& void_ratio,

@@ -8,17 +8,14 @@ namespace grit::abaqus {
 
 struct Material {
     grit_sand sand;
-    double K_w;        // [stress] of the mixture (W1); 0: drained
-    double e_0;        // see grit_classic_void_ratio
-    double tolerance;  // PROPS(17), 0: the default
+    double K_w;                 // [stress] of the mixture (W1); 0: drained
+    double e_0;                 // see grit_classic_void_ratio
+    grit_sand_options options;  // those of the library, with the tolerance of PROPS(17)
 };
 
 // Prepared, and kept for the next call of the thread: most hosts pass the same PROPS time and again.
 // Compared to the last bit, for what lies at their address may change.
 grit_status read_props(const double* props, int nprops, const Material*& out, grit_error& error);
-
-// Those of the library, with the tolerance of PROPS.
-grit_sand_options options_of(const Material& material);
 
 // grit_classic_void_ratio, with words where it refuses.
 grit_status initial_void_ratio(const Material& material, double p, double& void_ratio,

@@ -92,7 +92,7 @@ bool read_rotation(const UmatArguments& call, double Q[9]) {
 
 grit_status update(const UmatArguments& call, const Material& material, Point& point,
                    double tangent[36], grit_sand_report& report, grit_error& error) {
-    grit_sand_options options = options_of(material);
+    grit_sand_options options = material.options;
     options.tangent = call.ddsdde ? GRIT_TANGENT_CONSISTENT : GRIT_TANGENT_NONE;
     options.stress_is_rotated = 1;  // Abaqus has rotated STRESS, but no tensor in STATEV
     double Q[9];

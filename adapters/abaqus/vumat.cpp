@@ -155,7 +155,7 @@ class Block {
         grit_error error{};
         grit_sand_points views = views_of(end);
         views.index = able;
-        const grit_sand_options options = options_of(material);
+        const grit_sand_options options = material.options;
         grit_sand_update(&material.sand, &options, able_count, &views, reports, &error);
         for (std::ptrdiff_t r = 0; r < able_count; ++r) {
             const int k = static_cast<int>(able[r]);
