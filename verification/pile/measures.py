@@ -1,14 +1,19 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""measures.py RESULTS [NAME ...]: what the runs of verification/pile show, as Markdown; no names: all that are there.
-Per run: sets, momentum identity, energy balance, cost; and the measures of the claims P1 ... P6 of docs/pile.md."""
+"""measures.py RESULTS [NAME ...] [--save DIR]: what the runs of verification/pile show, as Markdown; no names: all that
+are there. Per run: sets, momentum identity, energy balance, cost, and the measures of the claims P1 ... P6 of
+docs/pile.md. --save keeps them as DIR/NAME.json, some kilobytes where a run leaves a hundred megabytes; tables.py prints
+the tables from these."""
 import argparse
+import json
 import math
+import os
 import pathlib
-import re
 import statistics
+import subprocess
 import sys
 
+import tables
 from results import Run, Unusable
 
 GRAVITY = 9.81  # [m/s2]
@@ -102,22 +107,17 @@ def radial_stress(run, index):
     return cell_means(now, beyond), level_of_tip(run, index)
 
 
-def stress_peaks(run):
-    """For each blow: the largest cell mean [kPa]."""
-    out = []
-    for index in peak_frames(run):
-        cells, _ = radial_stress(run, index)
-        out.append(max(s for s, _, _ in cells.values()))
-        run.forget()
-    return out
-
-
-def reach_of_stress(run, level):
-    """For each blow: how far below the tip cells carry more than this level [m]."""
+def stress_at_peaks(run):
+    """For each blow {row: largest cell mean of the row [kPa]}, rows of BIN below the tip, negative above it."""
     out = []
     for index in peak_frames(run):
         cells, tip = radial_stress(run, index)
-        out.append(max([tip - z for s, _, z in cells.values() if s > level], default=0.0))
+        rows = {}
+        for stress, _, z in cells.values():
+            row = math.floor((tip - z) / BIN)
+            if stress >= 1.0:
+                rows[row] = max(rows.get(row, 0.0), round(stress, 1))
+        out.append(rows)
         run.forget()
     return out
 
@@ -181,105 +181,62 @@ def void_ratio_extents(run, change=VOID_RATIO_CHANGE):
     return dense, max(beside, default=0.0) / DIAMETER
 
 
-# ---- tables
+# ---- all of a run
 
-def table(head, rows):
-    print("| " + " | ".join(head) + " |")
-    print("|" + "---|" * len(head))
-    for row in rows:
-        print("| " + " | ".join(row) + " |")
-    print()
-
-
-def mean(values):
-    return statistics.fmean(values) if values else math.nan
-
-
-def report_runs(runs):
-    rows = []
-    for run in runs:
-        h = run.history
-        own, each, rebound = sets(h)
-        worst, peak, drift = momentum_identity(h)
-        e = energies(h)
-        rate, parts = run.cost()
-        rows.append([run.name, f"{own:.3f}", str(len(each)), f"{1e3 * mean(each):.1f}", f"{h['depth'][-1]:.3f}",
-                     f"{peak:.1f}", f"{100 * worst / peak:.1e}", f"{100 * drift:.0e}",
-                     f"{100 * abs(e['residual']) / (e['hammer'] + e['weight']):.0e}",
-                     f"{h['step'][-1]:.0f}", f"{rate:.2e}", f"{h['step'][-1] * h.particles / rate / h['t'][-1] if rate else math.nan:.0f}",
-                     "stopped early" if h.stopped else "end"])
-    table(["run", "self-weight [m]", "blows", "mean set [mm]", "final depth [m]", "peak R [kN]", "identity [% of peak]",
-           "impulse [%]", "energy residual [% of work]", "steps", "particle-steps/s", "s per simulated s", "reached"], rows)
+def measured(run):
+    """What tables.py needs of a run."""
+    h = run.history
+    own, each, rebound = sets(h)
+    worst, peak, drift = momentum_identity(h)
+    rate, parts = run.cost()
+    gaps, to_any = shaft_gaps(run, -1), shaft_gaps(run, -1, all_sand=True)
+    reactions = [max(h["tip_force"][i] + h["shaft_force"][i] for i in range(first, last + 1)) for first, last in h.blows()]
+    dense, loose = void_ratio_extents(run)
+    out = {
+        "name": run.name, "program": next((c.split(",")[0] for c in h.comments if c.startswith("Grit ")), ""),
+        "stopped": h.stopped, "particles": h.particles, "steps": h["step"][-1], "simulated_s": h["t"][-1],
+        "depth_m": h["depth"][-1], "self_weight_m": own, "sets_m": each, "rebounds_m": rebound, "reactions_kN": reactions,
+        "peak_reaction_kN": peak, "identity_kN": worst, "impulse_share": drift, "energies_J": energies(h),
+        "particle_steps_per_s": rate, "parts_percent": parts, "line_elements": run.penalty_vertices(),
+        "radial_stress_kPa": stress_at_peaks(run),
+        "shaft_gap_m": statistics.median(gaps or [math.nan]), "shaft_gap_to_any_m": statistics.median(to_any or [math.nan]),
+        "tip_gaps_m": [tip_gap(run, index) for index in peak_frames(run)],
+        "flattening": flattening(each), "denser_D": dense, "looser_D": loose,
+    }
+    run.forget()
+    return out
 
 
-def report_sensitivity(runs, reference):
-    """What five blows do, beside those of the reference."""
-    def row(run):
-        own, each, rebound = sets(run.history)
-        peak = max((run.history["tip_force"][i] + run.history["shaft_force"][i]
-                    for i in range(run.history.drive(), run.history.blows()[min(4, len(each) - 1)][1])), default=math.nan)
-        return own, sum(each[:5]), mean(rebound[:5]), peak
-
-    base = row(reference)
-    rows = []
-    for run in [reference, *runs]:
-        if len(run.history.blows()) < 5:
-            continue
-        own, driven, back, peak = row(run)
-        rows.append([run.name, f"{own:.3f}", f"{1e3 * driven:.0f}", f"{100 * (driven / base[1] - 1):+.0f}",
-                     f"{100 * ((own + driven) / (base[0] + base[1]) - 1):+.0f}", f"{1e3 * back:.2f}", f"{peak:.0f}"])
-    table(["run", "self-weight [m]", "five blows [mm]", "change [%]", "of the depth [%]", "rebound [mm]", "peak R [kN]"], rows)
-
-
-def report_energies(runs):
-    names = list(energies(runs[0].history))
-    table(["energy [J]", *names],
-          [[run.name] + [f"{energies(run.history)[n]:.4g}" for n in names] for run in runs])
-
-
-def report_claims(runs):
-    by_name = {run.name: run for run in runs}
-    if not runs:
-        return
-    rows = []
-    for run in runs:
-        own, each, rebound = sets(run.history)
-        sand = run.name.split("_")[0]
-        fca = by_name.get(f"{sand}_fca", run)
-        peaks = stress_peaks(run)
-        level = 0.1 * max(stress_peaks(fca))
-        reach = reach_of_stress(run, level)
-        gaps, to_any = shaft_gaps(run, -1), shaft_gaps(run, -1, all_sand=True)
-        tip_gaps = [tip_gap(run, index) for index in peak_frames(run)]
-        dense, loose = void_ratio_extents(run)
-        _, parts = run.cost()
-        rows.append([run.name, f"{mean(peaks):.0f}", f"{max(peaks):.0f}", f"{mean(reach):.2f} ({level:.0f} kPa)",
-                     f"{1e3 * mean(rebound):.2f}", *(f"{1e3 * statistics.median(g or [math.nan]):.1f}" for g in (gaps, to_any)),
-                     f"{1e3 * mean(tip_gaps):.1f}", f"{flattening(each):.2f}", f"{dense:.2f}", f"{loose:.2f}",
-                     f"{parts.get('contact', math.nan):.0f}", str(run.penalty_vertices())])
-        run.forget()
-    table(["run", "P1 sigma_rr, mean of blows [kPa]", "largest", "reach below tip [m]", "P2 rebound [mm]",
-           "P3 gap at shaft, median [mm]", "to any particle", "at the tip, mean of peaks", "P4 last/first sets", "P5 denser [D]", "looser at tip [D]",
-           "P6 contact [% of time]", "line elements"], rows)
+def origin(root):
+    """Commit of the sources and the machine."""
+    commit = subprocess.run(["git", "-C", root, "rev-parse", "--short", "HEAD"], capture_output=True, text=True).stdout.strip()
+    models = [line.split(":")[1].strip() for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines()
+              if line.startswith("model name")]
+    return {"commit": commit, "machine": f"{models[0] if models else 'unknown'}, {os.cpu_count()} cores"}
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("results", type=pathlib.Path)
     parser.add_argument("names", nargs="*")
+    parser.add_argument("--save", type=pathlib.Path, metavar="DIR")
+    parser.add_argument("--commit", help="of the program, where the sources are not those it was built from")
     options = parser.parse_args()
-    names = options.names or sorted(p.stem for p in options.results.glob("*.csv"))
+    names = options.names or sorted(p.stem for p in options.results.glob("*.csv")
+                                    if not p.with_suffix(".checkpoint").exists())
     try:
-        runs = [Run(options.results, name) for name in names]
-        if not runs:
+        if not names:
             raise Unusable(f"{options.results}: no results")
-        report_runs(runs)
-        report_energies(runs)
-        compared = [run for run in runs if re.fullmatch(r"(dense|loose)_(gca|fca|pca)(_gated)?", run.name)]
-        report_claims(compared)
-        reference = next((run for run in compared if run.name == "dense_gca"), None)
-        if reference:
-            report_sensitivity([run for run in runs if run not in compared], reference)
+        numbers = [measured(Run(options.results, name)) for name in names]
+        if options.save:
+            options.save.mkdir(parents=True, exist_ok=True)
+            where = origin(pathlib.Path(__file__).parent)
+            for run in numbers:
+                run |= where | ({"commit": options.commit} if options.commit else {})
+                aside = options.save / f"{run['name']}.json.part"
+                aside.write_text(json.dumps(run, indent=None) + "\n")
+                aside.rename(options.save / f"{run['name']}.json")
+        tables.report(numbers)
     except Unusable as problem:
         sys.exit(f"measures.py: {problem}")
 
