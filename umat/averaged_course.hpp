@@ -18,7 +18,7 @@ template <class Plain> GRIT_INLINE Plain size_of(const Waypoint<Plain>& w, const
     return fabs(w.along) + fabs(w.across) * tau + fabs(w.flow);
 }
 
-// What is rough in the arc length as well does no harm: what that misses is made up for at the end of the step.
+// What is as rough in the arc length does no harm: a stress that comes with its own arc length is on the curve T(s) still.
 template <class Plain>
 GRIT_INLINE Plain roughness_of(const Waypoint<Plain>& rough, const Waypoint<Plain>& end,
                                const Plain& tau_sq) {

@@ -127,7 +127,7 @@ template <class Nodes> struct AverageWeights {
 };
 
 template <class Nodes> constexpr AverageWeights<Nodes> average_weights() {
-    constexpr int left_out = Nodes::left_out + 1;
+    constexpr int gap = Nodes::left_out + 1;
     AverageWeights<Nodes> w{};
     for (int i = 0; i <= Nodes::nodes; ++i) {
         const Lagrange<Nodes> all(i);
@@ -140,13 +140,31 @@ template <class Nodes> constexpr AverageWeights<Nodes> average_weights() {
             for (int j = 0; j < Nodes::moments; ++j) sum += p.of_moment[j] * all.integral(1.0L, j);
             set(row, sum);
         }
-        const long double coarse =
-            i == left_out ? 0.0L : Lagrange<Nodes>(i, left_out).integral(1.0L);
+        const long double coarse = i == gap ? 0.0L : Lagrange<Nodes>(i, gap).integral(1.0L);
         set(w.rough, all.integral(1.0L) - coarse);
     }
     return w;
 }
 
 template <class Nodes> constexpr AverageWeights<Nodes> average_weight = average_weights<Nodes>();
+
+// Polynomials that a method integrates exactly pass through as they are, and are not rough.
+template <class Nodes> constexpr bool keeps_polynomials() {
+    constexpr const AverageWeights<Nodes>& weight = average_weight<Nodes>;
+    for (int row = 0; row < weight.rows; ++row)
+        for (int degree = 0; degree <= Nodes::moments; ++degree) {
+            const auto power = [&](double x) {
+                double p = 1.0;
+                for (int k = 0; k < degree; ++k) p *= x;
+                return p;
+            };
+            double sum = row == weight.rough ? 0.0 : -power(Nodes::at[row]);
+            sum += degree == 0 ? weight.start[row] : 0.0;
+            for (int i = 0; i < Nodes::nodes; ++i) sum += weight.at[row][i] * power(Nodes::at[i]);
+            if (!(sum < 1e-14 && sum > -1e-14)) return false;
+        }
+    return true;
+}
+static_assert(keeps_polynomials<ThirdOrderNodes>() && keeps_polynomials<DormandPrinceNodes>());
 
 GRIT_KERNEL_END

@@ -26,12 +26,15 @@ struct DeviatoricPlane {
 // cos(3 angle) = -s:X/|X|. The sine comes from the part of X across s: as an angle between tensors it is
 // exact to roundoff where the determinant alone would leave its square root.
 inline DeviatoricPlane deviatoric_plane(const Tensor<double>& deviator_of_A) {
-    const double length = norm(deviator_of_A);
-    if (!(length > 0.0)) return {0.0, 0.0};
-    const Tensor<double> s = scaled(deviator_of_A, 1.0 / length);
+    double largest = 0.0;
+    for (const double component : deviator_of_A.c) largest = max(largest, fabs(component));
+    if (!(largest > 1e-300)) return {0.0, 0.0};
+    const Tensor<double> scaled_A = scaled(deviator_of_A, 1.0 / largest);
+    const double length = norm(scaled_A);
+    const Tensor<double> s = scaled(scaled_A, 1.0 / length);
     const Tensor<double> X = deviator(cofactors(s));
     const double along = contract(s, X);
-    return {length, std::atan2(norm(scaled_sum(-along, s, X)), -along) / 3.0};
+    return {largest * length, std::atan2(norm(scaled_sum(-along, s, X)), -along) / 3.0};
 }
 
 GRIT_KERNEL_END

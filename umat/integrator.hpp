@@ -163,7 +163,10 @@ template <class Real, bool igs> class Integrator {
         const Plain p_open(opening_pressure(m));
         const Plain p_0 = trace(value(out.y.T)) * (-1.0 / 3.0);
         const Plain p_1 = trace(value(trial.y.T)) * (-1.0 / 3.0);
-        const Mask good = trial.error <= allowed;
+        // Where the stress falls, it is told from none: a point must not go on with what is noise at its start.
+        const Plain told = resolution * max(norm(value(trial.y.T)), 20.0 * p_open) / stress_scale;
+        tolerable = select(p_1 < p_0, min(allowed, told), allowed);
+        const Mask good = trial.error <= tolerable;
         above = (p_1 >= p_open) | ((p_1 >= p_0) & (p_1 > Plain(0.0)));
         accepted = active & good & above;
         // Falling below the opening pressure: the point separates, from close above it only.
@@ -208,8 +211,8 @@ template <class Real, bool igs> class Integrator {
     }
 
     void adapt_step() {
-        const Plain ratio = allowed / max(trial.error, 1e-30 * allowed);
-        Plain factor = 0.9 * rough_root(max(ratio, Plain(1e-30)), 5.0);
+        const Plain ratio = tolerable / max(trial.error, 1e-30 * tolerable);
+        Plain factor = 0.9 * rough_root(max(ratio, Plain(1e-30)), trial.order);
         factor = min(max(factor, Plain(0.2)), Plain(8.0));
         const Plain largest = select(above, Plain(0.9), Plain(0.5));
         factor = select(rejected, min(factor, largest), factor);
@@ -249,7 +252,7 @@ template <class Real, bool igs> class Integrator {
     Real left, dq, arc;
     StepCourse<Real, DormandPrinceNodes> course;
     AveragedCourse<Real, DormandPrinceNodes> averaged;
-    Plain stress_scale;
+    Plain stress_scale, tolerable;
     Mask to_end, accepted, separating, rejected, above;
     Trial<Real> trial;
 };

@@ -11,6 +11,7 @@ template <class Real> struct Trial {
     Marched<Real> y;      // at the end of the step
     Marched<Real> rate;   // there
     PlainOf<Real> error;  // estimate for the stress, over its scale
+    PlainOf<Real> order;  // of the error in the step; Dormand & Prince
 };
 
 // y + dq * sum of weight_i * rate_i
@@ -60,6 +61,13 @@ template <class Plain>
 GRIT_INLINE Plain error_at_end(const Tensor<Plain>& dT, const Plain& arc_error, const Plain& ds,
                                const Tensor<Plain>& rate, const Plain& stress_scale) {
     return norm(scaled_sum(-(arc_error / ds), rate, dT)) / stress_scale;
+}
+
+// Relative change of the stress at the larger of two rates per q, over the step: more than the net one where the stress
+// turns back.
+template <class Plain, class Real>
+GRIT_INLINE Plain growth_of(const StepContext<Real>& c, const Plain& rate, const Plain& other) {
+    return value(c.dq) * max(rate, other) / c.stress_scale;
 }
 
 template <class Plain>
@@ -140,7 +148,8 @@ GRIT_INLINE Trial<Real> third_order_step(const StepContext<Real>& c, const Segme
             due[j];
     const Plain midpoint_error = value(c.dq) * norm(bend) / c.stress_scale;
     trial.error = max(third_order_safety * coupling * change, midpoint_safety * midpoint_error) +
-                  roughness_safety * course.roughness * growth;
+                  roughness_safety * course.roughness *
+                      growth_of<Plain>(c, norm(value(k[0].T)), norm(value(k[2].T)));
     const Real own_mean = fma(b[0], start.at.ds, fma(b[1], at[0].ds, b[2] * at[1].ds));
     meet_end(c, c.dq * own_mean, at[1].ds, k[2], trial.y);
     return trial;
@@ -187,13 +196,14 @@ GRIT_INLINE Trial<Real> dormand_prince_step(const StepContext<Real>& c, const Ma
         for (int i = 2; i < 6; ++i) total = fma(d[i], value(k[i].T[j]), total);
         error[j] = value(c.dq) * total;
     }
-    // The difference to the embedded method is of fourth order; the error left is of fifth: smaller by the relative
-    // change of the rate over the step, of which the difference itself tells the fourth power.
-    const Plain growth = norm(difference(value(trial.y.T), value(y.T))) / c.stress_scale;
-    const Plain fourth = norm(error) / c.stress_scale;
-    const Plain change = change_safety * sqrt(sqrt(fourth / max(growth, Plain(1e-300))));
-    trial.error = fma(error_safety * min(change, Plain(1.0)), fourth,
+    // The difference to the embedded method is of fifth order in the step; the error left is of sixth: smaller by the
+    // relative change of the rate over the step, of which the difference itself tells the fourth power.
+    const Plain growth = growth_of<Plain>(c, norm(value(k1.T)), norm(value(trial.rate.T)));
+    const Plain embedded = norm(error) / c.stress_scale;
+    const Plain change = change_safety * sqrt(sqrt(embedded / max(growth, Plain(1e-300))));
+    trial.error = fma(error_safety * min(change, Plain(1.0)), embedded,
                       roughness_safety * course.roughness * growth);
+    trial.order = select(change < Plain(1.0), Plain(6.0), Plain(5.0));
     // Stages 5 and 6 are at the same place.
     const Real own_mean =
         fma(b[0], ds_start,

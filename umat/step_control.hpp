@@ -7,7 +7,7 @@
 GRIT_KERNEL_BEGIN
 
 // x^(1/order), to 0.3 %, for x in [1e-300, 1e300]: enough to choose a step.
-template <class Plain> GRIT_INLINE Plain rough_root(Plain x, double order) {
+template <class Plain, class Order> GRIT_INLINE Plain rough_root(Plain x, Order order) {
     const Plain octaves = split_exponent(x);
     const Plain t = x - 1.0;
     const Plain log2 = octaves + t * fma(t, fma(t, Plain(0.45), Plain(-0.7213)), Plain(1.4427));
@@ -48,12 +48,13 @@ template <class Real> struct Integrated {
 // Constants of the step control, calibrated so that single calls deliver what was asked: see the
 // table of docs/accuracy.md.
 constexpr double error_safety = 10.0;        // of the embedded method's error ...
-constexpr double change_safety = 40.0;       // ... times the change of the rate
+constexpr double change_safety = 60.0;       // ... times the change of the rate
 constexpr double heun_safety = 1.5;          // of Euler's error times the change of the rate
 constexpr double third_order_safety = 0.07;  // of what the stress makes of the increment
 constexpr double midpoint_safety = 0.25;     // of a method of second order for one of third
 constexpr double roughness_safety = 1.0;     // of what a quadrature might miss
 constexpr double longest_averaged = 2.0;     // in R: beyond, waypoints are too rough as a rule
+constexpr double resolution = 0.1;           // largest error of a falling stress, of what is left of it
 constexpr double start_reach = 3.0;
 constexpr double growth_reach = 0.7;  // longest step, in relative stress change / tolerance^(1/5)
 constexpr double slowest_rate =

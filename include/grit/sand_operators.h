@@ -66,7 +66,7 @@ GRIT_API grit_status grit_sand_wave_moduli(const grit_sand* sand, const grit_san
 GRIT_API grit_status grit_sand_rotate(const double Q[9], double* stress, double* state);
 
 typedef struct grit_sand_invariants {
-    size_t struct_size;              /* set by the caller; what lies behind costs nothing */
+    size_t struct_size;              /* set by the caller; up to relative_density saves its cost */
     double p;                        /* mean pressure [stress], compression positive */
     double q;                        /* sqrt(3/2) |deviator| [stress], >= 0 */
     double lode_angle;               /* [rad] 0 triaxial compression ... pi/3 triaxial extension */

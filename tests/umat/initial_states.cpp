@@ -78,7 +78,7 @@ TEST(Invariants, TellTheLodeAngleToRoundoffWhereTwoPrincipalStressesCoincide) {
             }
 }
 
-// Members behind the caller's struct_size are neither written nor computed.
+// Members behind the caller's struct_size are left alone.
 TEST(Invariants, ReachAsFarAsTheCallersStruct) {
     const Sand& sand = four_sands()[0];
     State x;

@@ -24,7 +24,7 @@ struct Batch {
     Layout layout = Layout::columns;
 };
 
-// Another caller's thread, which looks for work without a pause: to start or to wake one takes as long as a pass.
+// Another caller's thread, which spins while it waits: to start or to wake one takes as long as a pass.
 template <class Work> class Other {
   public:
     explicit Other(const Work& its_work)
