@@ -34,12 +34,6 @@ void load_water(const Material& material, Point& point) {
     point.pore_stress += material.K_w * (d[0] + d[1] + d[2]);  // (W1)
 }
 
-double total_stress(const Point& start, const Point& end, int c, double given) {
-    if (c >= 3) return end.stress[c];
-    const bool same = end.pore_stress == start.pore_stress && end.stress[c] == start.stress[c];
-    return same ? given : end.stress[c] + end.pore_stress;
-}
-
 void write_state(const Statev& statev, const Material& material, const Point& end,
                  int evaluations) {
     for (int c = 0; c < 6; ++c) statev[layout.h + c] = end.state[c];

@@ -37,7 +37,11 @@ void load_water(const Material& material, Point& point);
 
 // Component c, total, of the stress at the end; given is what the host had, the same bits if nothing
 // has changed: taking the pore pressure off and on again must not cost one.
-double total_stress(const Point& start, const Point& end, int c, double given);
+inline double total_stress(const Point& start, const Point& end, int c, double given) {
+    if (c >= 3) return end.stress[c];
+    const bool same = end.pore_stress == start.pore_stress && end.stress[c] == start.stress[c];
+    return same ? given : end.stress[c] + end.pore_stress;
+}
 
 // The state back, and what stands in STATEV for output only.
 void write_state(const Statev& statev, const Material& material, const Point& end, int evaluations);

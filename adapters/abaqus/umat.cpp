@@ -41,10 +41,11 @@ grit_status check_call(const UmatArguments& call, grit_error& error) {
 }
 
 Point read_point(const UmatArguments& call) {
-    Point p{};
-    for (int c = 0; c < *call.ntens; ++c) {
-        p.strain_increment[c] = call.dstran[host.order[c]];
-        p.stress[c] = call.stress[host.order[c]];
+    Point p;
+    for (int c = 0; c < 6; ++c) {
+        const bool carried = c < *call.ntens;
+        p.strain_increment[c] = carried ? call.dstran[host.order[c]] : 0.0;
+        p.stress[c] = carried ? call.stress[host.order[c]] : 0.0;
     }
     read_state({call.statev, 1, *call.nstatv}, *call.ntens - 3, p);
     return p;
@@ -158,7 +159,7 @@ grit_status run(const UmatArguments& call, grit_sand_report& report, grit_error&
 void run_umat(const UmatArguments& call) {
     grit_sand_report report{};
     report.step_reduction = 1.0;
-    grit_error error{};
+    grit_error error;  // left as it is unless something is said: to blank it takes time
     if (run(call, report, error) == GRIT_OK) return;
     const double reduction =
         report.step_reduction < 1.0 ? report.step_reduction : default_reduction;
