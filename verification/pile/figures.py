@@ -139,7 +139,8 @@ def draw_radial_stress(runs, to):
     script = data + f"unset key; set pm3d map corners2color c1\n{PALETTES['stress']}\nset cbrange [0:{top}]\nset multiplot\n"
     for i, (window, plot) in enumerate(plots):
         left = 0.08 + 0.43 * i
-        script += panel((*window[:2], low, 0.4), (left, left + 0.35, 0.12, 0.92), f"{pair[i][0]}, peak of blow {blow}")
+        script += panel((*window[:2], low, 0.4), (left, left + 0.35, 0.12, 0.92), f"{pair[i][0]}, peak of blow {blow}",
+                        y_label="z [m]" if i == 0 else "")
         script += "unset colorbox\n" if i == 0 else \
             "set colorbox user origin screen 0.88,0.12 size screen 0.02,0.8; set cblabel '-σ_{rr} [kPa]' offset 1,0\n"
         script += plot + "\n"
@@ -187,7 +188,8 @@ def draw_close_up(runs, to):
     script = data + f"unset key; set pm3d map corners2color c1\n{PALETTES['stress']}\nset cbrange [0:600]\nset multiplot\n"
     for i, (window, plot) in enumerate(plots):
         left = 0.09 + 0.43 * i
-        script += panel(window, (left, left + 0.32, 0.12, 0.92), f"{pair[i][0]}, peak of blow {blow}")
+        script += panel(window, (left, left + 0.32, 0.12, 0.92), f"{pair[i][0]}, peak of blow {blow}",
+                        y_label="z [m]" if i == 0 else "")
         script += "unset colorbox\n" if i == 0 else \
             "set colorbox user origin screen 0.86,0.12 size screen 0.02,0.8; set cblabel '-σ_{rr} [kPa]' offset 1,0\n"
         script += "set xtics 0.1\n" + plot + "\n"
@@ -204,8 +206,8 @@ def draw_void_ratio(runs, to):
     most = 0.05 * math.ceil(20.0 * loaded[int(0.98 * len(loaded))])  # not of the sand that flies about
     text, plot = field("e", run, -1, values, window, (1.0, -1.0))
     gnuplot(text + f"unset key; set pm3d map corners2color c1\n{PALETTES['change']}\nset cbrange [{-most}:{most}]\n"
-            "set colorbox user origin screen 0.86,0.12 size screen 0.025,0.8; set cblabel 'change of void ratio [-]' offset 1,0\n"
-            + panel(window, (0.12, 0.82, 0.12, 0.92), "Loose sand, Geo-contact, end of the drive") + plot,
+            "set colorbox user origin screen 0.83,0.12 size screen 0.025,0.8; set cblabel 'change of void ratio [-]' offset 1,0\n"
+            + panel(window, (0.12, 0.80, 0.12, 0.92), "Loose sand, Geo-contact, end of the drive") + plot,
             to / "void_ratio.png", 640, 680)
 
 
