@@ -20,7 +20,7 @@ GRAVITY = 9.81  # [m/s2]
 RADIUS, DIAMETER = 0.15, 0.3  # of the pile [m]
 CELL = 0.034125  # the smallest one [m]
 PEAK = 0.05  # of a blow, after its begin [s]
-BIN = 0.05  # edge of the squares that stresses and void ratios are averaged over [m]
+BIN = tables.ROW  # edge of the squares that stresses and void ratios are averaged over [m]
 SURFACE, EMBEDDED = 0.0, -0.5  # levels of the sand and of the tip at the start [m]
 CARRIES = 1.0  # stress of sand that supports a shaft, a tenth of that at rest in its middle [kPa]
 VOID_RATIO_CHANGE = 0.01  # that counts as densified or dilated
@@ -234,7 +234,7 @@ def main():
             for run in numbers:
                 run |= where | ({"commit": options.commit} if options.commit else {})
                 aside = options.save / f"{run['name']}.json.part"
-                aside.write_text(json.dumps(run, indent=None) + "\n")
+                aside.write_text(json.dumps(run) + "\n")
                 aside.rename(options.save / f"{run['name']}.json")
         tables.report(numbers)
     except Unusable as problem:

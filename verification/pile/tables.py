@@ -26,7 +26,7 @@ def mean(values):
 
 def stress_peaks(run):
     """For each blow: the largest cell mean [kPa]."""
-    return [max(rows.values()) for rows in run["radial_stress_kPa"]]
+    return [max(rows.values(), default=0.0) for rows in run["radial_stress_kPa"]]
 
 
 def reach(run, level):
