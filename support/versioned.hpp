@@ -26,6 +26,15 @@ template <class Struct> inline bool read_versioned(const Struct& caller, Struct&
     return true;
 }
 
+// The caller's struct itself where it is as long as ours, as it mostly is; else its copy over defaults. Null where
+// read_versioned says no.
+template <class Struct>
+inline const Struct* view_versioned(const Struct& caller, const Struct& defaults, Struct& copy) {
+    if (caller.struct_size == sizeof(Struct)) return &caller;
+    copy = defaults;
+    return read_versioned(caller, copy) ? &copy : nullptr;
+}
+
 // Copy a result into the caller's struct as far as it reaches; its struct_size stays.
 template <class Struct> inline bool write_versioned(const Struct& ours, Struct& caller) {
     const std::size_t size = caller.struct_size;

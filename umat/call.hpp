@@ -10,23 +10,33 @@
 
 namespace grit {
 
-// Sand, n, options and points of a call of this name; options and q keep what the caller's structs do not
-// reach.
+// What a caller's structs say, wherever it stands.
+struct SandCall {
+    const grit_sand_options* options;
+    const grit_sand_points* points;
+    grit_sand_options own_options;  // of callers with structs of another length
+    grit_sand_points own_points;
+};
+
+// Sand, n, options and points of a call of this name; what the caller's options do not reach is as in defaults.
 inline grit_status read_call(const char* name, const grit_sand* sand,
-                             const grit_sand_options* given, std::ptrdiff_t n,
-                             const grit_sand_points* points, grit_sand_options& options,
-                             grit_sand_points& q, grit_error* error) {
+                             const grit_sand_options* options, std::ptrdiff_t n,
+                             const grit_sand_points* points, const grit_sand_options& defaults,
+                             SandCall& call, grit_error* error) {
+    static constexpr grit_sand_points nothing{};
     GRIT_REQUIRE(sand, "%s: sand is null", name);
     GRIT_REQUIRE(points, "%s: points is null", name);
     GRIT_REQUIRE(n >= 0, "%s: n must be >= 0, got %td", name, n);
     GRIT_REQUIRE(material_of(*sand).stamp == material_stamp,
                  "%s: sand was not prepared by grit_sand_prepare of major version %d", name,
                  GRIT_VERSION_MAJOR);
-    GRIT_REQUIRE(!given || read_versioned(*given, options),
+    call.options = options ? view_versioned(*options, defaults, call.own_options) : &defaults;
+    GRIT_REQUIRE(call.options,
                  "grit_sand_options.struct_size %zu is not understood: call "
                  "grit_sand_options_init first",
-                 given->struct_size);
-    GRIT_REQUIRE(read_versioned(*points, q),
+                 options->struct_size);
+    call.points = view_versioned(*points, nothing, call.own_points);
+    GRIT_REQUIRE(call.points,
                  "grit_sand_points.struct_size %zu is not understood: set it to sizeof",
                  points->struct_size);
     return GRIT_OK;

@@ -9,32 +9,67 @@
 
 GRIT_KERNEL_BEGIN
 
-struct DeviatoricPlane {
-    double length;  // of the deviator
-    double
-        angle;  // of Lode: 0 where the middle value is the largest (triaxial compression) ... pi/3
+// cosine + i sine of an angle.
+struct Direction {
+    double cosine, sine;
+};
 
-    double largest_less_smallest() const { return root_2 * length * std::sin(third_of_pi + angle); }
-    double middle() const { return root_two_thirds * length * std::cos(third_of_pi + angle); }
+// The direction of a third of the angle of u, which lies between -pi/2 and pi/2. A polynomial in the cosine
+// is right to 2e-6, Halley's step z (z^3 + 2u) / (2z^3 + u) leaves the cube of that.
+inline Direction third_of(const Direction& u) {
+    const double x = u.cosine, x2 = x * x, x4 = x2 * x2;
+    const auto polynomial = [&](double a, double b, double c, double d, double e, double f,
+                                double g) {
+        return (a + b * x) + x2 * (c + d * x) + x4 * ((e + f * x) + x2 * g);
+    };
+    const double re = polynomial(0.866025493418, 0.166657813616, -0.0479651670415, 0.0237345768168,
+                                 -0.0124435327092, 0.00499553995154, -0.00100477511958);
+    const double im =
+        u.sine * polynomial(0.49999871142, -0.288547666207, 0.220084238404, -0.173009646501,
+                            0.116960838169, -0.053779745355, 0.0116272759017);
+    const double re3 = re * (re * re - 3.0 * im * im), im3 = im * (3.0 * re * re - im * im);
+    const double a = re3 + 2.0 * u.cosine, b = im3 + 2.0 * u.sine;
+    const double c = 2.0 * re3 + u.cosine, d = 2.0 * im3 + u.sine;
+    const double q = 1.0 / (c * c + d * d);
+    const double real = (a * c + b * d) * q, imaginary = (b * c - a * d) * q;
+    return {re * real - im * imaginary, re * imaginary + im * real};
+}
+
+struct DeviatoricPlane {
+    double length;    // of the deviator
+    Direction about;  // of Lode's angle less pi/6
+
+    // 0 where the middle value is the largest (triaxial compression) ... pi/3
+    double lode_angle() const {
+        constexpr double sixth_of_pi = 0x1.0c152382d7366p-1;
+        return max(0.0, sixth_of_pi + std::asin(about.sine));
+    }
+    double largest_less_smallest() const { return root_2 * length * about.cosine; }
+    double middle() const { return -root_two_thirds * length * about.sine; }
 
   private:
-    static constexpr double third_of_pi = 0x1.0c152382d7366p+0;
     static constexpr double root_two_thirds = 0x1.a20bd700c2c3ep-1;
 };
 
-// With s = A*/|A*| and X the deviator of its cofactors, |X| = 1/sqrt 6 and s:X = 3 det s, so that
-// cos(3 angle) = -s:X/|X|. The sine comes from the part of X across s: as an angle between tensors it is
-// exact to roundoff where the determinant alone would leave its square root.
-inline DeviatoricPlane deviatoric_plane(const Tensor<double>& deviator_of_A) {
-    double largest = 0.0;
-    for (const double component : deviator_of_A.c) largest = max(largest, fabs(component));
-    if (!(largest > 1e-300)) return {0.0, 0.0};
-    const Tensor<double> scaled_A = scaled(deviator_of_A, 1.0 / largest);
-    const double length = norm(scaled_A);
-    const Tensor<double> s = scaled(scaled_A, 1.0 / length);
-    const Tensor<double> X = deviator(cofactors(s));
-    const double along = contract(s, X);
-    return {largest * length, std::atan2(norm(scaled_sum(-along, s, X)), -along) / 3.0};
+// With X the deviator of the cofactors of A = A*, |A| |X| = |A|^3/sqrt 6 and A:X = 3 det A = -|A||X| cos(3 angle).
+// The sine comes from the part of X across A: as an angle between tensors it is exact to roundoff where the
+// determinant alone would leave its square root.
+inline DeviatoricPlane deviatoric_plane(const Tensor<double>& A) {
+    const double square_of_A = square(A);
+    if (!(square_of_A > 1e-70 && square_of_A < 1e70)) {  // its fourth power is wanted
+        double largest = 0.0;
+        for (const double component : A.c) largest = max(largest, fabs(component));
+        if (!(largest > 1e-300)) return {0.0, third_of({0.0, -1.0})};
+        const DeviatoricPlane plane = deviatoric_plane(scaled(A, 1.0 / largest));
+        return {largest * plane.length, plane.about};
+    }
+    constexpr double root_6 = 0x1.3988e1409212ep+1;
+    const Tensor<double> X = deviator(cofactors(A));
+    const double along = contract(A, X);
+    const double across = norm(scaled_sum(-along, A, scaled(X, square_of_A)));  // times |A|^2
+    const double length = std::sqrt(square_of_A);
+    const double unit = root_6 / (square_of_A * square_of_A);
+    return {length, third_of({across * unit, along * length * unit})};
 }
 
 GRIT_KERNEL_END

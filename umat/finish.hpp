@@ -117,6 +117,20 @@ GRIT_INLINE MaskOf<Real> void_clamped(const Material& m, const Tensor<Real>& T, 
     return (e_0 < Real(m.e_d0)) | (e_0 > Real(m.e_i0));
 }
 
+// The same, without a logarithm where e is far from both limits: x of (H6) changes by no more than p, relatively.
+// Strictly less: where there is no pressure near, nothing is decided.
+template <class Real>
+GRIT_INLINE MaskOf<Real> void_clamped(const Material& m, const Marched<Real>& near,
+                                      const Tensor<Real>& T, const Real& e) {
+    constexpr double margin = 0.02;
+    const Real p = trace(near.T), change = trace(T) - p;
+    const Real e_0 = e * near.compression.expansion;
+    const MaskOf<Real> inside = (near.compression.x * fabs(change) < (0.9 * margin) * fabs(p)) &
+                                (e_0 >= Real(m.e_d0 * (1.0 + margin))) &
+                                (e_0 <= Real(m.e_i0 * (1.0 - margin)));
+    return any(!inside) ? void_clamped(m, T, e) : !inside;
+}
+
 inline int void_flag(const Material& m, const Tensor<double>& T, double e) {
     return void_clamped(m, T, e) ? GRIT_SAND_VOID_CLAMPED : 0;
 }

@@ -36,7 +36,7 @@ grit_status grit_sand_invariants_of(const grit_sand* sand, const double stress[6
     ours.p = trace(T) * (-1.0 / 3.0);
     const DeviatoricPlane plane = deviatoric_plane(deviator(T));
     ours.q = std::sqrt(1.5) * plane.length;
-    ours.lode_angle = plane.angle;
+    ours.lode_angle = plane.lode_angle();
     const double shifted = ours.p + m.p_t;  // (H10)
     if (shifted > 0.0) {
         ours.tan_psi = plane.length / (std::sqrt(3.0) * shifted);

@@ -87,6 +87,7 @@ template <class Real> struct PathEnd {
     PlainOf<Real> h_late, next_step, error, substeps, evaluations;
     MaskOf<Real> outside_cone;
     MaskOf<Real> reached;  // with stress
+    Marched<Real> near;    // a state on the way of which all is known, or no stress
 };
 
 template <class Real>
@@ -100,7 +101,8 @@ GRIT_INLINE PathEnd<Real> end_of(const StraightPath<Real>& path, const Segment<R
             PlainOf<Real>(1.0),
             x.evaluations,
             x.outside_cone,
-            MaskOf<Real>(x.accepted & start.last)};
+            MaskOf<Real>(x.accepted & start.last),
+            start.y};
 }
 
 template <class Real> GRIT_INLINE PathEnd<Real> end_of(const Integrated<Real>& x) {
@@ -112,14 +114,15 @@ template <class Real> GRIT_INLINE PathEnd<Real> end_of(const Integrated<Real>& x
             x.substeps,
             x.evaluations,
             x.outside_cone,
-            MaskOf<Real>(!(x.failed | x.separated))};
+            MaskOf<Real>(!(x.failed | x.separated)),
+            {isotropic(Real(0.0)), {Real(0.0), Real(1.0)}}};
 }
 
 template <class Real>
 GRIT_INLINE void write_reports(const UpdateRequest& request, const Places<Real>& places,
                                const StraightPath<Real>& path, const PathEnd<Real>& end,
                                const MaskOf<Real>& done) {
-    const MaskOf<Real> clamped = void_clamped(*request.material, end.T, path.e_end);
+    const MaskOf<Real> clamped = void_clamped(*request.material, end.near, end.T, path.e_end);
     for (int lane = 0; lane < Places<Real>::lanes; ++lane) {
         if (!lane_of(done, lane)) continue;
         const int flags = (lane_of(end.outside_cone, lane) ? GRIT_SAND_OUTSIDE_CONE : 0) |

@@ -7,25 +7,26 @@
 
 GRIT_KERNEL_BEGIN
 
-// x^q for x > 0. The same for every lane: the branches hang on the material.
-template <class Real> GRIT_INLINE Real power(const Exponent& q, const Real& x) {
-    if (q.quarters < 0) return exp(q.value * log(x));
-    Real result = Real(1.0), square_of = x;
-    bool first = true;
-    const auto times = [&](const Real& factor) {
-        result = first ? factor : result * factor;
-        first = false;
-    };
-    for (int whole = q.quarters / 4; whole > 0; whole /= 2) {
-        if (whole % 2 == 1) times(square_of);
-        if (whole > 1) square_of = square_of * square_of;
-    }
-    if (q.quarters % 4 != 0) {
+// x^(q/4) for q >= 0.
+template <class Real> GRIT_INLINE Real quarter_power(int q, const Real& x) {
+    if (q == 4) return x;
+    const int whole = q / 4, part = q % 4;
+    Real result = Real(1.0);
+    if (part != 0) {
         const Real root = sqrt(x);
-        if (q.quarters & 2) times(root);
-        if (q.quarters & 1) times(sqrt(root));
+        result = part == 1 ? sqrt(root) : part == 2 ? root : root * sqrt(root);
+    }
+    Real square_of = x;
+    for (int left = whole; left > 0; left /= 2) {
+        if (left % 2 == 1) result = result * square_of;
+        if (left > 1) square_of = square_of * square_of;
     }
     return result;
+}
+
+// x^q for x > 0. The same for every lane: the branches hang on the material.
+template <class Real> GRIT_INLINE Real power(const Exponent& q, const Real& x) {
+    return q.quarters < 0 ? exp(q.value * log(x)) : quarter_power(q.quarters, x);
 }
 
 GRIT_KERNEL_END

@@ -13,13 +13,13 @@
 namespace grit {
 namespace {
 
-grit_sand_options default_options() {
+constexpr grit_sand_options default_options = [] {
     grit_sand_options options{};
     options.struct_size = sizeof options;
     options.tolerance = 3e-3;
     options.evaluation_limit = 20000;
     return options;
-}
+}();
 
 grit_status check_options(const grit_sand_options& o, grit_error* error) {
     GRIT_REQUIRE(o.tolerance >= 1e-12 && o.tolerance <= 0.1,
@@ -150,16 +150,18 @@ using namespace grit;
 extern "C" {
 
 grit_status grit_sand_options_init(grit_sand_options* options, size_t struct_size) {
-    return init_versioned(default_options(), options, struct_size) ? GRIT_OK : GRIT_BAD_CALL;
+    return init_versioned(default_options, options, struct_size) ? GRIT_OK : GRIT_BAD_CALL;
 }
 
 grit_status grit_sand_update(const grit_sand* sand, const grit_sand_options* options, ptrdiff_t n,
                              const grit_sand_points* points, grit_sand_report* reports,
                              grit_error* error) {
-    grit_sand_options o = default_options();
-    grit_sand_points q{};
-    if (const grit_status s = read_call("grit_sand_update", sand, options, n, points, o, q, error))
+    SandCall call;
+    if (const grit_status s =
+            read_call("grit_sand_update", sand, options, n, points, default_options, call, error))
         return s;
+    const grit_sand_options& o = *call.options;
+    const grit_sand_points& q = *call.points;
     if (const grit_status s = check_options(o, error)) return s;
     if (n == 0) return GRIT_OK;  // an empty array may have no base pointer
     if (const grit_status s = check_points(q, o, n, error)) return s;

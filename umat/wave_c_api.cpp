@@ -15,11 +15,13 @@ extern "C" grit_status grit_sand_wave_moduli(const grit_sand* sand,
                                              const grit_sand_options* options, ptrdiff_t n,
                                              const grit_sand_points* points, double* moduli,
                                              grit_error* error) {
-    grit_sand_options o{};
-    grit_sand_points q{};
+    static constexpr grit_sand_options defaults{};
+    SandCall call;
     if (const grit_status s =
-            read_call("grit_sand_wave_moduli", sand, options, n, points, o, q, error))
+            read_call("grit_sand_wave_moduli", sand, options, n, points, defaults, call, error))
         return s;
+    const grit_sand_options& o = *call.options;
+    const grit_sand_points& q = *call.points;
     if (const grit_status s = check_instruction_set(o.instruction_set, error)) return s;
     GRIT_REQUIRE(is_switch(o.intergranular_off), "intergranular_off must be 0 or 1, got %d",
                  o.intergranular_off);

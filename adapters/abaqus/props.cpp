@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 
 #include "adapters/abaqus/complaint.hpp"
@@ -49,7 +50,7 @@ grit_status prepare(const double* props, Material& out, grit_error& error) {
 }
 
 struct Known {
-    bool any = false;
+    int nprops = 0;  // 0: none yet
     double props[props_read];
     Material material;
 };
@@ -59,14 +60,14 @@ struct Known {
 grit_status read_props(const double* props, int nprops, const Material*& out, grit_error& error) {
     thread_local Known known;
     out = &known.material;
-    double filled[props_read] = {};
-    const double* given = props;
-    if (nprops < props_read) given = std::copy_n(props, nprops, filled) - nprops;
-    if (known.any && std::memcmp(known.props, given, sizeof known.props) == 0) return GRIT_OK;
-    known.any = false;
-    if (const grit_status s = prepare(given, known.material, error)) return s;
-    std::memcpy(known.props, given, sizeof known.props);
-    known.any = true;
+    const int n = std::min(nprops, props_read);
+    const auto size = static_cast<std::size_t>(n) * sizeof(double);
+    if (known.nprops == n && std::memcmp(known.props, props, size) == 0) return GRIT_OK;
+    known.nprops = 0;
+    std::memcpy(known.props, props, size);
+    std::fill(known.props + n, known.props + props_read, 0.0);
+    if (const grit_status s = prepare(known.props, known.material, error)) return s;
+    known.nprops = n;
     return GRIT_OK;
 }
 

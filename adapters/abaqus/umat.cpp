@@ -75,18 +75,18 @@ void project(double Q[9]) {
 // is how hosts without finite rotations fill it.
 bool read_rotation(const UmatArguments& call, double Q[9]) {
     if (!call.drot || *call.ntens == 3) return false;
-    bool zero = true;
-    bool identity = true;
+    const bool in_plane = *call.ntens != 6;
+    double sum = 0.0, off = 0.0;  // of what is not nothing, and not one
     for (int r = 0; r < 3; ++r)
         for (int c = 0; c < 3; ++c) {
             const double unit = r == c ? 1.0 : 0.0;
-            const bool carried = *call.ntens == 6 || (r < 2 && c < 2);  // in the plane, or all
+            const bool carried = !in_plane || (r < 2 && c < 2);
             const double entry = carried ? call.drot[r + 3 * c] : unit;
-            zero = zero && (!carried || entry == 0.0);
-            identity = identity && entry == unit;
+            if (carried) sum += std::fabs(entry);
+            off += std::fabs(entry - unit);
             Q[3 * r + c] = entry;
         }
-    if (zero || identity) return false;
+    if (sum == 0.0 || off == 0.0) return false;
     project(Q);
     return true;
 }
