@@ -10,6 +10,14 @@
 
 namespace grit {
 
+inline constexpr grit_sand_options default_options = [] {
+    grit_sand_options options{};
+    options.struct_size = sizeof options;
+    options.tolerance = 3e-3;
+    options.evaluation_limit = 20000;
+    return options;
+}();
+
 // What a caller's structs say, wherever it stands.
 struct SandCall {
     const grit_sand_options* options;
@@ -18,11 +26,10 @@ struct SandCall {
     grit_sand_points own_points;
 };
 
-// Sand, n, options and points of a call of this name; what the caller's options do not reach is as in defaults.
+// Sand, n, options and points of a call of this name; what the caller's structs do not reach has its default.
 inline grit_status read_call(const char* name, const grit_sand* sand,
                              const grit_sand_options* options, std::ptrdiff_t n,
-                             const grit_sand_points* points, const grit_sand_options& defaults,
-                             SandCall& call, grit_error* error) {
+                             const grit_sand_points* points, SandCall& call, grit_error* error) {
     static constexpr grit_sand_points nothing{};
     GRIT_REQUIRE(sand, "%s: sand is null", name);
     GRIT_REQUIRE(points, "%s: points is null", name);
@@ -30,7 +37,8 @@ inline grit_status read_call(const char* name, const grit_sand* sand,
     GRIT_REQUIRE(material_of(*sand).stamp == material_stamp,
                  "%s: sand was not prepared by grit_sand_prepare of major version %d", name,
                  GRIT_VERSION_MAJOR);
-    call.options = options ? view_versioned(*options, defaults, call.own_options) : &defaults;
+    call.options =
+        options ? view_versioned(*options, default_options, call.own_options) : &default_options;
     GRIT_REQUIRE(call.options,
                  "grit_sand_options.struct_size %zu is not understood: call "
                  "grit_sand_options_init first",

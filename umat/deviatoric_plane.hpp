@@ -14,7 +14,7 @@ struct Direction {
     double cosine, sine;
 };
 
-// The direction of a third of the angle of u, which lies between -pi/2 and pi/2. A polynomial in the cosine
+// The direction of a third of the angle of u, of unit length between -pi/2 and pi/2. A polynomial in the cosine
 // is right to 2e-6, Halley's step z (z^3 + 2u) / (2z^3 + u) leaves the cube of that.
 inline Direction third_of(const Direction& u) {
     const double x = u.cosine, x2 = x * x, x4 = x2 * x2;
@@ -41,8 +41,8 @@ struct DeviatoricPlane {
 
     // 0 where the middle value is the largest (triaxial compression) ... pi/3
     double lode_angle() const {
-        constexpr double sixth_of_pi = 0x1.0c152382d7366p-1;
-        return max(0.0, sixth_of_pi + std::asin(about.sine));
+        constexpr double third_of_pi = 0x1.0c152382d7366p+0;
+        return min(max(0.5 * third_of_pi + std::asin(about.sine), 0.0), third_of_pi);
     }
     double largest_less_smallest() const { return root_2 * length * about.cosine; }
     double middle() const { return -root_two_thirds * length * about.sine; }
@@ -54,22 +54,24 @@ struct DeviatoricPlane {
 // With X the deviator of the cofactors of A = A*, |A| |X| = |A|^3/sqrt 6 and A:X = 3 det A = -|A||X| cos(3 angle).
 // The sine comes from the part of X across A: as an angle between tensors it is exact to roundoff where the
 // determinant alone would leave its square root.
-inline DeviatoricPlane deviatoric_plane(const Tensor<double>& A) {
-    const double square_of_A = square(A);
-    if (!(square_of_A > 1e-70 && square_of_A < 1e70)) {  // its fourth power is wanted
-        double largest = 0.0;
-        for (const double component : A.c) largest = max(largest, fabs(component));
-        if (!(largest > 1e-300)) return {0.0, third_of({0.0, -1.0})};
-        const DeviatoricPlane plane = deviatoric_plane(scaled(A, 1.0 / largest));
-        return {largest * plane.length, plane.about};
-    }
+inline DeviatoricPlane deviatoric_plane(const Tensor<double>& deviator_of_A) {
     constexpr double root_6 = 0x1.3988e1409212ep+1;
+    const auto in_range = [](double square_of) { return square_of > 1e-70 && square_of < 1e70; };
+    Tensor<double> A = deviator_of_A;
+    double square_of_A = square(A), scale = 1.0;
+    if (!in_range(square_of_A)) {  // its fourth power is wanted
+        scale = 0.0;
+        for (const double component : A.c) scale = max(scale, fabs(component));
+        A = scaled(A, 1.0 / scale);
+        square_of_A = square(A);
+        if (!(scale > 1e-300 && in_range(square_of_A))) return {scale, third_of({0.0, -1.0})};
+    }
     const Tensor<double> X = deviator(cofactors(A));
     const double along = contract(A, X);
     const double across = norm(scaled_sum(-along, A, scaled(X, square_of_A)));  // times |A|^2
     const double length = std::sqrt(square_of_A);
     const double unit = root_6 / (square_of_A * square_of_A);
-    return {length, third_of({across * unit, along * length * unit})};
+    return {scale * length, third_of({across * unit, along * length * unit})};
 }
 
 GRIT_KERNEL_END

@@ -117,18 +117,19 @@ GRIT_INLINE MaskOf<Real> void_clamped(const Material& m, const Tensor<Real>& T, 
     return (e_0 < Real(m.e_d0)) | (e_0 > Real(m.e_i0));
 }
 
-// The same, without a logarithm where e is far from both limits: x of (H6) changes by no more than p, relatively.
-// Strictly less: where there is no pressure near, nothing is decided.
+// The same where wanted, from the start of the path and its compression: without a logarithm where e stays far from
+// both limits. As n < 1, x of (H6) changes by no more than p, relatively; exp(0.018) lies within 1.02 and 1/0.98.
+// Where the start has no pressure, nothing is decided.
 template <class Real>
-GRIT_INLINE MaskOf<Real> void_clamped(const Material& m, const Marched<Real>& near,
-                                      const Tensor<Real>& T, const Real& e) {
-    constexpr double margin = 0.02;
-    const Real p = trace(near.T), change = trace(T) - p;
-    const Real e_0 = e * near.compression.expansion;
-    const MaskOf<Real> inside = (near.compression.x * fabs(change) < (0.9 * margin) * fabs(p)) &
-                                (e_0 >= Real(m.e_d0 * (1.0 + margin))) &
-                                (e_0 <= Real(m.e_i0 * (1.0 - margin)));
-    return any(!inside) ? void_clamped(m, T, e) : !inside;
+GRIT_INLINE MaskOf<Real> void_clamped(const Material& m, const Marched<Real>& start,
+                                      const Tensor<Real>& T, const Real& e,
+                                      const MaskOf<Real>& wanted) {
+    const Real p = trace(start.T), change = trace(T) - p;
+    const Real e_0 = e * start.compression.expansion;
+    const MaskOf<Real> inside = (start.compression.x * fabs(change) < 0.018 * fabs(p)) &
+                                (e_0 >= Real(m.e_d0 * 1.02)) & (e_0 <= Real(m.e_i0 * 0.98));
+    const MaskOf<Real> open = wanted & !inside;
+    return any(open) ? MaskOf<Real>(open & void_clamped(m, T, e)) : open;
 }
 
 inline int void_flag(const Material& m, const Tensor<double>& T, double e) {

@@ -87,7 +87,7 @@ template <class Real> struct PathEnd {
     PlainOf<Real> h_late, next_step, error, substeps, evaluations;
     MaskOf<Real> outside_cone;
     MaskOf<Real> reached;  // with stress
-    Marched<Real> near;    // a state on the way of which all is known, or no stress
+    Marched<Real> start;   // of the path, or no stress: flags take a logarithm then
 };
 
 template <class Real>
@@ -122,7 +122,8 @@ template <class Real>
 GRIT_INLINE void write_reports(const UpdateRequest& request, const Places<Real>& places,
                                const StraightPath<Real>& path, const PathEnd<Real>& end,
                                const MaskOf<Real>& done) {
-    const MaskOf<Real> clamped = void_clamped(*request.material, end.near, end.T, path.e_end);
+    const MaskOf<Real> clamped =
+        void_clamped(*request.material, end.start, end.T, path.e_end, done);
     for (int lane = 0; lane < Places<Real>::lanes; ++lane) {
         if (!lane_of(done, lane)) continue;
         const int flags = (lane_of(end.outside_cone, lane) ? GRIT_SAND_OUTSIDE_CONE : 0) |

@@ -2,22 +2,24 @@
 // x^q with the exponents of sands: most are multiples of a quarter and need no logarithm.
 #pragma once
 
+#include <cstdint>
+
 #include "support/elementary.hpp"
 #include "umat/material.hpp"
 
 GRIT_KERNEL_BEGIN
 
-// x^(q/4) for q >= 0.
-template <class Real> GRIT_INLINE Real quarter_power(int q, const Real& x) {
+// x^(q/4) for q >= 0, without a loop up to the first power.
+template <class Real> GRIT_INLINE Real quarter_power(std::int64_t q, const Real& x) {
     if (q == 4) return x;
-    const int whole = q / 4, part = q % 4;
+    const std::int64_t whole = q / 4, part = q % 4;
     Real result = Real(1.0);
     if (part != 0) {
         const Real root = sqrt(x);
         result = part == 1 ? sqrt(root) : part == 2 ? root : root * sqrt(root);
     }
     Real square_of = x;
-    for (int left = whole; left > 0; left /= 2) {
+    for (std::int64_t left = whole; left > 0; left /= 2) {
         if (left % 2 == 1) result = result * square_of;
         if (left > 1) square_of = square_of * square_of;
     }

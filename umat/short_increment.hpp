@@ -140,7 +140,7 @@ template <class Real, bool igs> class ShortSegment {
         const Mask above =
             (p_1 >= Plain(opening_pressure(m))) | ((p_1 >= p_0) & (p_1 > Plain(0.0)));
         const Mask here = where & (trial.error <= allowed) & above;
-        if (!any(here)) return;  // and what follows need not wait for the error
+        if (!any(here)) return;  // a branch, foreseen: the stress need not wait for its error
         r.accepted = r.accepted | here;
         assign(here, r.T, trial.y.T);
         assign(here, r.h, h);

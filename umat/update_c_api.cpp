@@ -13,14 +13,6 @@
 namespace grit {
 namespace {
 
-constexpr grit_sand_options default_options = [] {
-    grit_sand_options options{};
-    options.struct_size = sizeof options;
-    options.tolerance = 3e-3;
-    options.evaluation_limit = 20000;
-    return options;
-}();
-
 grit_status check_options(const grit_sand_options& o, grit_error* error) {
     GRIT_REQUIRE(o.tolerance >= 1e-12 && o.tolerance <= 0.1,
                  "tolerance must be in [1e-12, 0.1], got %g", o.tolerance);
@@ -157,8 +149,7 @@ grit_status grit_sand_update(const grit_sand* sand, const grit_sand_options* opt
                              const grit_sand_points* points, grit_sand_report* reports,
                              grit_error* error) {
     SandCall call;
-    if (const grit_status s =
-            read_call("grit_sand_update", sand, options, n, points, default_options, call, error))
+    if (const grit_status s = read_call("grit_sand_update", sand, options, n, points, call, error))
         return s;
     const grit_sand_options& o = *call.options;
     const grit_sand_points& q = *call.points;

@@ -15,10 +15,9 @@ extern "C" grit_status grit_sand_wave_moduli(const grit_sand* sand,
                                              const grit_sand_options* options, ptrdiff_t n,
                                              const grit_sand_points* points, double* moduli,
                                              grit_error* error) {
-    static constexpr grit_sand_options defaults{};
     SandCall call;
     if (const grit_status s =
-            read_call("grit_sand_wave_moduli", sand, options, n, points, defaults, call, error))
+            read_call("grit_sand_wave_moduli", sand, options, n, points, call, error))
         return s;
     const grit_sand_options& o = *call.options;
     const grit_sand_points& q = *call.points;

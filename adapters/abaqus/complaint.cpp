@@ -10,8 +10,7 @@
 namespace grit::abaqus {
 namespace {
 
-// All that a library of this folder keeps between calls: of increments that are too large, which many hosts
-// cut back, and of all else.
+// Kept between calls: of increments that are too large, which many hosts cut back, and of all else.
 std::atomic<bool> already_said[2]{false, false};
 
 // The library counts the points of its call, a host its elements: "point 7: " goes.

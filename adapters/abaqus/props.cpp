@@ -50,7 +50,7 @@ grit_status prepare(const double* props, Material& out, grit_error& error) {
 }
 
 struct Known {
-    int nprops = 0;  // 0: none yet
+    int nprops;  // 0: none yet
     double props[props_read];
     Material material;
 };
@@ -58,7 +58,7 @@ struct Known {
 }  // namespace
 
 grit_status read_props(const double* props, int nprops, const Material*& out, grit_error& error) {
-    thread_local Known known;
+    static constinit thread_local Known known{};  // no guard is asked at each call
     out = &known.material;
     const int n = std::min(nprops, props_read);
     const auto size = static_cast<std::size_t>(n) * sizeof(double);

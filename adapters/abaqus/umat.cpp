@@ -76,17 +76,17 @@ void project(double Q[9]) {
 bool read_rotation(const UmatArguments& call, double Q[9]) {
     if (!call.drot || *call.ntens == 3) return false;
     const bool in_plane = *call.ntens != 6;
-    double sum = 0.0, off = 0.0;  // of what is not nothing, and not one
+    double size = 0.0, from_identity = 0.0;  // sums of magnitudes: 0 exactly where all are
     for (int r = 0; r < 3; ++r)
         for (int c = 0; c < 3; ++c) {
             const double unit = r == c ? 1.0 : 0.0;
             const bool carried = !in_plane || (r < 2 && c < 2);
             const double entry = carried ? call.drot[r + 3 * c] : unit;
-            if (carried) sum += std::fabs(entry);
-            off += std::fabs(entry - unit);
+            if (carried) size += std::fabs(entry);
+            from_identity += std::fabs(entry - unit);
             Q[3 * r + c] = entry;
         }
-    if (sum == 0.0 || off == 0.0) return false;
+    if (size == 0.0 || from_identity == 0.0) return false;
     project(Q);
     return true;
 }

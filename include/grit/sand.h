@@ -115,7 +115,8 @@ GRIT_API grit_status grit_sand_options_init(grit_sand_options* options, size_t s
 
 /* n points as the host stores them. Zero-initialise, set struct_size, then what is needed.
  * The tangent, d stress / d strain, may be left out with GRIT_TANGENT_NONE; substep is advice that is
- * handed back for the next call. */
+ * handed back for the next call. This struct and the options are read while a call lasts: nobody may
+ * change them meanwhile. */
 typedef struct grit_sand_points {
     size_t struct_size;
     int components;               /* 6, or 4 (11 22 33 12: axisymmetric, plane strain); 0 means 6 */

@@ -149,6 +149,20 @@ TEST(UmatRotation, TakesAZeroMatrixAsNone) {
     EXPECT_TRUE(without.same_results(with));
 }
 
+TEST(UmatRotation, TakesAZeroMatrixAsNoneInThePlaneToo) {
+    UmatCall with = UmatCall::hochstetten();
+    with.use_components(4);
+    with.set_dstran(-1e-4, 4e-5, 1e-5, 5e-5);
+    UmatCall without = with;
+    for (double& entry : without.drot)
+        entry = std::nan("");  // what is not of the plane is not read
+    for (const int in_plane : {0, 1, 3, 4}) without.drot[in_plane] = 0.0;
+    with.run();
+    without.run();
+    EXPECT_EQ(without.pnewdt, 1.0);
+    EXPECT_TRUE(without.same_results(with));
+}
+
 TEST(UmatRotation, StaysInThePlaneWithFourComponents) {
     UmatCall full = UmatCall::hochstetten();
     full.statev[0] = -5e-5;

@@ -85,6 +85,50 @@ TEST(VersionedStructs, OptionsOfOlderAndNewerCallersGiveTheSameResult) {
     EXPECT_TRUE(same_bits(b, expected));
 }
 
+// The struct of a caller that does not know "substep", and of one that knows more.
+template <class Call> void expect_same_of_older_and_newer_points(const Point& start, Call call) {
+    const Voigt dE = voigt_strain(Vec(1e-4 * Vec::Unit(0)));
+    const auto points_at = [&](Point& p, std::size_t size) {
+        Newer<grit_sand_points> q{};
+        q.known.struct_size = size;
+        q.known.strain_increment = grit_view_of(dE.data(), 6, 1);
+        q.known.stress = grit_mutable_view_of(p.stress, 6, 1);
+        q.known.state = grit_mutable_view_of(p.state, GRIT_SAND_STATE_SIZE, 1);
+        return q;
+    };
+    Point expected = start, a = start, b = start;
+    ASSERT_EQ(call(points_at(expected, sizeof(grit_sand_points)).known), GRIT_OK);
+    auto older = points_at(a, offsetof(grit_sand_points, substep));
+    older.known.substep = {nullptr, 7, 7};  // not the caller's to say
+    older.known.substep.base = &older.unknown[0];
+    EXPECT_EQ(call(older.known), GRIT_OK);
+    EXPECT_TRUE(same_bits(a, expected));
+    EXPECT_EQ(older.unknown[0], 0.0);
+    auto newer = points_at(b, sizeof(Newer<grit_sand_points>));
+    EXPECT_EQ(call(newer.known), GRIT_OK);
+    EXPECT_TRUE(same_bits(b, expected));
+    newer.unknown[1] = 1.0;
+    EXPECT_EQ(call(newer.known), GRIT_BAD_CALL);
+}
+
+TEST(VersionedStructs, PointsOfOlderAndNewerCallersGiveTheSameResult) {
+    const Sand& sand = four_sands()[0];
+    Random random(22);
+    const Point start = point_of(random_state(sand, random));
+    const grit_sand_options options = options_with();
+    expect_same_of_older_and_newer_points(start, [&](const grit_sand_points& q) {
+        return grit_sand_update(sand, &options, 1, &q, nullptr, nullptr);
+    });
+    double modulus[2] = {};
+    int calls = 0;
+    expect_same_of_older_and_newer_points(start, [&](const grit_sand_points& q) {
+        const grit_status status =
+            grit_sand_wave_moduli(sand, &options, 1, &q, &modulus[calls++ > 0], nullptr);
+        EXPECT_EQ(modulus[calls > 1], modulus[0]);
+        return status;
+    });
+}
+
 TEST(VersionedStructs, ResultsReachOnlyAsFarAsTheCallersStruct) {
     const Sand& sand = four_sands()[0];
     grit_sand_scalar_factors f{};

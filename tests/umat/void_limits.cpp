@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // GRIT_SAND_VOID_CLAMPED: set exactly where e ends outside [e_d, e_i] at the pressure of the end.
+#include "support/batch.hpp"
 #include "support/sands.hpp"
 #include "support/states.hpp"
 #include "support/update.hpp"
@@ -39,6 +40,27 @@ TEST(VoidLimits, AreReportedExactlyWhereVoidRatiosEndOutsideThem) {
                 }
     EXPECT_GT(clamped, 500);
     EXPECT_GT(within, 500);
+}
+
+// Neighbours in a pack differ: some are taken without a logarithm, some with, some by steps.
+TEST(VoidLimits, AreReportedForManyPointsAsForEach) {
+    const Sand sand = sand_named("lausitz");
+    Random random(13);
+    Batch batch = random_batch(sand, 203, 12);
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+        const State x = state_of(batch.points[i]);
+        const VoidRatios limits = void_ratios(sand, -x.T.head<3>().sum() / 3.0);
+        batch.points[i].state[GRIT_SAND_VOID_RATIO] =
+            (i % 3 ? limits.e_d : limits.e_i) * (1.0 + random.uniform(-0.05, 0.05));
+    }
+    const Batch start = batch;
+    ASSERT_EQ(batch.update(sand, options_with()), GRIT_OK) << batch.error.message;
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+        Point point = start.points[i];
+        const Outcome out = update(sand, point, start.strain[i].data());
+        EXPECT_EQ(batch.reports[i].flags, out.report.flags) << i;
+        expect_flag(sand, point, out);
+    }
 }
 
 }  // namespace

@@ -95,8 +95,10 @@ def report(runs):
     report_energies(runs)
     if compared:
         report_claims(compared, by_name)
-    if "dense_gca" in by_name:
-        report_sensitivity([run for run in runs if run not in compared], by_name["dense_gca"])
+    if "dense_gca" in by_name:  # every run in dense sand by its first five blows
+        reference = by_name["dense_gca"]
+        others = [run for run in compared if run["name"].startswith("dense") and run is not reference]
+        report_sensitivity(others + [run for run in runs if run not in compared], reference)
 
 
 def main():
