@@ -72,6 +72,20 @@ def report_claims(runs, by_name):
            "looser at tip [D]", "P6 contact [% of time]", "line elements"], rows)
 
 
+def report_sets(runs):
+    """Mean set of the blows that began in each band of depth [mm]."""
+    bands = [0.25 * i for i in range(6)]
+    rows = []
+    for run in runs:
+        begins = [run["self_weight_m"]]
+        for one in run["sets_m"]:
+            begins.append(begins[-1] + one)
+        pairs = list(zip(begins, run["sets_m"]))
+        means = [mean([one for begin, one in pairs if low <= begin < low + 0.25]) for low in bands]
+        rows.append([run["name"], *("" if math.isnan(m) else f"{1e3 * m:.0f}" for m in means)])
+    table(["P4 mean set [mm] from", *(f"{low:.2f} m" for low in bands)], rows)
+
+
 def report_sensitivity(runs, reference):
     """What five blows do, beside those of the reference."""
     base_own, base_driven = reference["self_weight_m"], sum(reference["sets_m"][:5])
@@ -95,6 +109,7 @@ def report(runs):
     report_energies(runs)
     if compared:
         report_claims(compared, by_name)
+        report_sets(compared)
     if "dense_gca" in by_name:  # every run in dense sand by its first five blows
         reference = by_name["dense_gca"]
         others = [run for run in compared if run["name"].startswith("dense") and run is not reference]
