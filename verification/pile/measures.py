@@ -107,19 +107,15 @@ def radial_stress(run, index):
     return cell_means(now, beyond), level_of_tip(run, index)
 
 
-def stress_at_peaks(run):
-    """For each blow {row: largest cell mean of the row [kPa]}, rows of BIN below the tip, negative above it."""
-    out = []
-    for index in peak_frames(run):
-        cells, tip = radial_stress(run, index)
-        rows = {}
-        for stress, _, z in cells.values():
-            row = math.floor((tip - z) / BIN)
-            if stress >= 1.0:
-                rows[row] = max(rows.get(row, 0.0), round(stress, 1))
-        out.append(rows)
-        run.forget()
-    return out
+def stress_by_rows(run, index):
+    """{row: largest cell mean of the row [kPa]}, rows of BIN below the tip, negative above it."""
+    cells, tip = radial_stress(run, index)
+    rows = {}
+    for stress, _, z in cells.values():
+        row = math.floor((tip - z) / BIN)
+        if stress >= 1.0:
+            rows[row] = max(rows.get(row, 0.0), round(stress, 1))
+    return rows
 
 
 def carrying(frame):
@@ -157,6 +153,16 @@ def tip_gap(run, index):
     return statistics.fmean(tip - z for z in top)
 
 
+def at_peaks(run):
+    """stress_by_rows and tip_gap of each blow."""
+    stresses, gaps = [], []
+    for index in peak_frames(run):
+        stresses.append(stress_by_rows(run, index))
+        gaps.append(tip_gap(run, index))
+        run.forget(index)
+    return stresses, gaps
+
+
 def void_ratio_extents(run, change=VOID_RATIO_CHANGE):
     """In diameters: from the shaft outwards as far as mean Delta e, over the embedded length but a diameter at both
     ends, is below -change; and below and beside the tip the farthest cell with Delta e above change."""
@@ -192,15 +198,16 @@ def measured(run):
     gaps, to_any = shaft_gaps(run, -1), shaft_gaps(run, -1, all_sand=True)
     reactions = [max(h["tip_force"][i] + h["shaft_force"][i] for i in range(first, last + 1)) for first, last in h.blows()]
     dense, loose = void_ratio_extents(run)
+    stresses, tip_gaps = at_peaks(run)
     out = {
         "name": run.name, "program": next((c.split(",")[0] for c in h.comments if c.startswith("Grit ")), ""),
         "stopped": h.stopped, "particles": h.particles, "steps": h["step"][-1], "simulated_s": h["t"][-1],
         "depth_m": h["depth"][-1], "self_weight_m": own, "sets_m": each, "rebounds_m": rebound, "reactions_kN": reactions,
         "peak_reaction_kN": peak, "identity_kN": worst, "impulse_share": drift, "energies_J": energies(h),
         "particle_steps_per_s": rate, "parts_percent": parts, "line_elements": run.penalty_vertices(),
-        "radial_stress_kPa": stress_at_peaks(run),
+        "radial_stress_kPa": stresses,
         "shaft_gap_m": statistics.median(gaps or [math.nan]), "shaft_gap_to_any_m": statistics.median(to_any or [math.nan]),
-        "tip_gaps_m": [tip_gap(run, index) for index in peak_frames(run)],
+        "tip_gaps_m": tip_gaps,
         "flattening": flattening(each), "denser_D": dense, "looser_D": loose,
     }
     run.forget()

@@ -123,9 +123,9 @@ class Run:
             self._frames[key] = Frame(self.folder / (self.files[index] + body + ".vtu"))
         return self._frames[key]
 
-    def forget(self):
-        """Frames take memory."""
-        self._frames.clear()
+    def forget(self, index=None):
+        """Frames take memory: those of an index, or all."""
+        self._frames = {key: frame for key, frame in self._frames.items() if index is not None and key[0] != index}
 
     def frame_near(self, time):
         """Index of the frame of that time; no farther than a few rows."""

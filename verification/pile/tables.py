@@ -9,7 +9,7 @@ import re
 import statistics
 import sys
 
-ROW = 0.05  # of measures.stress_at_peaks [m]
+ROW = 0.05  # of measures.stress_by_rows [m]
 
 
 def table(head, rows):
