@@ -23,10 +23,10 @@ set title "Sand, points of one call (224 bytes each)"
 set ylabel "ns per point"
 set xlabel "points"
 set xrange [1:1e6]
-set yrange [20:2e4]
+set yrange [10:1e4]
 do for [i=1:3] {
     set arrow i from full(i, sand_point), graph 0 to full(i, sand_point), graph 1 nohead dt 3 lc rgb "#888888"
-    set label i mark[i]." full" at full(i, sand_point), graph 0.1 left offset 0.4, 0 tc rgb "#555555"
+    set label i mark[i]." full" at full(i, sand_point), graph 0.06 left offset 0.4, 0 tc rgb "#555555"
 }
 data = folder."/growth_sand.csv"
 plot data using 2:($1 < 1e-5 ? $3 : NaN) with linespoints lw 2 pt 7 ps 0.5 lc rgb "#0072B2" title "Δε 10^{-6}", \
