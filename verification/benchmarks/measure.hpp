@@ -28,6 +28,12 @@ inline double wall_seconds() {
         .count();
 }
 
+template <class Pass> double wall_seconds_of(const Pass& pass) {
+    const double start = wall_seconds();
+    pass();
+    return wall_seconds() - start;
+}
+
 enum class Threads { one, several };
 
 // The shortest pass [s]. Of those of one thread the ones that nobody disturbed count, where CPU and wall time agree:

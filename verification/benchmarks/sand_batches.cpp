@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a point of a batch costs: 10^4 points per call and instruction set, in columns as explicit codes keep
-// them and in structures, two threads that share them, and 1 to 10^6 points per call. The points are those of the
-// 320 states again and again; no reports are asked for.
+// them and in structures, two threads that share them beside one, and 1 to 10^6 points per call. The points are those
+// of the 320 states again and again; no reports are asked for.
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <functional>
+#include <limits>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include <grit/sand_operators.h>
 
@@ -20,36 +25,55 @@ constexpr std::size_t cold = 20000;  // points that do not fit into the second c
 struct Batch {
     SandRequest request;
     std::size_t per_call;
-    int threads = 1;
     Layout layout = Layout::columns;
 };
 
-// Another caller's thread, which spins while it waits: to start or to wake one takes as long as a pass.
-template <class Work> class Other {
+// Another caller's thread. It and the caller sleep while the other one works alone. To work together it is woken
+// before and both spin: to start or to wake a thread takes as long as a pass.
+class Other {
   public:
-    explicit Other(const Work& its_work)
-        : work(its_work), thread([this] {
-              for (int seen; (seen = turn) != ends;)
-                  if (seen == works) {
-                      work();
-                      turn = waits;
-                  }
-          }) {}
     ~Other() {
-        turn = ends;
+        tell(ends);
         thread.join();
     }
-    void start() { turn = works; }
-    void finish() const {
-        while (turn == works) {
-        }
+    void work_alone(std::function<void()> work) {
+        job = std::move(work);
+        tell(works);
+        turn.wait(works);
     }
+    void wake() {
+        tell(wakes);
+        wait_for(spins);
+    }
+    void start(std::function<void()> work) {
+        job = std::move(work);
+        turn = works;
+    }
+    void finish() const { wait_for(sleeps); }
 
   private:
-    static constexpr int waits = 0, works = 1, ends = 2;
-    const Work& work;
-    std::atomic<int> turn{waits};
-    std::thread thread;
+    enum Turn { sleeps, wakes, spins, works, ends };
+    void tell(Turn next) {
+        turn = next;
+        turn.notify_one();
+    }
+    void wait_for(Turn wanted) const {
+        while (turn != wanted) {
+        }
+    }
+    void live() {
+        while (turn != ends) {
+            turn.wait(sleeps);
+            if (turn == wakes) turn = spins;
+            if (turn == works) {
+                job();
+                tell(sleeps);
+            }
+        }
+    }
+    std::function<void()> job;
+    std::atomic<Turn> turn{sleeps};
+    std::thread thread{[this] { live(); }};
 };
 
 SandPoints points_of(const Batch& b, std::size_t size) {
@@ -66,27 +90,76 @@ void batch(benchmark::State& state, const Batch& b) {
     const std::size_t size = std::max<std::size_t>(b.per_call, 256);
     Copies memory(points_of(b, size), 1 + cold / size);
     SandPoints* points = nullptr;
-    const auto part = [&](std::size_t first, std::size_t last) {
-        update(sand, options, *points, first, last, b.per_call);
-    };
-    const auto whole = [&] { part(0, size); };
-    const auto prepare = [&] { points = &memory.next(); };
-    const auto items = static_cast<double>(size);
-    if (b.threads == 2) {
-        const auto second_half = [&] { part(size / 2, size); };
-        Other other(second_half);
-        const auto halves = [&] {
-            other.start();
-            part(0, size / 2);
-            other.finish();
-        };
-        best_of(state, items, prepare, halves, Threads::several);
-    } else {
-        best_of(state, items, prepare, whole);
-    }
+    best_of(
+        state, static_cast<double>(size), [&] { points = &memory.next(); },
+        [&] { update(sand, options, *points, 0, size, b.per_call); });
     b.request.tell(state);
     state.counters["per_call"] = static_cast<double>(b.per_call);
-    state.counters["threads_used"] = b.threads;
+}
+
+// Items by each of two threads alone and by both, in turns; together they take pieces of 500 as they come, as callers
+// cut a batch. faster_by is how much more both do than one does on average, in the middle one of the turns: other guests
+// of the machine slow one of its cores down for seconds. prepare() before each, work(first, last).
+template <class Prepare, class Work>
+void two_threads(benchmark::State& state, std::size_t size, const Prepare& prepare,
+                 const Work& work) {
+    constexpr std::size_t piece = 500;
+    std::atomic<std::size_t> next{0};
+    const auto whole = [&] { work(std::size_t{0}, size); };
+    const auto pieces = [&] {
+        for (std::size_t at; (at = next.fetch_add(piece)) < size;)
+            work(at, std::min(at + piece, size));
+    };
+    Other other;
+    std::vector<double> ratios;
+    double best = std::numeric_limits<double>::infinity();
+    for (auto _ : state) {
+        prepare();
+        const double first = wall_seconds_of(whole);
+        prepare();
+        double second = 0.0;
+        other.work_alone([&] { second = wall_seconds_of(whole); });
+        prepare();
+        next = 0;
+        other.wake();
+        const double both = wall_seconds_of([&] {
+            other.start(pieces);
+            pieces();
+            other.finish();
+        });
+        ratios.push_back(2.0 / (1.0 / first + 1.0 / second) / both);
+        best = std::fmin(best, both);
+        state.SetIterationTime(first + second + both);
+    }
+    const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+    std::nth_element(ratios.begin(), middle, ratios.end());
+    state.counters["faster_by"] = *middle;
+    state.counters["best_ns"] = 1e9 * best / static_cast<double>(size);
+}
+
+void two_threads_with_sand(benchmark::State& state, const SandRequest& request, std::size_t size) {
+    const grit_sand sand = lausitz();
+    const grit_sand_options options = request.options();
+    Copies memory(SandPoints::columns(calls_of(request.increment), size), 1 + cold / size);
+    SandPoints* points = nullptr;
+    two_threads(
+        state, size, [&] { points = &memory.next(); },
+        [&](std::size_t first, std::size_t last) {
+            update(sand, options, *points, first, last, last - first);
+        });
+    request.tell(state);
+}
+
+// What the machine itself gives: without memory, and eight at a time, so that a core has no time to spare.
+void two_threads_with_exp(benchmark::State& state) {
+    two_threads(
+        state, 10000, [] {},
+        [](std::size_t first, std::size_t last) {
+            std::array<double, 8> x{-0.5, -0.4, -0.3, -0.2, 0.2, 0.3, 0.4, 0.5};
+            for (std::size_t i = first; i < last; ++i)
+                for (double& each : x) each = std::exp(each) - 1.0;
+            benchmark::DoNotOptimize(x);
+        });
 }
 
 void add(const std::string& name, const Batch& b) {
@@ -121,9 +194,13 @@ void register_all() {
     for (const double increment : {1e-6, 1e-4, 1e-3, 1e-2}) {
         for (int isa = GRIT_ISA_BASELINE; isa <= grit_instruction_set(); ++isa)
             add("batch", {{.increment = increment, .instruction_set = isa}, many});
-        add("threads", {{increment}, many, 2});
-        add("structures", {{increment}, many, 1, Layout::structures});
+        add("structures", {{increment}, many, Layout::structures});
+        const SandRequest request{increment};
+        add_benchmark("threads" + request.words(), [=](benchmark::State& state) {
+            two_threads_with_sand(state, request, many);
+        });
     }
+    add_benchmark("threads/exp", two_threads_with_exp);
     for (const double increment : {1e-6, 1e-4})
         for (std::size_t n = 1; n <= 1000000; n *= 10) {
             add("growth", {{increment}, n});
