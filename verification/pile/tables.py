@@ -104,7 +104,7 @@ def report_sensitivity(runs, reference):
 
 def report(runs):
     by_name = {run["name"]: run for run in runs}
-    compared = [run for run in runs if re.fullmatch(r"(dense|loose)_(gca|fca|pca)(_gated)?", run["name"])]
+    compared = [run for run in runs if re.fullmatch(r"(dense|loose)_(gca|fca|pca)(_gated|_smooth)?", run["name"])]
     report_runs(runs)
     report_energies(runs)
     if compared:
