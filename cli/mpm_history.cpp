@@ -38,7 +38,7 @@ std::vector<std::string> history_comments(const grit::mpm::Runner& runner) {
     return {fmt::format("Grit {}, case {}: {}", version(), plan.name, plan.title),
             fmt::format("{} particles, driven body: {}{}", runner.particles(), plan.history.body,
                         runner.driven_mass() > 0.0
-                            ? fmt::format(", {:.6g} kg", runner.driven_mass())
+                            ? fmt::format(", {:.12g} kg", runner.driven_mass())
                             : ", rigid"),
             fmt::format(
                 "depth and velocity of the driven body, downwards; depth of its {} since the start",
