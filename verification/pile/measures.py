@@ -18,11 +18,11 @@ from results import Run, Unusable
 
 GRAVITY = 9.81  # [m/s2]
 RADIUS, DIAMETER = 0.15, 0.3  # of the pile [m]
-CELL = 0.034125  # the smallest one [m]
+STRIP = 0.034125  # height of the strips that gaps are taken in: a cell of the base case [m]
 PEAK = 0.05  # of a blow, after its begin [s]
 BIN = tables.ROW  # edge of the squares that stresses and void ratios are averaged over [m]
-SURFACE, EMBEDDED = 0.0, -0.5  # levels of the sand and of the tip at the start [m]
 CARRIES = 1.0  # stress of sand that supports a shaft, a tenth of that at rest in its middle [kPa]
+RESTS = 0.03  # a pile no faster is at rest [m/s]
 VOID_RATIO_CHANGE = 0.01  # that counts as densified or dilated
 
 
@@ -40,6 +40,23 @@ def sets(history):
         each.append(depth[last] - depth[first])
         rebound.append(back)
     return own, each, rebound
+
+
+def rests(history):
+    """When the pile has come to rest for good in the stage of self-weight; how long after the begin of a blow it does at
+    the latest [s]; and how fast it is when the next one begins at most [m/s]."""
+    def after(first, last):
+        moving = [i for i in range(first, last) if abs(history["velocity"][i]) > RESTS]
+        return history["t"][max(moving, default=first)] - history["t"][first]
+    blows = history.blows()
+    return (after(0, history.drive()), max((after(*blow) for blow in blows), default=math.nan),
+            max((abs(history["velocity"][last]) for _, last in blows), default=math.nan))
+
+
+def reactions(history):
+    """Largest and smallest reaction of each blow [kN]."""
+    total = [tip + shaft for tip, shaft in zip(history["tip_force"], history["shaft_force"])]
+    return [(max(total[first:last + 1]), min(total[first:last + 1])) for first, last in history.blows()]
 
 
 def momentum_identity(history):
@@ -124,55 +141,78 @@ def carrying(frame):
             if s_rr < -CARRIES and s_zz < -CARRIES]
 
 
-def shaft_gaps(run, index, all_sand=False):
-    """Between shaft and sand in strips of a cell's height, from a cell above the tip to where it stood at the start [m];
-    to the sand that carries stress, or to any."""
-    pile, sand = run.frame(index, "pile"), run.frame(index)
-    tip = level_of_tip(run, index)
-    count = max(0, int((EMBEDDED - tip - CELL) / CELL))
+def shaft_gaps(run, index):
+    """Between shaft and the sand that carries stress, in strips from one above the tip to where it stood at the start
+    [m]."""
+    pile, tip = run.frame(index, "pile"), level_of_tip(run, index)
+    count = max(0, int((level_of_tip(run, 0) - tip) / STRIP) - 1)
     outer, inner = [-math.inf] * count, [math.inf] * count
-    for quads, best, pick in ((pile.corners, outer, max), (sand.corners if all_sand else carrying(sand), inner, min)):
+    for quads, best, pick in ((pile.corners, outer, max), (carrying(run.frame(index)), inner, min)):
         for q in quads:
             low, high = min(z for _, z in q), max(z for _, z in q)
             edge = pick(r for r, _ in q)
-            for k in range(max(0, math.ceil((low - tip - CELL) / CELL - 0.5)),
-                           min(count, math.floor((high - tip - CELL) / CELL - 0.5) + 1)):
+            for k in range(max(0, math.ceil((low - tip) / STRIP - 1.5)),
+                           min(count, math.floor((high - tip) / STRIP - 1.5) + 1)):
                 best[k] = pick(best[k], edge)
     return [b - a for a, b in zip(outer, inner) if math.isfinite(a) and math.isfinite(b)]
 
 
+def at_ends(run):
+    """Median gap at the shaft in the last frame of each blow [m]."""
+    out, t = [], run.history["t"]
+    for first, last in run.history.blows():
+        index = max(i for i, time in enumerate(run.times) if time <= t[last] + 1e-9)
+        if run.times[index] > t[first] + PEAK + 1e-3:  # not that of its peak
+            out += [statistics.median(shaft_gaps(run, index) or [math.nan])]
+        run.forget(index)
+    return [gap for gap in out if not math.isnan(gap)]
+
+
+def intruders(run, index):
+    """Sand particles whose centres are in the pile: how many, how many of these carry stress, and how deep they are [m]."""
+    sand, tip = run.frame(index), level_of_tip(run, index)
+    deep = [min(RADIUS - r, z - tip) if r < RADIUS and z > tip else 0.0 for r, z in sand.centres()]
+    loaded = sum(d > 0.0 and s < -CARRIES for d, s in zip(deep, sand["stress_zz"]))
+    return sum(d > 0.0 for d in deep), loaded, max(deep)
+
+
+def is_flat(run):
+    pile, tip = run.frame(0, "pile"), level_of_tip(run, 0)
+    return max(r for q in pile.corners for r, z in q if z < tip + 1e-6) > 0.9 * RADIUS
+
+
 def tip_gap(run, index):
-    """Mean distance from the tip down to the sand that carries stress over the pile's radius [m]."""
-    tip, count = level_of_tip(run, index), int(RADIUS / (0.5 * CELL))
+    """Mean distance from a flat tip down to the sand that carries stress over the pile's radius [m]."""
+    tip, count = level_of_tip(run, index), int(RADIUS / (0.5 * STRIP))
     top = [-math.inf] * count
     for q in carrying(run.frame(index)):
         left, right = min(r for r, _ in q), max(r for r, _ in q)
         for k in range(count):
-            if left <= (k + 0.5) * 0.5 * CELL <= right:
+            if left <= (k + 0.5) * 0.5 * STRIP <= right:
                 top[k] = max(top[k], min(tip, max(z for _, z in q)))
     return statistics.fmean(tip - z for z in top)
 
 
 def at_peaks(run):
-    """stress_by_rows and tip_gap of each blow."""
-    stresses, gaps = [], []
+    """stress_by_rows of each blow, and tip_gap if the tip is flat."""
+    stresses, gaps, flat = [], [], is_flat(run)
     for index in peak_frames(run):
         stresses.append(stress_by_rows(run, index))
-        gaps.append(tip_gap(run, index))
+        if flat:
+            gaps.append(tip_gap(run, index))
         run.forget(index)
     return stresses, gaps
 
 
 def void_ratio_extents(run, change=VOID_RATIO_CHANGE):
-    """In diameters: from the shaft outwards as far as mean Delta e, over the embedded length but a diameter at both
-    ends, is below -change; and below and beside the tip the farthest cell with Delta e above change."""
-    index = len(run.files) - 1
-    now, start, tip = run.frame(index), run.frame(0), level_of_tip(run, index)
-    cells = cell_means(now, [a - b for a, b in zip(now["void_ratio"], start["void_ratio"])])
-    low, high = tip + DIAMETER, SURFACE - DIAMETER
+    """In diameters, at the end: from the shaft outwards as far as the mean Delta e over the lower half of the embedded
+    length, but a diameter at the tip, is below -change; and from the tip down and sideways as far as the mean Delta e of
+    the sand that carries stress below its level is above change, in shells of BIN."""
+    now, start, tip = run.frame(-1), run.frame(0), level_of_tip(run, -1)
+    changes = [a - b for a, b in zip(now["void_ratio"], start["void_ratio"])]
     columns = {}
-    for mean, r, z in cells.values():
-        if r > RADIUS and low < z < high:
+    for mean, r, z in cell_means(now, changes).values():
+        if r > RADIUS and tip + DIAMETER < z < 0.5 * tip:
             columns.setdefault(r, []).append(mean)
     dense = 0.0
     for r in sorted(columns):
@@ -181,10 +221,16 @@ def void_ratio_extents(run, change=VOID_RATIO_CHANGE):
                 break
             continue  # the sheared sand at the shaft
         dense = (r + 0.5 * BIN - RADIUS) / DIAMETER
-    beside = [math.hypot(max(0.0, r - RADIUS), tip - z) for mean, r, z in cells.values()
-              if mean > change and abs(z - tip) < DIAMETER and r < RADIUS + 2.0 * DIAMETER]
-    run.forget()
-    return dense, max(beside, default=0.0) / DIAMETER
+    shells = {}
+    for (r, z), area, value, s_zz in zip(now.centres(), now.areas(), changes, now["stress_zz"]):
+        if z < tip and s_zz < -CARRIES:
+            shell = shells.setdefault(int(math.hypot(max(0.0, r - RADIUS), tip - z) / BIN), [0.0, 0.0])
+            shell[0] += area * r
+            shell[1] += area * r * value
+    loose = 0
+    while loose in shells and shells[loose][1] > change * shells[loose][0]:
+        loose += 1
+    return dense, loose * BIN / DIAMETER
 
 
 # ---- all of a run
@@ -195,19 +241,22 @@ def measured(run):
     own, each, rebound = sets(h)
     worst, peak, drift = momentum_identity(h)
     rate, parts = run.cost()
-    gaps, to_any = shaft_gaps(run, -1), shaft_gaps(run, -1, all_sand=True)
-    reactions = [max(h["tip_force"][i] + h["shaft_force"][i] for i in range(first, last + 1)) for first, last in h.blows()]
+    rest, rest_after_blow, speed = rests(h)
+    inside, loaded, deepest = intruders(run, -1)
     dense, loose = void_ratio_extents(run)
+    run.forget()
+    gaps = at_ends(run)
     stresses, tip_gaps = at_peaks(run)
     out = {
         "name": run.name, "program": next((c.split(",")[0] for c in h.comments if c.startswith("Grit ")), ""),
         "stopped": h.stopped, "particles": h.particles, "steps": h["step"][-1], "simulated_s": h["t"][-1],
-        "depth_m": h["depth"][-1], "self_weight_m": own, "sets_m": each, "rebounds_m": rebound, "reactions_kN": reactions,
+        "depth_m": h["depth"][-1], "self_weight_m": own, "sets_m": each, "rebounds_m": rebound,
+        "reactions_kN": [high for high, _ in reactions(h)], "lowest_reactions_kN": [low for _, low in reactions(h)],
+        "weight_kN": h.mass * GRAVITY / 1e3, "rest_s": rest, "rest_after_blow_s": rest_after_blow, "speed_at_blows": speed,
         "peak_reaction_kN": peak, "identity_kN": worst, "impulse_share": drift, "energies_J": energies(h),
-        "particle_steps_per_s": rate, "parts_percent": parts, "line_elements": run.penalty_vertices(),
-        "radial_stress_kPa": stresses,
-        "shaft_gap_m": statistics.median(gaps or [math.nan]), "shaft_gap_to_any_m": statistics.median(to_any or [math.nan]),
-        "tip_gaps_m": tip_gaps,
+        "particle_steps_per_s": rate, "parts_percent": parts, "line_vertices": run.penalty_vertices(),
+        "radial_stress_kPa": stresses, "shaft_gaps_m": gaps, "tip_gaps_m": tip_gaps,
+        "inside_pile": inside, "inside_pile_loaded": loaded, "inside_pile_m": deepest,
         "flattening": flattening(each), "denser_D": dense, "looser_D": loose,
     }
     run.forget()

@@ -24,9 +24,21 @@ def mean(values):
     return statistics.fmean(values) if values else math.nan
 
 
-def stress_peaks(run):
-    """For each blow: the largest cell mean [kPa]."""
-    return [max(rows.values(), default=0.0) for rows in run["radial_stress_kPa"]]
+def with_error(values, digits):
+    """Mean and its standard error."""
+    if len(values) < 2:
+        return f"{mean(values):.{digits}f}"
+    return f"{mean(values):.{digits}f} ± {statistics.stdev(values) / math.sqrt(len(values)):.{digits}f}"
+
+
+def in_mm(values):
+    return [1e3 * value for value in values]
+
+
+def stress_peaks(run, below=-math.inf):
+    """For each blow: the largest cell mean [kPa], of all or from so far below the tip on [m]."""
+    return [max((stress for row, stress in rows.items() if int(row) * ROW > below - 1e-9), default=0.0)
+            for rows in run["radial_stress_kPa"]]
 
 
 def reach(run, level):
@@ -41,11 +53,11 @@ def report_runs(runs):
         peak, e, rate = run["peak_reaction_kN"], run["energies_J"], run["particle_steps_per_s"]
         wall = run["steps"] * run["particles"] / rate if rate else math.nan
         rows.append([run["name"], f"{run['self_weight_m']:.3f}", str(len(run["sets_m"])), f"{1e3 * mean(run['sets_m']):.1f}",
-                     f"{run['depth_m']:.3f}", f"{peak:.1f}", f"{100 * run['identity_kN'] / peak:.1e}",
+                     f"{sum(run['sets_m']):.3f}", f"{run['depth_m']:.3f}", f"{peak:.1f}", f"{100 * run['identity_kN'] / peak:.1e}",
                      f"{100 * run['impulse_share']:.0e}",
                      f"{100 * abs(e['residual']) / (e['hammer'] + e['weight']):.0e}", f"{run['steps']:.0f}", f"{rate:.2e}",
                      f"{wall:.0f}", f"{wall / run['simulated_s']:.0f}", "stopped early" if run["stopped"] else "end"])
-    table(["run", "self-weight [m]", "blows", "mean set [mm]", "final depth [m]", "peak R [kN]", "identity [% of peak]",
+    table(["run", "self-weight [m]", "blows", "mean set [mm]", "driven [m]", "final depth [m]", "peak R [kN]", "identity [% of peak]",
            "impulse [%]", "energy residual [% of work]", "steps", "particle-steps/s", "wall time [s]", "s per simulated s",
            "reached"], rows)
 
@@ -56,20 +68,44 @@ def report_energies(runs):
           [[run["name"]] + [f"{run['energies_J'][n]:.4g}" for n in names] for run in runs])
 
 
+def report_rest(runs):
+    table(["run", "at rest after self-weight [s]", "after a blow at the latest [s]", "fastest when the next begins [m/s]",
+           "R of a blow, smallest [kN]", "weight [kN]"],
+          [[run["name"], f"{run['rest_s']:.2f}", f"{run['rest_after_blow_s']:.2f}", f"{run['speed_at_blows']:.3f}",
+            f"{min(run['lowest_reactions_kN']):.1f} to {max(run['lowest_reactions_kN']):.1f}",
+            f"{run['weight_kN']:.1f}"] for run in runs if run["sets_m"]])
+
+
+# Of each blow: what, digits, values.
+CLAIMS = [("P1 sigma_rr [kPa]", 0, stress_peaks),
+          ("from 0.1 m below the tip on", 0, lambda run: stress_peaks(run, 0.1)),
+          ("from 0.2 m on", 0, lambda run: stress_peaks(run, 0.2)),
+          ("P2 rebound [mm]", 2, lambda run: in_mm(run["rebounds_m"])),
+          ("P3 gap at the shaft [mm]", 1, lambda run: in_mm(run["shaft_gaps_m"])),
+          ("at the tip [mm]", 1, lambda run: in_mm(run["tip_gaps_m"]))]
+
+
 def report_claims(runs, by_name):
-    rows = []
+    rows, differences, others = [], [], []
     for run in runs:
         fca = by_name.get(run["name"].split("_")[0] + "_fca", run)
-        peaks, level = stress_peaks(run), 0.1 * max(stress_peaks(fca))
-        rows.append([run["name"], f"{mean(peaks):.0f}", f"{max(peaks):.0f}",
-                     f"{mean(reach(run, level)):.2f} ({level:.0f} kPa)", f"{1e3 * mean(run['rebounds_m']):.2f}",
-                     f"{1e3 * run['shaft_gap_m']:.1f}", f"{1e3 * run['shaft_gap_to_any_m']:.1f}",
-                     f"{1e3 * mean(run['tip_gaps_m']):.1f}", f"{run['flattening']:.2f}", f"{run['denser_D']:.2f}",
-                     f"{run['looser_D']:.2f}", f"{run['parts_percent'].get('contact', math.nan):.0f}",
-                     str(run["line_elements"])])
-    table(["run", "P1 sigma_rr, mean of blows [kPa]", "largest", "reach below tip [m]", "P2 rebound [mm]",
-           "P3 gap at shaft, median [mm]", "to any particle", "at the tip, mean of peaks", "P4 last/first sets", "P5 denser [D]",
-           "looser at tip [D]", "P6 contact [% of time]", "line elements"], rows)
+        level = 0.1 * max(stress_peaks(fca))
+        rows.append([run["name"], *(with_error(values(run), digits) for _, digits, values in CLAIMS)])
+        if "_gca" in run["name"]:
+            fca = by_name.get(run["name"].replace("_gca", "_fca"))
+            if fca:
+                differences.append([f"{fca['name']} less {run['name']}",
+                                    *(with_error([f - g for f, g in zip(values(fca), values(run))], digits)
+                                      for _, digits, values in CLAIMS)])
+        others.append([run["name"], f"{max(stress_peaks(run)):.0f}", f"{mean(reach(run, level)):.2f} ({level:.0f} kPa)",
+                       f"{run['inside_pile']} ({run['inside_pile_loaded']})", f"{1e3 * run['inside_pile_m']:.0f}",
+                       f"{run['flattening']:.2f}", f"{run['denser_D']:.1f}", f"{run['looser_D']:.1f}",
+                       f"{run['parts_percent'].get('contact', math.nan):.0f}", str(run["line_vertices"])])
+    table(["mean of the blows and its standard error", *(what for what, _, _ in CLAIMS)], rows)
+    if differences:
+        table(["blow by blow", *(what for what, _, _ in CLAIMS)], differences)
+    table(["run", "P1 largest [kPa]", "reach below tip [m]", "sand inside the pile (loaded)", "deepest [mm]",
+           "P4 last/first sets", "P5 denser [D]", "looser at tip [D]", "P6 contact [% of time]", "vertices of lines"], others)
 
 
 def report_sets(runs):
@@ -97,9 +133,10 @@ def report_sensitivity(runs, reference):
         rows.append([run["name"], f"{own:.3f}", f"{1e3 * driven:.0f}", f"{100 * (driven / base_driven - 1):+.0f}",
                      f"{100 * ((own + driven) / (base_own + base_driven) - 1):+.0f}",
                      f"{1e3 * mean(run['rebounds_m'][:5]):.2f}", f"{max(run['reactions_kN'][:5]):.0f}",
-                     f"{mean(stress_peaks(run)[:5]):.0f}", f"{1e3 * mean(run['tip_gaps_m'][:5]):.1f}"])
+                     with_error(stress_peaks(run)[:5], 0), with_error(stress_peaks(run, 0.2)[:5], 0),
+                     with_error(in_mm(run["tip_gaps_m"][:5]), 1)])
     table(["run", "self-weight [m]", "five blows [mm]", "change [%]", "of the depth [%]", "rebound [mm]", "peak R [kN]",
-           "sigma_rr, mean of blows [kPa]", "gap at the tip [mm]"], rows)
+           "sigma_rr [kPa]", "from 0.2 m below the tip on", "gap at the tip [mm]"], rows)
 
 
 def report(runs):
@@ -108,6 +145,7 @@ def report(runs):
     report_runs(runs)
     report_energies(runs)
     if compared:
+        report_rest(compared)
         report_claims(compared, by_name)
         report_sets(compared)
     if "dense_gca" in by_name:  # every run in dense sand by its first five blows
