@@ -12,7 +12,7 @@ from measures import PEAK, level_of_tip, sets
 from results import Run, Unusable
 
 INK = "#222222"
-BLUE, ORANGE, GREEN = "#0072B2", "#D55E00", "#009E73"
+BLUE, ORANGE, GREEN, GREY = "#0072B2", "#D55E00", "#009E73", "#888888"
 HEAD = f"""set encoding utf8
 set border 15 lw 1 lc rgb '#444444'
 set tics nomirror out scale 0.6 textcolor rgb '{INK}'
@@ -67,17 +67,22 @@ def outlines(frame, window, sides=(1.0,)):
 
 
 def field(name, run, index, values, window, sides=(1.0,), lines=False):
-    """Data of a panel: sand in colour, pile grey; and the splot that shows them."""
+    """Data of a panel: the pile grey, and the sand in colour over it; and the splot that shows them."""
     sand, pile = run.frame(index), run.frame(index, "pile")
-    grey = [0.0] * pile.count
     text = block(name, surfaces(sand, values, window, sides))
-    text += block(name + "_pile", surfaces(pile, grey, window, sides))
-    plots = [f"${name} using 1:2:3 with pm3d"]
+    text += block(name + "_pile", surfaces(pile, [0.0] * pile.count, window, sides))
+    plots = [f"${name}_pile using 1:2:3:(0xb8b8b8) with pm3d fillcolor rgb variable", f"${name} using 1:2:3 with pm3d"]
     if lines:
         text += block(name + "_lines", outlines(sand, window, sides))
         plots.append(f"${name}_lines using 1:2:3 with lines lw 0.4 lc rgb '#666666'")
-    plots.append(f"${name}_pile using 1:2:3 with lines lw 0.5 lc rgb '#555555'")
     return text, "splot " + ", ".join(plots)
+
+
+def stress_scale(top, screen, title="total -σ_{rr} [kPa]"):
+    """Colours from 0 to top, which also stands for more."""
+    steps = ", ".join(f"'{v}' {v}" for v in range(0, top, 100))
+    return (f"set colorbox user origin screen {screen[0]},{screen[1]} size screen {screen[2]},{screen[3]}\n"
+            f"set cbtics ({steps}, '≥ {top}' {top}); set cblabel '{title}' offset 1,0\n")
 
 
 def panel(window, screen, title, x_label="r [m]", y_label="z [m]"):
@@ -107,9 +112,9 @@ def draw_setup(runs, to):
                      f"${name}_pile using 1:2:3 with lines lw 0.4 lc rgb '#555555'".replace("$ ", "$"))
     sand, pile = run.frame(0).count, run.frame(0, "pile").count
     gnuplot(data + "unset key; set view map; set multiplot\n"
-            + panel(whole, (0.09, 0.34, 0.12, 0.92), f"{sand} sand, {pile} pile particles") + "set xtics 1\n"
+            + panel(whole, (0.09, 0.34, 0.12, 0.92), f"{sand} sand, {pile} pile particles") + "set xtics 1 offset 0,1.2; set xlabel offset 0,1.8\n"
             + plots[0] + "\n"
-            + panel(near, (0.44, 0.67, 0.12, 0.92), "around the tip") + "set xtics 0.2\n" + plots[1] + "\n"
+            + panel(near, (0.44, 0.67, 0.12, 0.92), "around the tip") + "set xtics 0.2 offset 0,1.2; set xlabel offset 0,1.8\n" + plots[1] + "\n"
             + "unset view\nset lmargin at screen 0.78; set rmargin at screen 0.98; set bmargin at screen 0.12\n"
               "set tmargin at screen 0.5; set format x '%g'; set xtics offset 0,0; set title 'Traction on the head'; set xlabel 't [s]' offset 0,0; "
               "set ylabel 'stress [kPa]' offset 0.5,0\nset xrange [0:1.2]; set yrange [0:1100]; set xtics 0.4\n"
@@ -126,23 +131,22 @@ def draw_radial_stress(runs, to):
     pair = [("frictional (FCA)", runs("dense_fca")), ("Geo-contact (GCA)", runs("dense_gca"))]
     blow = min(len(run.history.blows()) for _, run in pair)
     data, plots, tops = "", [], []
+    low = min(level_of_tip(run, peak_of_blow(run, blow)) for _, run in pair) - 1.6
+    window = (-1.2, 1.2, low, 0.4)
     for i, (_, run) in enumerate(pair):
         index = peak_of_blow(run, blow)
         values = [-s for s in run.frame(index)["stress_rr"]]
         tops.append(sorted(values)[int(0.998 * len(values))])
-        tip = level_of_tip(run, index)
-        window = (-1.2, 1.2, tip - 1.6, 0.4)
         text, plot = field(f"p{i}", run, index, values, window, (1.0, -1.0))
-        data, plots = data + text, plots + [(window, plot)]
-    top = 100.0 * math.ceil(max(tops) / 100.0)
-    low = min(w[2] for w, _ in plots)
+        data, plots = data + text, plots + [plot]
+    top = 100 * math.ceil(max(tops) / 100.0)
     script = data + f"unset key; set pm3d map corners2color c1\n{PALETTES['stress']}\nset cbrange [0:{top}]\nset multiplot\n"
-    for i, (window, plot) in enumerate(plots):
+    for i, plot in enumerate(plots):
         left = 0.08 + 0.43 * i
-        script += panel((*window[:2], low, 0.4), (left, left + 0.35, 0.12, 0.92), f"{pair[i][0]}, peak of blow {blow}",
+        script += panel(window, (left, left + 0.35, 0.12, 0.92), f"{pair[i][0]}, peak of blow {blow}",
                         y_label="z [m]" if i == 0 else "")
         script += "unset colorbox\n" if i == 0 else \
-            "set colorbox user origin screen 0.88,0.12 size screen 0.02,0.8; set cblabel '-σ_{rr} [kPa]' offset 1,0\n"
+            stress_scale(top, (0.88, 0.12, 0.02, 0.8))
         script += plot + "\n"
     gnuplot(script + "unset multiplot", to / "radial_stress.png", 900, 560)
 
@@ -191,7 +195,7 @@ def draw_close_up(runs, to):
         script += panel(window, (left, left + 0.32, 0.12, 0.92), f"{pair[i][0]}, peak of blow {blow}",
                         y_label="z [m]" if i == 0 else "")
         script += "unset colorbox\n" if i == 0 else \
-            "set colorbox user origin screen 0.86,0.12 size screen 0.02,0.8; set cblabel '-σ_{rr} [kPa]' offset 1,0\n"
+            stress_scale(600, (0.86, 0.12, 0.02, 0.8))
         script += "set xtics 0.1\n" + plot + "\n"
     gnuplot(script + "unset multiplot", to / "close_up.png", 820, 620)
 
@@ -206,6 +210,7 @@ def draw_void_ratio(runs, to):
     most = 0.05 * math.ceil(20.0 * loaded[int(0.98 * len(loaded))])  # not of the sand that flies about
     text, plot = field("e", run, -1, values, window, (1.0, -1.0))
     gnuplot(text + f"unset key; set pm3d map corners2color c1\n{PALETTES['change']}\nset cbrange [{-most}:{most}]\n"
+            f"set cbtics add ('≤ {-most:g}' {-most}, '≥ {most:g}' {most})\n"
             "set colorbox user origin screen 0.83,0.12 size screen 0.025,0.8; set cblabel 'change of void ratio [-]' offset 1,0\n"
             + panel(window, (0.12, 0.80, 0.12, 0.92), "Loose sand, Geo-contact, end of the drive") + plot,
             to / "void_ratio.png", 640, 680)
@@ -226,9 +231,9 @@ def draw_strip(runs, to, name="dense_gca"):
         left = 0.07 + 0.136 * k
         script += panel(window, (left, left + 0.113, 0.17, 0.92), "start" if blow == 0 else f"blow {blow}",
                         y_label="z [m]" if k == 0 else "")
-        script += ("set format y '%g'\n" if k == 0 else "set format y ''\n") + "set xtics 0.4; set ytics offset -0.7,0\n"
+        script += ("set format y '%g'\n" if k == 0 else "set format y ''\n") + "set xtics 0.4 offset 0,1.2; set xlabel offset 0,1.8; set ytics offset -0.7,0\n"
         script += "unset colorbox\n" if k == 0 else \
-            "set colorbox user origin screen 0.9,0.17 size screen 0.012,0.75; set cblabel '-σ_{rr} [kPa]' offset 1,0\n"
+            stress_scale(600, (0.9, 0.17, 0.012, 0.75))
         script += plot + "\n"
         run.forget()
     gnuplot(data + f"unset key; set pm3d map corners2color c1\n{PALETTES['stress']}\nset cbrange [0:600]\nset multiplot\n"
@@ -254,7 +259,9 @@ def main():
         draw_penetration("penetration_dense", [("GCA", BLUE, runs("dense_gca")), ("FCA", ORANGE, runs("dense_fca"))], to, (1, 3))
 
     def loose(to):
-        draw_penetration("penetration_loose", [("GCA", BLUE, runs("loose_gca")), ("PCA", GREEN, runs("loose_pca"))], to, (1, 3))
+        draw_penetration("penetration_loose", [("GCA", BLUE, runs("loose_gca")), ("FCA", ORANGE, runs("loose_fca")),
+                                               ("PCA", GREEN, runs("loose_pca")),
+                                               ("PCA, no friction", GREY, runs("loose_pca_smooth"))], to, (1, 3))
 
     for draw in (lambda: draw_setup(runs, to), lambda: draw_radial_stress(runs, to), lambda: dense(to),
                  lambda: draw_close_up(runs, to), lambda: loose(to), lambda: draw_void_ratio(runs, to),
