@@ -11,7 +11,7 @@ namespace {
 
 using grit::mpm::RunState;
 
-constexpr std::uint64_t format = 2;  // of these bytes
+constexpr std::uint64_t format = 3;  // of these bytes
 
 class Writer {
   public:

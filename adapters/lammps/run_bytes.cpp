@@ -9,7 +9,7 @@
 namespace grit::lammps {
 namespace {
 
-constexpr std::uint64_t format = 0x677269746d706d02;  // "gritmpm", 2
+constexpr std::uint64_t format = 0x677269746d706d03;  // "gritmpm", 3
 
 class Writer {
   public:

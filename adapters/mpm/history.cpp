@@ -32,6 +32,7 @@ constexpr HistoryColumn columns[] = {
     {"dt", "s", [](const HistoryRow& r) { return r.dt; }},
     {"largest_gap", "m", [](const HistoryRow& r) { return r.largest_gap; }},
     {"unbalanced_share", "-", [](const HistoryRow& r) { return r.unbalanced_share; }},
+    {"damping_force", "N", [](const HistoryRow& r) { return r.damping_force; }},
 };
 
 }  // namespace

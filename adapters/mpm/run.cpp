@@ -152,6 +152,7 @@ void Runner::step() {
     const double now[] = {forces.tip.z, forces.shaft.z, -simulation.traction_force(driven).z,
                           base_reaction(simulation)};
     for (std::size_t k = 0; k < 4; ++k) state_now.impulse[k] += dt * now[k];
+    state_now.impulse[4] += simulation.damping_impulse(driven);
     if (simulation.steps() % look_every == 0) check_energy();
     due = simulation.time() >= state_now.next_row;
     const Ended end = end_of_stage();
@@ -269,6 +270,7 @@ HistoryRow Runner::look() {
     out.shaft_force = per_time * state_now.impulse[1];
     out.hammer_force = per_time * state_now.impulse[2];
     out.base_force = per_time * state_now.impulse[3];
+    out.damping_force = per_time * state_now.impulse[4];
     const Energy energy = simulation.energy();
     out.energy = times(energy, whole);
     out.driven_stored = whole * stored_energy(simulation, driven);

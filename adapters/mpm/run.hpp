@@ -18,8 +18,10 @@ struct HistoryRow {
     double depth = 0.0,
            velocity = 0.0;  // of the driven body, downwards, since the start [m], [m/s]
     // Mean forces since the row before [N]: of contacts on the driven body, upwards, where it faces down
-    // or up and where it faces sideways; of tractions on it, downwards; of the bottom, upwards.
-    double tip_force = 0.0, shaft_force = 0.0, hammer_force = 0.0, base_force = 0.0;
+    // or up and where it faces sideways; of tractions on it, downwards; of the bottom, upwards; of local
+    // damping on the driven body, upwards.
+    double tip_force = 0.0, shaft_force = 0.0, hammer_force = 0.0, base_force = 0.0,
+           damping_force = 0.0;
     Energy energy;                // [J]
     double driven_stored = 0.0;   // now in the driven body [J]
     double residual_share = 0.0;  // of the energy turned over [-]
@@ -34,8 +36,8 @@ struct RunState {
     double last_dt = 0.0;
     double start_level = 0.0, stage_level = 0.0;  // [m]
     double next_row = 0.0;                        // [s]
-    // Impulses since the last row [N s]: tip, shaft, hammer, base.
-    std::array<double, 4> impulse{};
+    // Impulses since the last row [N s]: tip, shaft, hammer, base, damping.
+    std::array<double, 5> impulse{};
     double row_time = 0.0;           // of the last row [s]
     std::vector<double> stage_time;  // when stages began [s]; infinite: not yet
 };

@@ -81,6 +81,14 @@ Vector Simulation::traction_force(std::size_t body) const {
     return {sum[0].value(), sum[1].value()};
 }
 
+double Simulation::damping_impulse(std::size_t body) const {
+    if (!(settings.local_damping > 0.0)) return 0.0;
+    std::array<Total, 1> sum;
+    for (const NodeSums& of_strip : parts[body].node_sums) sum[0] += of_strip.damping_z;
+    exchange.sum(sum, settings.fixed_point);
+    return sum[0].value();
+}
+
 std::size_t Simulation::add_body(Body body) {
     Part part{.body = std::move(body), .strips = Strips(grid())};
     const auto strips = static_cast<std::size_t>(part.strips.count());

@@ -68,6 +68,8 @@ class Simulation {
     std::size_t penalty_contact_count() const { return penalties.size(); }
     // Of all tractions on a body in the last step, on all processes [N].
     Vector traction_force(std::size_t body) const;
+    // Along z, of local damping on a body in the last step, on all processes [N s].
+    double damping_impulse(std::size_t body) const;
     // Least mass of a node of a body that moves [kg].
     double least_mass(std::size_t body) const { return parts[body].least_mass; }
     const std::uint8_t* constraints() const { return fixed_nodes.data(); }

@@ -60,9 +60,11 @@ def reactions(history):
 
 
 def momentum_identity(history):
-    """R - (F_hammer + W - m a) of rows, which are means over a millisecond: its largest size in the drive and the peak
-    of R [kN], and the same for the impulses from the begin of the drive to each row, as a share of R's."""
+    """R - (F_hammer + W - D - m a) of rows, which are means over a millisecond, D that of local damping on the pile: its
+    largest size in the drive and the peak of R [kN], and the same for the impulses from the begin of the drive to each
+    row, as a share of R's."""
     t, v = history["t"], history["velocity"]
+    damping = history.columns.get("damping_force", [0.0] * len(history))  # older runs tell none
     weight, worst, peak = history.mass * GRAVITY / 1e3, 0.0, 0.0
     impulse, lost, drift = 0.0, 0.0, 0.0
     for i in range(max(1, history.drive()), len(history)):
@@ -70,7 +72,7 @@ def momentum_identity(history):
         if dt <= 0.0:
             continue
         reaction = history["tip_force"][i] + history["shaft_force"][i]
-        wanted = history["hammer_force"][i] + weight - history.mass * (v[i] - v[i - 1]) / dt / 1e3
+        wanted = history["hammer_force"][i] + weight - damping[i] - history.mass * (v[i] - v[i - 1]) / dt / 1e3
         worst, peak = max(worst, abs(reaction - wanted)), max(peak, reaction)
         impulse += reaction * dt
         lost += (reaction - wanted) * dt

@@ -80,12 +80,15 @@ void close_nodes(const NodeCall& call, NodeSums& sums) {
         NodeMotion& v = call.motions[i];
         if (call.fixed[i] & fixed::r) v[motion::v_r] = 0.0;
         if (call.fixed[i] & fixed::z) v[motion::v_z] = 0.0;
-        if (call.damping > 0.0)
+        if (call.damping > 0.0) {
+            const double undamped_z = v[motion::v_z];
             call.add(sums.damping_work, i,
                      damp(v[motion::v_r], v[motion::other_r], m,
                           call.dt * (n[record::f_r] + m * call.gravity.r), call.damping) +
                          damp(v[motion::v_z], v[motion::other_z], m,
                               call.dt * (n[record::f_z] + m * call.gravity.z), call.damping));
+            call.add(sums.damping_z, i, m * (v[motion::v_z] - undamped_z));
+        }
         const double dv_r = v[motion::v_r] - v[motion::other_r];
         const double dv_z = v[motion::v_z] - v[motion::other_z];
         call.add(sums.change, i, 0.5 * m * (dv_r * dv_r + dv_z * dv_z));

@@ -16,6 +16,7 @@ enum : std::uint8_t { none = 0, r = 1, z = 2 };
 
 struct NodeSums {
     Total damping_work;  // taken by local damping [J]
+    Total damping_z;     // what it gave of the momentum along z [N s]
     Total gravity_work;  // [J]
     Total change;        // 1/2 m (v - v_old)^2 [J]
     // Work of the internal nodal forces, half a step's, on the velocities that mapping took away: on
