@@ -178,11 +178,6 @@ def intruders(run, index):
     return sum(d > 0.0 for d in deep), loaded, max(deep)
 
 
-def is_flat(run):
-    pile, tip = run.frame(0, "pile"), level_of_tip(run, 0)
-    return max(r for q in pile.corners for r, z in q if z < tip + 1e-6) > 0.9 * RADIUS
-
-
 def tip_gap(run, index):
     """Mean distance from a flat tip down to the sand that carries stress over the pile's radius [m]."""
     tip, count = level_of_tip(run, index), int(RADIUS / (0.5 * STRIP))
@@ -197,7 +192,9 @@ def tip_gap(run, index):
 
 def at_peaks(run):
     """stress_by_rows of each blow, and tip_gap if the tip is flat."""
-    stresses, gaps, flat = [], [], is_flat(run)
+    lowest = level_of_tip(run, 0) + 1e-6
+    flat = max(r for q in run.frame(0, "pile").corners for r, z in q if z < lowest) > 0.9 * RADIUS
+    stresses, gaps = [], []
     for index in peak_frames(run):
         stresses.append(stress_by_rows(run, index))
         if flat:
