@@ -134,9 +134,10 @@ def report_sensitivity(runs, reference):
                      f"{100 * ((own + driven) / (base_own + base_driven) - 1):+.0f}",
                      f"{1e3 * mean(run['rebounds_m'][:5]):.2f}", f"{max(run['reactions_kN'][:5]):.0f}",
                      with_error(stress_peaks(run)[:5], 0), with_error(stress_peaks(run, 0.2)[:5], 0),
-                     with_error(in_mm(run["tip_gaps_m"][:5]), 1)])
+                     with_error(in_mm(run["tip_gaps_m"][:5]), 1), f"{run['looser_D']:.2f}"])
     table(["run", "self-weight [m]", "five blows [mm]", "change [%]", "of the depth [%]", "rebound [mm]", "peak R [kN]",
-           "sigma_rr [kPa]", "from 0.2 m below the tip on", "gap at the tip [mm]"], rows)
+           "sigma_rr [kPa]", "from 0.2 m below the tip on", "gap at the tip [mm]",
+           "at the end looser at tip [D]"], rows)
 
 
 def report(runs):
