@@ -48,8 +48,7 @@ std::vector<std::string> history_comments(const grit::mpm::Runner& runner) {
                 "forces and energies {}; forces are means since the row before: of contacts on the "
                 "driven body, upwards, tip where surfaces face along z, shaft where along r; "
                 "hammer: tractions on it, downwards; base: reaction of the grid's bottom, upwards; "
-                "damping: "
-                "local damping on it, upwards",
+                "damping: local damping on it, upwards",
                 whole),
             "stored_energy is the work that stresses took since the start, driven_stored_energy "
             "what the driven body holds now; external_work includes traction_work; losses count "

@@ -15,11 +15,7 @@ namespace {
 using namespace mpm_test;
 
 TEST(Run, TellsTheForceOfLocalDamping) {
-    Case plan = column_case();
-    plan.tractions = {{.body = "column",
-                       .edge = Edge::top,
-                       .direction = {0.0, -1.0},
-                       .stress = TimeTable{{0.0, 0.1}, {0.0, 1e4}}}};
+    Case plan = pressed_column_case();
     plan.stages[0] = {.name = "press", .local_damping = 0.3, .end = {.time = 0.3}};
     plan.history.interval = 0.01;
     Runner runner(plan);

@@ -24,11 +24,7 @@ HistoryRow run(Runner& runner) {
 }
 
 TEST(Run, PressesAColumnUntilItRestsAndItsBaseCarriesLoadAndWeight) {
-    Case plan = column_case();
-    plan.tractions = {{.body = "column",
-                       .edge = Edge::top,
-                       .direction = {0.0, -1.0},
-                       .stress = TimeTable{{0.0, 0.1}, {0.0, 1e4}}}};
+    Case plan = pressed_column_case();
     plan.stages[0] = {.name = "press",
                       .local_damping = 0.3,
                       .end = {.time = 5.0, .unbalanced_share = 1e-3, .kinetic_share = 1e-6}};

@@ -17,6 +17,7 @@ HEAD = f"""set encoding utf8
 set border 15 lw 1 lc rgb '#444444'
 set tics nomirror out scale 0.6 textcolor rgb '{INK}'
 """
+NEARER = "offset 0,1.2; set xlabel offset 0,1.8"  # to the axis of a tall panel, whose labels hang low
 PALETTES = {  # light to dark; and, as in the paper, red where sand is denser, blue where it is looser
     "stress": "set palette defined (0 '#fcfdbf', 0.25 '#fe9f6d', 0.5 '#de4968', 0.75 '#8c2981', 1 '#150e37')",
     "change": "set palette defined (-1 '#b2182b', -0.4 '#f4a582', 0 '#f7f7f7', 0.4 '#92c5de', 1 '#2166ac')",
@@ -78,11 +79,11 @@ def field(name, run, index, values, window, sides=(1.0,), lines=False):
     return text, "splot " + ", ".join(plots)
 
 
-def stress_scale(top, screen, title="total -σ_{rr} [kPa]"):
+def stress_scale(top, screen):
     """Colours from 0 to top, which also stands for more."""
     steps = ", ".join(f"'{v}' {v}" for v in range(0, top, 100))
     return (f"set colorbox user origin screen {screen[0]},{screen[1]} size screen {screen[2]},{screen[3]}\n"
-            f"set cbtics ({steps}, '≥ {top}' {top}); set cblabel '{title}' offset 1,0\n")
+            f"set cbtics ({steps}, '≥ {top}' {top}); set cblabel 'total -σ_{{rr}} [kPa]' offset 1,0\n")
 
 
 def panel(window, screen, title, x_label="r [m]", y_label="z [m]"):
@@ -112,9 +113,9 @@ def draw_setup(runs, to):
                      f"${name}_pile using 1:2:3 with lines lw 0.4 lc rgb '#555555'".replace("$ ", "$"))
     sand, pile = run.frame(0).count, run.frame(0, "pile").count
     gnuplot(data + "unset key; set view map; set multiplot\n"
-            + panel(whole, (0.09, 0.34, 0.12, 0.92), f"{sand} sand, {pile} pile particles") + "set xtics 1 offset 0,1.2; set xlabel offset 0,1.8\n"
+            + panel(whole, (0.09, 0.34, 0.12, 0.92), f"{sand} sand, {pile} pile particles") + f"set xtics 1 {NEARER}\n"
             + plots[0] + "\n"
-            + panel(near, (0.44, 0.67, 0.12, 0.92), "around the tip") + "set xtics 0.2 offset 0,1.2; set xlabel offset 0,1.8\n" + plots[1] + "\n"
+            + panel(near, (0.44, 0.67, 0.12, 0.92), "around the tip") + f"set xtics 0.2 {NEARER}\n" + plots[1] + "\n"
             + "unset view\nset lmargin at screen 0.78; set rmargin at screen 0.98; set bmargin at screen 0.12\n"
               "set tmargin at screen 0.5; set format x '%g'; set xtics offset 0,0; set title 'Traction on the head'; set xlabel 't [s]' offset 0,0; "
               "set ylabel 'stress [kPa]' offset 0.5,0\nset xrange [0:1.2]; set yrange [0:1100]; set xtics 0.4\n"
@@ -231,7 +232,7 @@ def draw_strip(runs, to, name="dense_gca"):
         left = 0.07 + 0.136 * k
         script += panel(window, (left, left + 0.113, 0.17, 0.92), "start" if blow == 0 else f"blow {blow}",
                         y_label="z [m]" if k == 0 else "")
-        script += ("set format y '%g'\n" if k == 0 else "set format y ''\n") + "set xtics 0.4 offset 0,1.2; set xlabel offset 0,1.8; set ytics offset -0.7,0\n"
+        script += ("set format y '%g'\n" if k == 0 else "set format y ''\n") + f"set xtics 0.4 {NEARER}; set ytics offset -0.7,0\n"
         script += "unset colorbox\n" if k == 0 else \
             stress_scale(600, (0.9, 0.17, 0.012, 0.75))
         script += plot + "\n"

@@ -54,15 +54,15 @@ def rests(history):
 
 
 def reactions(history):
-    """Largest and smallest reaction of each blow [kN]."""
+    """Of each blow, the largest ones and the smallest ones [kN]."""
     total = [tip + shaft for tip, shaft in zip(history["tip_force"], history["shaft_force"])]
-    return [(max(total[first:last + 1]), min(total[first:last + 1])) for first, last in history.blows()]
+    blows = [total[first:last + 1] for first, last in history.blows()]
+    return [max(blow) for blow in blows], [min(blow) for blow in blows]
 
 
 def momentum_identity(history):
-    """R - (F_hammer + W - D - m a) of rows, which are means over a millisecond, D that of local damping on the pile: its
-    largest size in the drive and the peak of R [kN], and the same for the impulses from the begin of the drive to each
-    row, as a share of R's."""
+    """R - (F_hammer + W - D - m a) of rows, means over a millisecond, D of local damping: its largest size in the drive
+    and the peak of R [kN], and the same for impulses from the begin of the drive to each row, as a share of R's."""
     t, v = history["t"], history["velocity"]
     damping = history.columns.get("damping_force", [0.0] * len(history))  # older runs tell none
     weight, worst, peak = history.mass * GRAVITY / 1e3, 0.0, 0.0
@@ -144,8 +144,7 @@ def carrying(frame):
 
 
 def shaft_gaps(run, index):
-    """Between shaft and the sand that carries stress, in strips from one above the tip to where it stood at the start
-    [m]."""
+    """Between shaft and sand that carries stress, in strips from one above the tip to where it was at the start [m]."""
     pile, tip = run.frame(index, "pile"), level_of_tip(run, index)
     count = max(0, int((level_of_tip(run, 0) - tip) / STRIP) - 1)
     outer, inner = [-math.inf] * count, [math.inf] * count
@@ -160,14 +159,14 @@ def shaft_gaps(run, index):
 
 
 def at_ends(run):
-    """Median gap at the shaft in the last frame of each blow [m]."""
+    """Median gap at the shaft in the last frame of each blow [m]; NaN: none after its peak, or no strip yet."""
     out, t = [], run.history["t"]
     for first, last in run.history.blows():
         index = max(i for i, time in enumerate(run.times) if time <= t[last] + 1e-9)
-        if run.times[index] > t[first] + PEAK + 1e-3:  # not that of its peak
-            out += [statistics.median(shaft_gaps(run, index) or [math.nan])]
+        gaps = shaft_gaps(run, index) if run.times[index] > t[first] + PEAK + 1e-3 else []
+        out.append(statistics.median(gaps or [math.nan]))
         run.forget(index)
-    return [gap for gap in out if not math.isnan(gap)]
+    return out
 
 
 def intruders(run, index):
@@ -241,6 +240,7 @@ def measured(run):
     worst, peak, drift = momentum_identity(h)
     rate, parts = run.cost()
     rest, rest_after_blow, speed = rests(h)
+    highest, lowest = reactions(h)
     inside, loaded, deepest = intruders(run, -1)
     dense, loose = void_ratio_extents(run)
     run.forget()
@@ -250,7 +250,7 @@ def measured(run):
         "name": run.name, "program": next((c.split(",")[0] for c in h.comments if c.startswith("Grit ")), ""),
         "stopped": h.stopped, "particles": h.particles, "steps": h["step"][-1], "simulated_s": h["t"][-1],
         "depth_m": h["depth"][-1], "self_weight_m": own, "sets_m": each, "rebounds_m": rebound,
-        "reactions_kN": [high for high, _ in reactions(h)], "lowest_reactions_kN": [low for _, low in reactions(h)],
+        "reactions_kN": highest, "lowest_reactions_kN": lowest,
         "weight_kN": h.mass * GRAVITY / 1e3, "rest_s": rest, "rest_after_blow_s": rest_after_blow, "speed_at_blows": speed,
         "peak_reaction_kN": peak, "identity_kN": worst, "impulse_share": drift, "energies_J": energies(h),
         "particle_steps_per_s": rate, "parts_percent": parts, "line_vertices": run.penalty_vertices(),

@@ -25,7 +25,8 @@ def mean(values):
 
 
 def with_error(values, digits):
-    """Mean and its standard error."""
+    """Mean and its standard error, of those that are numbers."""
+    values = [value for value in values if not math.isnan(value)]
     if len(values) < 2:
         return f"{mean(values):.{digits}f}"
     return f"{mean(values):.{digits}f} ± {statistics.stdev(values) / math.sqrt(len(values)):.{digits}f}"

@@ -45,4 +45,14 @@ inline Case column_case() {
     return out;
 }
 
+// The column under 10 kPa, which come within 0.1 s.
+inline Case pressed_column_case() {
+    Case out = column_case();
+    out.tractions = {{.body = "column",
+                      .edge = Edge::top,
+                      .direction = {0.0, -1.0},
+                      .stress = TimeTable{{0.0, 0.1}, {0.0, 1e4}}}};
+    return out;
+}
+
 }  // namespace mpm_test
