@@ -17,15 +17,13 @@ namespace {
 
 using mpm::Case;
 
-constexpr double much = 1e300;
-
 void read_segment(Words& words, Case& plan) {
     const int direction = words.choice("the direction of a grid segment", {"r", "z"});
     mpm::AxisPlan& axis = direction == 0 ? plan.r : plan.z;
     mpm::AxisSegment segment{};
     segment.to = words.number("the end of a grid segment");
-    segment.cells = words.integer("the number of its cells", 1, 1000000);
-    segment.growth = words.number("their growth", 0.5, 2.0);
+    segment.cells = words.integer("the number of its cells", mpm::limits::cells);
+    segment.growth = words.number("their growth", mpm::limits::growth);
     const double before = axis.segments.empty() ? axis.from : axis.to();
     if (!(segment.to > before)) throw std::invalid_argument("the segments of a grid must ascend");
     axis.segments.push_back(segment);
@@ -63,7 +61,8 @@ void read_contact(Words& words, Case& plan) {
     contact.law = words.choice("the law of a contact", {"geo", "frictional"}) == 0
                       ? GRIT_CONTACT_GEO
                       : GRIT_CONTACT_FRICTIONAL;
-    contact.friction_coefficient = words.number("a friction coefficient", 0.0, 10.0);
+    contact.friction_coefficient =
+        words.number("a friction coefficient", mpm::limits::friction_coefficient);
     contact.normal = GRIT_CONTACT_NORMAL_OF_A;
     contact.measure = GRIT_CONTACT_SUPPORT;
     constexpr int normals[] = {GRIT_CONTACT_NORMAL_OF_A, GRIT_CONTACT_NORMAL_OF_B,
@@ -72,7 +71,7 @@ void read_contact(Words& words, Case& plan) {
                                 GRIT_CONTACT_NEAREST_CENTRE};
     for (;;) {
         if (words.take("power"))
-            contact.penalty_power = words.number("the penalty power", 0.0, 1000.0);
+            contact.penalty_power = words.number("the penalty power", mpm::limits::penalty_power);
         else if (words.take("normal"))
             contact.normal = normals[words.choice("the normal", {"stiff", "soft", "average"})];
         else if (words.take("distance"))
@@ -106,7 +105,7 @@ const std::map<std::string, Reader>& readers() {
         {"contact", [](Words& w, FixCase& c) { read_contact(w, c.plan); }},
         {"stages",
          [](Words& w, FixCase& c) {
-             for (int n = w.integer("the number of stages", 1, 1000000); n > 0; --n)
+             for (int n = w.integer("the number of stages", {1, 1000000}); n > 0; --n)
                  c.plan.stages.emplace_back().name = w.word("the name of a stage");
          }},
         {"driven",
@@ -130,30 +129,40 @@ const std::map<std::string, Reader>& readers() {
                                                 mpm::Scheme::usf};
              c.plan.settings.scheme = schemes[w.choice("the scheme", {"usl", "musl", "usf"})];
          }},
-        {"gravity", [](Words& w, FixCase& c) { c.plan.gravity = w.number("gravity", -1e6, 1e6); }},
-        {"cfl", [](Words& w, FixCase& c) { c.plan.settings.cfl = w.number("cfl", 1e-6, 1.0); }},
+        {"gravity",
+         [](Words& w, FixCase& c) { c.plan.gravity = w.number("gravity", mpm::limits::gravity); }},
+        {"cfl",
+         [](Words& w, FixCase& c) { c.plan.settings.cfl = w.number("cfl", mpm::limits::cfl); }},
         {"largest_step",
          [](Words& w, FixCase& c) { c.plan.settings.largest_step = w.positive("largest_step"); }},
         {"pic_rate",
-         [](Words& w, FixCase& c) { c.plan.settings.pic_rate = w.number("pic_rate", 0.0, much); }},
+         [](Words& w, FixCase& c) {
+             c.plan.settings.pic_rate = w.number("pic_rate", mpm::limits::pic_rate);
+         }},
         {"local_damping",
          [](Words& w, FixCase& c) {
-             c.plan.settings.local_damping = w.number("local_damping", 0.0, 1.0);
+             c.plan.settings.local_damping = w.number("local_damping", mpm::limits::local_damping);
          }},
         {"bulk_viscosity",
          [](Words& w, FixCase& c) {
-             c.plan.settings.linear_viscosity = w.number("the linear bulk viscosity", 0.0, 100.0);
+             c.plan.settings.linear_viscosity =
+                 w.number("the linear bulk viscosity", mpm::limits::bulk_viscosity);
              c.plan.settings.quadratic_viscosity =
-                 w.number("the quadratic bulk viscosity", 0.0, 100.0);
+                 w.number("the quadratic bulk viscosity", mpm::limits::bulk_viscosity);
          }},
         {"cell_mean",
          [](Words& w, FixCase& c) { c.plan.settings.cell_mean = w.yes_or_no("cell_mean"); }},
         {"fixed_point",
          [](Words& w, FixCase& c) { c.plan.settings.fixed_point = w.yes_or_no("fixed_point"); }},
         {"threads",
-         [](Words& w, FixCase& c) { c.plan.settings.threads = w.integer("threads", 1, 1024); }},
+         [](Words& w, FixCase& c) {
+             c.plan.settings.threads = w.integer("threads", mpm::limits::threads);
+         }},
         {"energy_residual_limit",
-         [](Words& w, FixCase& c) { c.plan.residual_limit = w.positive("energy_residual_limit"); }},
+         [](Words& w, FixCase& c) {
+             c.plan.residual_limit =
+                 w.number("energy_residual_limit", mpm::limits::energy_residual_limit);
+         }},
     };
     return all;
 }
@@ -226,14 +235,17 @@ mpm::StagePlan read_stage(const std::vector<std::string>& given, const mpm::Stag
     while (!words.done()) {
         const std::string key = words.word("a keyword");
         if (key == "gravity") out.gravity = words.yes_or_no("gravity");
-        else if (key == "local_damping") out.local_damping = words.number(key, 0.0, 1.0);
-        else if (key == "pic_rate") out.pic_rate = words.number(key, 0.0, much);
-        else if (key == "cfl") out.cfl = words.number(key, 1e-6, 1.0);
+        else if (key == "local_damping")
+            out.local_damping = words.number(key, mpm::limits::local_damping);
+        else if (key == "pic_rate") out.pic_rate = words.number(key, mpm::limits::pic_rate);
+        else if (key == "cfl") out.cfl = words.number(key, mpm::limits::cfl);
         else if (key == "until_time") out.end.time = words.positive(key);
         else if (key == "until_depth") out.end.depth = words.positive(key);
-        else if (key == "until_blows") out.end.blows = words.integer(key, 1, 1000000000);
-        else if (key == "until_unbalanced") out.end.unbalanced_share = words.positive(key);
-        else if (key == "until_kinetic") out.end.kinetic_share = words.positive(key);
+        else if (key == "until_blows") out.end.blows = words.integer(key, mpm::limits::blows);
+        else if (key == "until_unbalanced")
+            out.end.unbalanced_share = words.number(key, mpm::limits::share);
+        else if (key == "until_kinetic")
+            out.end.kinetic_share = words.number(key, mpm::limits::share);
         else throw std::invalid_argument("unknown keyword \"" + key + "\" of a stage");
     }
     return out;
