@@ -12,6 +12,7 @@
 #include "cli/element_pictures.hpp"
 #include "cli/outputs.hpp"
 #include "cli/panels.hpp"
+#include "cli/standard_streams.hpp"
 #include "cli/table_file.hpp"
 
 namespace cli {
@@ -62,17 +63,16 @@ std::set<std::string> columns_wanted(const ElementRequest& request, const CaseFi
 }
 
 void report(const ElementRequest& request, const CaseFile& file, const CaseResult& result) {
-    if (!result.failure.empty())
-        fmt::print(stderr, "grit: {}: stopped early at {}\n", file.name, result.failure);
+    if (!result.failure.empty()) warn("grit: {}: stopped early at {}\n", file.name, result.failure);
     if (request.quiet) return;
-    fmt::print("{}: {} increments, {} Newton iterations, {} evaluations of the rate, {} halvings, "
-               "{:.3f} s -> {}\n",
-               file.name, result.increments, result.iterations, result.evaluations, result.halvings,
-               result.seconds, csv_of(request, file).string());
-    for (const std::string& exit : result.exits) fmt::print("{}: ended by {}\n", file.name, exit);
+    say("{}: {} increments, {} Newton iterations, {} evaluations of the rate, {} halvings, "
+        "{:.3f} s -> {}\n",
+        file.name, result.increments, result.iterations, result.evaluations, result.halvings,
+        result.seconds, csv_of(request, file).string());
+    for (const std::string& exit : result.exits) say("{}: ended by {}\n", file.name, exit);
     for (const std::string& condition : result.never)
-        fmt::print("{}: note: until never held: {}\n", file.name, condition);
-    std::fflush(stdout);
+        say("{}: note: until never held: {}\n", file.name, condition);
+    flush_words();
 }
 
 }  // namespace
@@ -94,8 +94,8 @@ ExitCode run_element_tests(const ElementRequest& request) {
     }
     if (!request.no_plot) draw_cases(request.out, cases, results, request.quiet);
     const Comparison comparison = compare(cases, results);
-    if (!comparison.text.empty()) fmt::print("\n{}", comparison.text);
-    if (!comparison.within) fmt::print(stderr, "grit: a difference exceeds its limit\n");
+    if (!comparison.text.empty()) say("\n{}", comparison.text);
+    if (!comparison.within) warn("grit: a difference exceeds its limit\n");
     return complete && comparison.within ? ok : failed_computation;
 }
 

@@ -10,6 +10,7 @@
 #include "cli/mpm_run.hpp"
 #include "cli/mpm_to_lammps.hpp"
 #include "cli/outputs.hpp"
+#include "cli/standard_streams.hpp"
 
 namespace cli {
 namespace {
@@ -48,14 +49,14 @@ void tell_cost(Runner& runner) {
     if (!(total > 0.0)) return;
     const double done = static_cast<double>(spent.steps) * static_cast<double>(runner.particles());
     const auto share = [total](double part) { return 100.0 * part / total; };
-    fmt::print("{}: {:.3g} particle-steps/s; scatter {:.0f} %, nodes {:.0f} %, contact {:.0f} %, "
-               "material {:.0f} %, rest of gather {:.0f} %\n",
-               runner.description().name, done / total, share(spent.scatter), share(spent.nodes),
-               share(spent.contact), share(spent.material), share(spent.gather - spent.material));
+    say("{}: {:.3g} particle-steps/s; scatter {:.0f} %, nodes {:.0f} %, contact {:.0f} %, "
+        "material {:.0f} %, rest of gather {:.0f} %\n",
+        runner.description().name, done / total, share(spent.scatter), share(spent.nodes),
+        share(spent.contact), share(spent.material), share(spent.gather - spent.material));
     for (std::size_t i = 0; i < simulation.penalty_contact_count(); ++i) {
         const PenaltyPair& pair = simulation.penalty_contact(i);
-        fmt::print("{}: {} and {} vertices of penalty lines\n", runner.description().name,
-                   pair.vertices(0).size() / 2, pair.vertices(1).size() / 2);
+        say("{}: {} and {} vertices of penalty lines\n", runner.description().name,
+            pair.vertices(0).size() / 2, pair.vertices(1).size() / 2);
     }
 }
 
@@ -66,8 +67,7 @@ ExitCode convert(const MpmRequest& request, const Case& plan) {
         throw BadInput(fmt::format("{}: {}", request.file.string(), error.what()));
     }
     if (!request.quiet)
-        fmt::print("{}: grit-lmp -in {}.in in {}\n", plan.name, plan.name,
-                   request.to_lammps.string());
+        say("{}: grit-lmp -in {}.in in {}\n", plan.name, plan.name, request.to_lammps.string());
     return ok;
 }
 
@@ -92,12 +92,12 @@ ExitCode run_mpm(const MpmRequest& request) {
     const RunGuard guard(plan.name + ": Grit");
     MpmRun run(options, runner);
     const std::string failure = run.go();
-    if (!failure.empty()) fmt::print(stderr, "grit: {}: {}\n", plan.name, failure);
+    if (!failure.empty()) warn("grit: {}: {}\n", plan.name, failure);
     if (!request.no_plot) run.draw();
     if (request.quiet) return failure.empty() ? ok : failed_computation;
-    fmt::print("{}: {} particles, {} steps, t = {:.4g} s, {:.1f} s of computing -> {}\n", plan.name,
-               runner.particles(), runner.simulation().steps(), runner.simulation().time(),
-               run.seconds(), options.history.string());
+    say("{}: {} particles, {} steps, t = {:.4g} s, {:.1f} s of computing -> {}\n", plan.name,
+        runner.particles(), runner.simulation().steps(), runner.simulation().time(), run.seconds(),
+        options.history.string());
     tell_cost(runner);
     return failure.empty() ? ok : failed_computation;
 }

@@ -9,6 +9,7 @@
 #include "cli/foreign_columns.hpp"
 #include "cli/outputs.hpp"
 #include "cli/panels.hpp"
+#include "cli/standard_streams.hpp"
 #include "element/nearest.hpp"
 
 namespace cli {
@@ -59,10 +60,10 @@ ExitCode plot(const PlotRequest& request) {
     make_output_folder(request.out.parent_path());
     const std::string problem = draw(request.out, picture);
     if (!problem.empty()) {
-        fmt::print(stderr, "grit: no picture: {}\n", problem);
+        warn("grit: no picture: {}\n", problem);
         return failed_computation;
     }
-    fmt::print("picture: {}.svg and .png\n", request.out.string());
+    say("picture: {}.svg and .png\n", request.out.string());
     return ok;
 }
 

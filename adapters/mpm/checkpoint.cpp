@@ -136,6 +136,8 @@ void restore(Simulation& simulation, std::istream& in, OtherBits bits) {
     const std::string words =
         read_bytes(in, header.word_bytes, header.word_checksum, "description");
     const std::string state = read_bytes(in, header.state_bytes, header.state_checksum, "state");
+    if (in.peek() != std::istream::traits_type::eof())
+        refuse("damaged: bytes follow where its state ends");
     compare_words(words, CheckpointState::words(simulation));
     try {
         CheckpointState::take(simulation, state);
