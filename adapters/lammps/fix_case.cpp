@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <functional>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -47,6 +48,8 @@ void read_traction(Words& words, FixCase& out) {
         edges[words.choice("the edge of a traction", {"bottom", "right", "top", "left"})];
     traction.direction.r = words.number("the direction of a traction along r");
     traction.direction.z = words.number("... and along z");
+    if (traction.direction.r == 0.0 && traction.direction.z == 0.0)
+        throw std::invalid_argument("the direction of a traction must not be 0");
     Function function = read_function(words, "the stress of a traction");
     traction.stress = std::move(function.time);
     out.traction_variables.push_back(std::move(function.variable));
@@ -69,18 +72,37 @@ void read_contact(Words& words, Case& plan) {
                                GRIT_CONTACT_NORMAL_AVERAGE};
     constexpr int measures[] = {GRIT_CONTACT_SUPPORT, GRIT_CONTACT_EDGE,
                                 GRIT_CONTACT_NEAREST_CENTRE};
+    const bool frictional = contact.law == GRIT_CONTACT_FRICTIONAL;
+    bool has_power = false, has_distance = false;
     for (;;) {
-        if (words.take("power"))
+        if (words.take("power")) {
+            has_power = true;
             contact.penalty_power = words.number("the penalty power", mpm::limits::penalty_power);
-        else if (words.take("normal"))
+        } else if (words.take("normal")) {
             contact.normal = normals[words.choice("the normal", {"stiff", "soft", "average"})];
-        else if (words.take("distance"))
+        } else if (words.take("distance")) {
+            has_distance = true;
             contact.measure =
                 measures[words.choice("the distance", {"support", "edge", "nearest_centre"})];
-        else if (words.take("gated")) contact.gated = words.yes_or_no("gated");
-        else break;
+        } else if (words.take("gated")) {
+            contact.gated = words.yes_or_no("gated");
+        } else {
+            break;
+        }
     }
+    if (frictional && has_power)
+        throw std::invalid_argument("power belongs to the geo law, not to the frictional one");
+    if (frictional && has_distance && !contact.gated)
+        throw std::invalid_argument(
+            "distance: the frictional law measures none unless it is gated");
     plan.contacts.push_back(contact);
+}
+
+void add_stage(const std::string& name, Case& plan) {
+    for (const mpm::StagePlan& other : plan.stages)
+        if (other.name == name)
+            throw std::invalid_argument("two stages are called \"" + name + '"');
+    plan.stages.emplace_back().name = name;
 }
 
 mpm::StagePlan first_stage(const Case& plan, const std::string& name) {
@@ -106,7 +128,7 @@ const std::map<std::string, Reader>& readers() {
         {"stages",
          [](Words& w, FixCase& c) {
              for (int n = w.integer("the number of stages", {1, 1000000}); n > 0; --n)
-                 c.plan.stages.emplace_back().name = w.word("the name of a stage");
+                 add_stage(w.word("the name of a stage"), c.plan);
          }},
         {"driven",
          [](Words& w, FixCase& c) {
@@ -187,7 +209,14 @@ void check_names(const Case& plan) {
     for (const mpm::BodyPlan& body : plan.bodies)
         if (const auto* rigid = std::get_if<mpm::RigidPlan>(&body.material))
             if (!rigid->from_stage.empty()) plan.stage(rigid->from_stage);
+    if (plan.settings.axisymmetric && plan.r.from == 0.0 &&
+        plan.boundary[static_cast<int>(mpm::Side::left)] == mpm::Boundary::fixed)
+        throw std::invalid_argument("boundary left is the axis r = 0: roller");
+    std::set<std::set<std::string>> pairs;
     for (const mpm::ContactPlan& contact : plan.contacts) {
+        if (!pairs.insert({contact.stiff, contact.soft}).second)
+            throw std::invalid_argument(contact.stiff + " and " + contact.soft +
+                                        " have a contact already");
         const std::size_t stiff = plan.body(contact.stiff), soft = plan.body(contact.soft);
         if (stiff == soft)
             throw std::invalid_argument("a contact of body " + contact.stiff + " with itself");
@@ -228,7 +257,8 @@ FixCase read_fix(const std::vector<std::string>& given, const double (&box)[2][2
     return out;
 }
 
-mpm::StagePlan read_stage(const std::vector<std::string>& given, const mpm::StagePlan& before) {
+mpm::StagePlan read_stage(const std::vector<std::string>& given, const mpm::StagePlan& before,
+                          mpm::Scheme scheme) {
     Words words(given);
     mpm::StagePlan out = before;
     out.end = {};
@@ -248,6 +278,11 @@ mpm::StagePlan read_stage(const std::vector<std::string>& given, const mpm::Stag
             out.end.kinetic_share = words.number(key, mpm::limits::share);
         else throw std::invalid_argument("unknown keyword \"" + key + "\" of a stage");
     }
+    if (out.end.kinetic_share > 0.0 && out.end.unbalanced_share == 0.0)
+        throw std::invalid_argument("until_kinetic needs until_unbalanced: a body that turns back "
+                                    "has no kinetic energy either");
+    if (out.end.unbalanced_share > 0.0 && scheme == mpm::Scheme::musl)
+        throw std::invalid_argument("until_unbalanced is not measured with the scheme musl");
     return out;
 }
 
