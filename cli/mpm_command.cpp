@@ -17,7 +17,7 @@ namespace {
 
 using namespace grit::mpm;
 
-void check_outputs(const MpmRequest& request, const MpmCaseFile& file,
+Outputs outputs_of(const MpmRequest& request, const MpmCaseFile& file,
                    const MpmRunOptions& options) {
     Outputs outputs;
     const std::string who = fmt::format("case {} ({})", file.plan.name, request.file.string());
@@ -29,6 +29,7 @@ void check_outputs(const MpmRequest& request, const MpmCaseFile& file,
             outputs.add(options.fields.string() + ending, who);
     if (options.shown) outputs.add(options.fields.string() + ".pvd", who);
     outputs.spare(file.inputs);
+    return outputs;
 }
 
 Runner prepare(const MpmRequest& request, const MpmCaseFile& file) {
@@ -86,9 +87,9 @@ ExitCode run_mpm(const MpmRequest& request) {
                                 request.checkpoint_minutes,
                                 request.restart,
                                 request.quiet};
-    check_outputs(request, file, options);
+    const Outputs outputs = outputs_of(request, file, options);
     Runner runner = prepare(request, file);
-    make_output_folder(request.out);
+    const auto lock = outputs.lock();
     const RunGuard guard(plan.name + ": Grit");
     MpmRun run(options, runner);
     const std::string failure = run.go();
