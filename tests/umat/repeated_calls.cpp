@@ -168,10 +168,13 @@ TEST(RepeatedCalls, SayWhereAMemoryThatIsTooLongWasScaledBack) {
             const double end = memory_length(c.batch.points[k]);
             const bool too_long = start > R * (1.0 + 1.5e-6) && end <= R * (1.0 + 1e-6);
             scaled += too_long;
-            if (too_long)
+            if (too_long) {
                 EXPECT_TRUE(report.flags & GRIT_SAND_H_CLAMPED)
                     << "|h|/R from " << start / R << " to " << end / R;
-            if (start < R) EXPECT_FALSE(report.flags & GRIT_SAND_H_CLAMPED);
+            }
+            if (start < R) {
+                EXPECT_FALSE(report.flags & GRIT_SAND_H_CLAMPED);
+            }
         }
     }
     EXPECT_GT(scaled, 1000);
