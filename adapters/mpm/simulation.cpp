@@ -13,7 +13,7 @@ Simulation::Simulation(Axis r, Axis z, const Settings& given, Exchange* others)
     : settings(given), r_axis(std::move(r)), z_axis(std::move(z)),
       fixed_nodes(static_cast<std::size_t>(r_axis.nodes()) *
                   static_cast<std::size_t>(z_axis.nodes())),
-      exchange(others ? *others : alone), pool(given.threads) {
+      exchange(others ? *others : alone), pool(usable_threads(given.threads)) {
     if (settings.axisymmetric && r_axis[0] < 0.0)
         throw std::invalid_argument("the grid must not reach across the axis");
     if (settings.axisymmetric && r_axis[0] == 0.0) fix_below(0, 0.0);
@@ -226,7 +226,7 @@ Seconds Simulation::seconds() const {
     Seconds out = spent;
     for (const Part& part : parts)
         for (const double of_strip : part.material_seconds)
-            out.material += of_strip / settings.threads;
+            out.material += of_strip / pool.size();
     return out;
 }
 
