@@ -131,7 +131,7 @@ class Simulation {
     void scatter(unsigned parts_wanted);
     void scatter_strips(unsigned parts_wanted);
     void scatter_fixed(unsigned parts_wanted);
-    bool rescale();
+    bool rescale(unsigned parts_wanted);
     void clear();
     void load();
     double load_quantum() const;
