@@ -69,9 +69,10 @@ std::string place_of_failure(Body& body) {
 
 // The scales that the contributions want; true if the sums must be done again. Throws where one is infinite
 // or no number.
-bool Simulation::rescale(unsigned parts_wanted) {
+bool Simulation::rescale(unsigned parts_wanted, Into into) {
     bool again = false;
     for (Part& part : parts) {
+        if (into == Into::ahead && part.ahead.empty()) continue;
         std::array<double, record::size> largest{};
         for (const FixedPoint& strip : part.fixed_points)
             for (std::size_t c = 0; c < largest.size(); ++c)
@@ -94,7 +95,10 @@ bool Simulation::rescale(unsigned parts_wanted) {
     return again;
 }
 
-void Simulation::scatter_fixed(unsigned parts_wanted) {
+void Simulation::scatter_fixed(unsigned parts_wanted, Into into) {
+    // The scale that all strips want.
+    if (into == Into::ahead)
+        for (Part& part : parts) std::fill(part.pressed.begin(), part.pressed.end(), 1);
     do {
         for (Part& part : parts) {
             std::fill(part.integers.begin(), part.integers.end(), NodeIntegers{});
@@ -104,13 +108,15 @@ void Simulation::scatter_fixed(unsigned parts_wanted) {
                 std::copy(part.scale.begin(), part.scale.end(), strip.scale);
             }
         }
-        scatter_strips(parts_wanted);
-    } while (rescale(parts_wanted));
+        scatter_strips(parts_wanted, into);
+    } while (rescale(parts_wanted, into));
     for (Part& part : parts) {
+        if (into == Into::ahead && part.ahead.empty()) continue;
+        std::vector<NodeRecord>& records = into == Into::ahead ? part.ahead : part.records;
         exchange.sum_nodes(part.integers.data(), static_cast<std::ptrdiff_t>(part.integers.size()));
         for (std::size_t i = 0; i < part.integers.size(); ++i)
             for (int c = 0; c < record::size; ++c)
-                part.records[i][c] += static_cast<double>(part.integers[i].value[c]) /
+                records[i][c] += static_cast<double>(part.integers[i].value[c]) /
                                  part.scale[static_cast<std::size_t>(c)];
     }
 }
