@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <exception>
 #include <functional>
+#include <sstream>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -15,6 +16,7 @@
 #endif
 #include "cli/plot_command.hpp"
 #include "cli/sand_command.hpp"
+#include "cli/standard_streams.hpp"
 #include "cli/version.hpp"
 
 namespace {
@@ -43,10 +45,7 @@ void add_mpm_options(CLI::App& app, cli::MpmRequest& request) {
 }
 #endif
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    cli::handle_abnormal_ends();
+int follow(int argc, char** argv) {
     std::function<cli::ExitCode()> command;
     CLI::App app("Grit: hypoplastic sand. Exit status 0: done, 1: the computation failed or missed "
                  "its reference, 2: bad input.",
@@ -125,12 +124,28 @@ int main(int argc, char** argv) {
         app.parse(argc, argv);
         return command();
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? cli::ok : cli::bad_input;
+        std::ostringstream help, complaint;
+        const int status = app.exit(error, help, complaint);
+        cli::say("{}", help.str());
+        cli::warn("{}", complaint.str());
+        return status == 0 ? cli::ok : cli::bad_input;
     } catch (const cli::BadInput& error) {
-        fmt::print(stderr, "grit: {}\n", error.what());
+        cli::warn("grit: {}\n", error.what());
         return cli::bad_input;
     } catch (const std::exception& error) {
-        fmt::print(stderr, "grit: {}\n", error.what());
+        cli::warn("grit: {}\n", error.what());
         return cli::failed_computation;
     }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    cli::occupy_standard_streams();
+    cli::handle_abnormal_ends();
+    const int status = follow(argc, argv);
+    const std::string unsaid = cli::unsaid();
+    if (unsaid.empty()) return status;
+    cli::warn("grit: {}\n", unsaid);
+    return status == cli::ok ? int{cli::failed_computation} : status;
 }

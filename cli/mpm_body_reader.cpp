@@ -120,7 +120,7 @@ SandPlan read_sand_body(TomlTable table) {
     out.parameters.granulate_hardness *= kPa;
     out.parameters.pressure_shift *= kPa;
     grit_sand_options_init(&out.options, sizeof out.options);
-    out.options.tolerance = number_within(table, "tolerance", 1e-3, 1e-12, 0.1);
+    out.options.tolerance = number_within(table, "tolerance", 1e-3, limits::tolerance);
     const std::string key = table.one_of({"void_ratio", "void_ratio_at_zero_pressure"});
     out.void_ratio = table.number(key);
     table.positive_or(key, 1.0);
@@ -137,8 +137,8 @@ SandPlan read_sand_body(TomlTable table) {
 Geostatic read_stress_at_rest(TomlTable table) {
     Geostatic out;
     out.surface = table.number("surface_m");
-    out.surcharge = kPa * number_within(table, "surcharge_kPa", 0.0, 0.0, 1e9);
-    if (table.has("K0")) out.K0 = number_within(table, "K0", 1.0, 0.0, 10.0);
+    out.surcharge = kPa * number_within(table, "surcharge_kPa", 0.0, {0.0, 1e9});
+    if (table.has("K0")) out.K0 = number_within(table, "K0", 1.0, {0.0, 10.0});
     table.finish();
     return out;
 }

@@ -36,9 +36,9 @@ StageEnd read_until(TomlTable table, const Case& plan) {
     StageEnd out;
     out.time = table.positive_or("time_s", out.time);
     out.depth = table.positive_or("depth_m", out.depth);
-    out.blows = table.integer_or("blows", 0, 1, 1000000);
-    out.unbalanced_share = number_within(table, "unbalanced_share", 0.0, 0.0, 1.0);
-    out.kinetic_share = number_within(table, "kinetic_share", 0.0, 0.0, 1.0);
+    out.blows = integer_within(table, "blows", 0, limits::blows);
+    out.unbalanced_share = number_within(table, "unbalanced_share", 0.0, limits::share);
+    out.kinetic_share = number_within(table, "kinetic_share", 0.0, limits::share);
     if (table.given().empty())
         table.fail("", fmt::format("{} must say what ends the stage", table.full("")));
     if (table.has("kinetic_share") && !table.has("unbalanced_share"))
@@ -75,10 +75,11 @@ void read_stages(TomlTable& root, Case& plan) {
         StagePlan& stage = plan.stages[i++];
         table.has("name");
         stage.gravity = table.boolean_or("gravity", true);
-        stage.local_damping =
-            number_within(table, "local_damping", plan.settings.local_damping, 0.0, 0.95);
-        stage.pic_rate = number_within(table, "pic_rate_per_s", plan.settings.pic_rate, 0.0, 1e5);
-        stage.cfl = number_within(table, "cfl", plan.settings.cfl, 1e-3, 1.0);
+        stage.local_damping = number_within(table, "local_damping", plan.settings.local_damping,
+                                            limits::local_damping);
+        stage.pic_rate =
+            number_within(table, "pic_rate_per_s", plan.settings.pic_rate, limits::pic_rate);
+        stage.cfl = number_within(table, "cfl", plan.settings.cfl, limits::cfl);
         stage.end = read_until(table.table("until"), plan);
         table.finish();
     }
@@ -125,7 +126,7 @@ void read_history(TomlTable table, Case& plan) {
     if (table.has("depth_of") &&
         table.choice("depth_of", {"lowest_point", "centre_of_mass"}) == "centre_of_mass")
         plan.history.depth_of = DepthOf::centre_of_mass;
-    plan.history.interval = number_within(table, "interval_s", kind_interval(plan), 0.0, 1e9);
+    plan.history.interval = number_within(table, "interval_s", kind_interval(plan), {0.0, 1e9});
     if (!table.has("interval_s") && plan.history.interval == 0.0)
         table.fail("", fmt::format("{} is missing: no stage has a time_s to take a thousandth of; "
                                    "0 is a row after every step",
@@ -135,7 +136,7 @@ void read_history(TomlTable table, Case& plan) {
 
 FieldsPlan read_fields(TomlTable table) {
     FieldsPlan out;
-    out.interval = number_within(table, "interval_s", 0.0, 0.0, 1e9);
+    out.interval = number_within(table, "interval_s", 0.0, {0.0, 1e9});
     std::vector<std::string> names = table.strings_or_none("variables");
     if (!table.has("variables")) names = mpm_field_names();
     for (const std::string& name : names) {
@@ -158,7 +159,7 @@ MpmCaseFile read_mpm_case(const std::filesystem::path& path) {
     plan.name = root.string_if("name").value_or(path.stem().string());
     check_name(root, "name", plan.name);
     plan.title = root.string_if("title").value_or(plan.name);
-    plan.gravity = number_within(root, "gravity_m_per_s2", plan.gravity, 0.0, 1e6);
+    plan.gravity = number_within(root, "gravity_m_per_s2", plan.gravity, limits::gravity);
     read_grid(root.table("grid"), plan);
     if (auto numerics = root.table_if("numerics")) read_mpm_numerics(std::move(*numerics), plan);
     if (auto boundary = root.table_if("boundary")) read_boundary(std::move(*boundary), plan);

@@ -19,9 +19,9 @@ AxisSegment read_segment(TomlTable table, double from) {
         table.fail("to_m",
                    fmt::format("{} must be above {:g} m, where the segment begins, got {:g}",
                                table.full("to_m"), from, out.to));
-    out.growth = number_within(table, "growth", 1.0, 0.5, 2.0);
+    out.growth = number_within(table, "growth", 1.0, limits::growth);
     if (table.one_of({"cell_m", "cells"}) == "cells") {
-        out.cells = table.integer_or("cells", 1, 1, 100000);
+        out.cells = integer_within(table, "cells", 1, limits::cells);
     } else {
         const double cell = table.positive_or("cell_m", 1.0);
         if (!(cell <= out.to - from))
@@ -55,13 +55,18 @@ double nodes_of(const AxisPlan& plan) {
 
 }  // namespace
 
-double number_within(TomlTable& table, const std::string& key, double otherwise, double low,
-                     double high) {
+double number_within(TomlTable& table, const std::string& key, double otherwise,
+                     limits::Range range) {
     const double value = table.number_if(key).value_or(otherwise);
-    if (!(value >= low && value <= high))
-        table.fail(key, fmt::format("{} must be in [{:g}, {:g}], got {:g}", table.full(key), low,
-                                    high, value));
+    if (!(value >= range.low && value <= range.high))
+        table.fail(key, fmt::format("{} must be in [{:g}, {:g}], got {:g}", table.full(key),
+                                    range.low, range.high, value));
     return value;
+}
+
+int integer_within(TomlTable& table, const std::string& key, int otherwise, limits::Range range) {
+    return table.integer_or(key, otherwise, static_cast<int>(range.low),
+                            static_cast<int>(range.high));
 }
 
 void read_grid(TomlTable table, Case& plan) {
@@ -124,19 +129,20 @@ void read_mpm_numerics(TomlTable table, Case& plan) {
         const std::string word = table.choice("scheme", {"usl", "musl", "usf"});
         out.scheme = word == "usl" ? Scheme::usl : word == "musl" ? Scheme::musl : Scheme::usf;
     }
-    out.cfl = number_within(table, "cfl", out.cfl, 1e-3, 1.0);
+    out.cfl = number_within(table, "cfl", out.cfl, limits::cfl);
     out.largest_step = table.positive_or("largest_step_s", out.largest_step);
-    out.pic_rate = number_within(table, "pic_rate_per_s", out.pic_rate, 0.0, 1e5);
-    out.local_damping = number_within(table, "local_damping", out.local_damping, 0.0, 0.95);
+    out.pic_rate = number_within(table, "pic_rate_per_s", out.pic_rate, limits::pic_rate);
+    out.local_damping =
+        number_within(table, "local_damping", out.local_damping, limits::local_damping);
     out.linear_viscosity =
-        number_within(table, "bulk_viscosity_linear", out.linear_viscosity, 0.0, 10.0);
-    out.quadratic_viscosity =
-        number_within(table, "bulk_viscosity_quadratic", out.quadratic_viscosity, 0.0, 10.0);
+        number_within(table, "bulk_viscosity_linear", out.linear_viscosity, limits::bulk_viscosity);
+    out.quadratic_viscosity = number_within(table, "bulk_viscosity_quadratic",
+                                            out.quadratic_viscosity, limits::bulk_viscosity);
     out.cell_mean = table.boolean_or("cell_averaged_volume", out.cell_mean);
     out.fixed_point = table.boolean_or("fixed_point", out.fixed_point);
-    out.threads = table.integer_or("threads", out.threads, 1, 1024);
-    plan.residual_limit =
-        number_within(table, "energy_residual_limit", plan.residual_limit, 1e-6, 1e6);
+    out.threads = integer_within(table, "threads", out.threads, limits::threads);
+    plan.residual_limit = number_within(table, "energy_residual_limit", plan.residual_limit,
+                                        limits::energy_residual_limit);
     table.finish();
 }
 

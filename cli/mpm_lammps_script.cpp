@@ -124,9 +124,11 @@ void add_contacts(const Case& plan, FixWords& fix) {
         const char* distance = contact.measure == GRIT_CONTACT_SUPPORT ? "support"
                                : contact.measure == GRIT_CONTACT_EDGE  ? "edge"
                                                                        : "nearest_centre";
-        fix.add("contact {} {} {} {} power {} normal {} distance {} gated {}", contact.stiff,
-                contact.soft, contact.law == GRIT_CONTACT_GEO ? "geo" : "frictional",
-                exact(contact.friction_coefficient), exact(contact.penalty_power), normal, distance,
+        const bool geo = contact.law == GRIT_CONTACT_GEO;
+        fix.add("contact {} {} {} {}{} normal {}{} gated {}", contact.stiff, contact.soft,
+                geo ? "geo" : "frictional", exact(contact.friction_coefficient),
+                geo ? " power " + exact(contact.penalty_power) : "", normal,
+                geo || contact.gated ? std::string(" distance ") + distance : "",
                 word(contact.gated));
     }
 }

@@ -56,8 +56,8 @@ PulseTrain read_pulses(TomlTable table) {
         table.fail("interval_s",
                    fmt::format("{} must be no shorter than duration_s, {:g}, got {:g}",
                                table.full("interval_s"), out.duration, out.interval));
-    out.count = table.integer_or("count", 1, 1, 1000000);
-    out.start = number_within(table, "start_s", 0.0, 0.0, 1e9);
+    out.count = integer_within(table, "count", 1, limits::pulses);
+    out.start = number_within(table, "start_s", 0.0, limits::pulse_start);
     table.finish();
     return out;
 }
@@ -100,7 +100,7 @@ PenaltyPlan read_penalty(TomlTable& table, const Case& plan) {
     if (!(out.modulus > 0.0))
         table.fail("modulus_kPa", fmt::format("{} must be positive, got {:g}",
                                               table.full("modulus_kPa"), out.modulus / kPa));
-    out.stiffness_multiple = number_within(table, "stiffness_multiple", 1.0, 1e-6, 1e6);
+    out.stiffness_multiple = number_within(table, "stiffness_multiple", 1.0, {1e-6, 1e6});
     out.stiff_line = read_line(table.table("stiff_line"), plan);
     out.soft_line = read_line(table.table("soft_line"), plan);
     return out;
@@ -152,13 +152,14 @@ ContactPlan read_contact(TomlTable table, const Case& plan) {
         table.fail("soft", fmt::format("{}: both bodies are rigid", table.full("soft")));
     const std::string law = table.choice("law", {"geo", "frictional", "penalty"});
     out.law = law == "geo" ? GRIT_CONTACT_GEO : GRIT_CONTACT_FRICTIONAL;
-    out.friction_coefficient = number_within(table, "friction_coefficient", 0.0, 0.0, 100.0);
+    out.friction_coefficient =
+        number_within(table, "friction_coefficient", 0.0, limits::friction_coefficient);
     if (law == "penalty") {
         out.penalty = read_penalty(table, plan);
         table.finish();
         return out;
     }
-    out.penalty_power = number_within(table, "penalty_power", 6.0, 1e-6, 1e6);
+    out.penalty_power = number_within(table, "penalty_power", 6.0, limits::penalty_power);
     if (table.has("normal")) {
         const std::string word = table.choice("normal", {"stiff", "soft", "average"});
         out.normal = word == "stiff"  ? GRIT_CONTACT_NORMAL_OF_A

@@ -2,6 +2,15 @@
 
 include(CheckCXXCompilerFlag)
 
+# What may change: everything with a major version, and layouts with a minor one before 1.0.
+if(PROJECT_VERSION_MAJOR EQUAL 0)
+  set(GRIT_SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  set(GRIT_COMPATIBILITY SameMinorVersion)
+else()
+  set(GRIT_SOVERSION ${GRIT_SOVERSION})
+  set(GRIT_COMPATIBILITY SameMajorVersion)
+endif()
+
 set(GRIT_SANITIZERS address,undefined,float-cast-overflow)
 
 # Flags of some compilers only, into the list RESULT: what this one understands of them.
@@ -87,7 +96,7 @@ function(grit_add_libraries)
   endforeach()
   add_library(grit SHARED ${objects})
   add_library(grit_static STATIC ${objects})
-  set_target_properties(grit PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
+  set_target_properties(grit PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${GRIT_SOVERSION})
   target_link_options(grit PRIVATE -Wl,--no-undefined)
   target_link_libraries(grit_static INTERFACE m)
   foreach(library grit grit_static)

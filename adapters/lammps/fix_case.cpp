@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <functional>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -17,15 +18,13 @@ namespace {
 
 using mpm::Case;
 
-constexpr double much = 1e300;
-
 void read_segment(Words& words, Case& plan) {
     const int direction = words.choice("the direction of a grid segment", {"r", "z"});
     mpm::AxisPlan& axis = direction == 0 ? plan.r : plan.z;
     mpm::AxisSegment segment{};
     segment.to = words.number("the end of a grid segment");
-    segment.cells = words.integer("the number of its cells", 1, 1000000);
-    segment.growth = words.number("their growth", 0.5, 2.0);
+    segment.cells = words.integer("the number of its cells", mpm::limits::cells);
+    segment.growth = words.number("their growth", mpm::limits::growth);
     const double before = axis.segments.empty() ? axis.from : axis.to();
     if (!(segment.to > before)) throw std::invalid_argument("the segments of a grid must ascend");
     axis.segments.push_back(segment);
@@ -49,6 +48,8 @@ void read_traction(Words& words, FixCase& out) {
         edges[words.choice("the edge of a traction", {"bottom", "right", "top", "left"})];
     traction.direction.r = words.number("the direction of a traction along r");
     traction.direction.z = words.number("... and along z");
+    if (traction.direction.r == 0.0 && traction.direction.z == 0.0)
+        throw std::invalid_argument("the direction of a traction must not be 0");
     Function function = read_function(words, "the stress of a traction");
     traction.stress = std::move(function.time);
     out.traction_variables.push_back(std::move(function.variable));
@@ -63,25 +64,45 @@ void read_contact(Words& words, Case& plan) {
     contact.law = words.choice("the law of a contact", {"geo", "frictional"}) == 0
                       ? GRIT_CONTACT_GEO
                       : GRIT_CONTACT_FRICTIONAL;
-    contact.friction_coefficient = words.number("a friction coefficient", 0.0, 10.0);
+    contact.friction_coefficient =
+        words.number("a friction coefficient", mpm::limits::friction_coefficient);
     contact.normal = GRIT_CONTACT_NORMAL_OF_A;
     contact.measure = GRIT_CONTACT_SUPPORT;
     constexpr int normals[] = {GRIT_CONTACT_NORMAL_OF_A, GRIT_CONTACT_NORMAL_OF_B,
                                GRIT_CONTACT_NORMAL_AVERAGE};
     constexpr int measures[] = {GRIT_CONTACT_SUPPORT, GRIT_CONTACT_EDGE,
                                 GRIT_CONTACT_NEAREST_CENTRE};
+    const bool frictional = contact.law == GRIT_CONTACT_FRICTIONAL;
+    bool has_power = false, has_distance = false;
     for (;;) {
-        if (words.take("power"))
-            contact.penalty_power = words.number("the penalty power", 0.0, 1000.0);
-        else if (words.take("normal"))
+        if (words.take("power")) {
+            has_power = true;
+            contact.penalty_power = words.number("the penalty power", mpm::limits::penalty_power);
+        } else if (words.take("normal")) {
             contact.normal = normals[words.choice("the normal", {"stiff", "soft", "average"})];
-        else if (words.take("distance"))
+        } else if (words.take("distance")) {
+            has_distance = true;
             contact.measure =
                 measures[words.choice("the distance", {"support", "edge", "nearest_centre"})];
-        else if (words.take("gated")) contact.gated = words.yes_or_no("gated");
-        else break;
+        } else if (words.take("gated")) {
+            contact.gated = words.yes_or_no("gated");
+        } else {
+            break;
+        }
     }
+    if (frictional && has_power)
+        throw std::invalid_argument("power belongs to the geo law, not to the frictional one");
+    if (frictional && has_distance && !contact.gated)
+        throw std::invalid_argument(
+            "distance: the frictional law measures none unless it is gated");
     plan.contacts.push_back(contact);
+}
+
+void add_stage(const std::string& name, Case& plan) {
+    for (const mpm::StagePlan& other : plan.stages)
+        if (other.name == name)
+            throw std::invalid_argument("two stages are called \"" + name + '"');
+    plan.stages.emplace_back().name = name;
 }
 
 mpm::StagePlan first_stage(const Case& plan, const std::string& name) {
@@ -106,8 +127,8 @@ const std::map<std::string, Reader>& readers() {
         {"contact", [](Words& w, FixCase& c) { read_contact(w, c.plan); }},
         {"stages",
          [](Words& w, FixCase& c) {
-             for (int n = w.integer("the number of stages", 1, 1000000); n > 0; --n)
-                 c.plan.stages.emplace_back().name = w.word("the name of a stage");
+             for (int n = w.integer("the number of stages", {1, 1000000}); n > 0; --n)
+                 add_stage(w.word("the name of a stage"), c.plan);
          }},
         {"driven",
          [](Words& w, FixCase& c) {
@@ -130,30 +151,40 @@ const std::map<std::string, Reader>& readers() {
                                                 mpm::Scheme::usf};
              c.plan.settings.scheme = schemes[w.choice("the scheme", {"usl", "musl", "usf"})];
          }},
-        {"gravity", [](Words& w, FixCase& c) { c.plan.gravity = w.number("gravity", -1e6, 1e6); }},
-        {"cfl", [](Words& w, FixCase& c) { c.plan.settings.cfl = w.number("cfl", 1e-6, 1.0); }},
+        {"gravity",
+         [](Words& w, FixCase& c) { c.plan.gravity = w.number("gravity", mpm::limits::gravity); }},
+        {"cfl",
+         [](Words& w, FixCase& c) { c.plan.settings.cfl = w.number("cfl", mpm::limits::cfl); }},
         {"largest_step",
          [](Words& w, FixCase& c) { c.plan.settings.largest_step = w.positive("largest_step"); }},
         {"pic_rate",
-         [](Words& w, FixCase& c) { c.plan.settings.pic_rate = w.number("pic_rate", 0.0, much); }},
+         [](Words& w, FixCase& c) {
+             c.plan.settings.pic_rate = w.number("pic_rate", mpm::limits::pic_rate);
+         }},
         {"local_damping",
          [](Words& w, FixCase& c) {
-             c.plan.settings.local_damping = w.number("local_damping", 0.0, 1.0);
+             c.plan.settings.local_damping = w.number("local_damping", mpm::limits::local_damping);
          }},
         {"bulk_viscosity",
          [](Words& w, FixCase& c) {
-             c.plan.settings.linear_viscosity = w.number("the linear bulk viscosity", 0.0, 100.0);
+             c.plan.settings.linear_viscosity =
+                 w.number("the linear bulk viscosity", mpm::limits::bulk_viscosity);
              c.plan.settings.quadratic_viscosity =
-                 w.number("the quadratic bulk viscosity", 0.0, 100.0);
+                 w.number("the quadratic bulk viscosity", mpm::limits::bulk_viscosity);
          }},
         {"cell_mean",
          [](Words& w, FixCase& c) { c.plan.settings.cell_mean = w.yes_or_no("cell_mean"); }},
         {"fixed_point",
          [](Words& w, FixCase& c) { c.plan.settings.fixed_point = w.yes_or_no("fixed_point"); }},
         {"threads",
-         [](Words& w, FixCase& c) { c.plan.settings.threads = w.integer("threads", 1, 1024); }},
+         [](Words& w, FixCase& c) {
+             c.plan.settings.threads = w.integer("threads", mpm::limits::threads);
+         }},
         {"energy_residual_limit",
-         [](Words& w, FixCase& c) { c.plan.residual_limit = w.positive("energy_residual_limit"); }},
+         [](Words& w, FixCase& c) {
+             c.plan.residual_limit =
+                 w.number("energy_residual_limit", mpm::limits::energy_residual_limit);
+         }},
     };
     return all;
 }
@@ -178,7 +209,14 @@ void check_names(const Case& plan) {
     for (const mpm::BodyPlan& body : plan.bodies)
         if (const auto* rigid = std::get_if<mpm::RigidPlan>(&body.material))
             if (!rigid->from_stage.empty()) plan.stage(rigid->from_stage);
+    if (plan.settings.axisymmetric && plan.r.from == 0.0 &&
+        plan.boundary[static_cast<int>(mpm::Side::left)] == mpm::Boundary::fixed)
+        throw std::invalid_argument("boundary left is the axis r = 0: roller");
+    std::set<std::set<std::string>> pairs;
     for (const mpm::ContactPlan& contact : plan.contacts) {
+        if (!pairs.insert({contact.stiff, contact.soft}).second)
+            throw std::invalid_argument(contact.stiff + " and " + contact.soft +
+                                        " have a contact already");
         const std::size_t stiff = plan.body(contact.stiff), soft = plan.body(contact.soft);
         if (stiff == soft)
             throw std::invalid_argument("a contact of body " + contact.stiff + " with itself");
@@ -219,23 +257,32 @@ FixCase read_fix(const std::vector<std::string>& given, const double (&box)[2][2
     return out;
 }
 
-mpm::StagePlan read_stage(const std::vector<std::string>& given, const mpm::StagePlan& before) {
+mpm::StagePlan read_stage(const std::vector<std::string>& given, const mpm::StagePlan& before,
+                          mpm::Scheme scheme) {
     Words words(given);
     mpm::StagePlan out = before;
     out.end = {};
     while (!words.done()) {
         const std::string key = words.word("a keyword");
         if (key == "gravity") out.gravity = words.yes_or_no("gravity");
-        else if (key == "local_damping") out.local_damping = words.number(key, 0.0, 1.0);
-        else if (key == "pic_rate") out.pic_rate = words.number(key, 0.0, much);
-        else if (key == "cfl") out.cfl = words.number(key, 1e-6, 1.0);
+        else if (key == "local_damping")
+            out.local_damping = words.number(key, mpm::limits::local_damping);
+        else if (key == "pic_rate") out.pic_rate = words.number(key, mpm::limits::pic_rate);
+        else if (key == "cfl") out.cfl = words.number(key, mpm::limits::cfl);
         else if (key == "until_time") out.end.time = words.positive(key);
         else if (key == "until_depth") out.end.depth = words.positive(key);
-        else if (key == "until_blows") out.end.blows = words.integer(key, 1, 1000000000);
-        else if (key == "until_unbalanced") out.end.unbalanced_share = words.positive(key);
-        else if (key == "until_kinetic") out.end.kinetic_share = words.positive(key);
+        else if (key == "until_blows") out.end.blows = words.integer(key, mpm::limits::blows);
+        else if (key == "until_unbalanced")
+            out.end.unbalanced_share = words.number(key, mpm::limits::share);
+        else if (key == "until_kinetic")
+            out.end.kinetic_share = words.number(key, mpm::limits::share);
         else throw std::invalid_argument("unknown keyword \"" + key + "\" of a stage");
     }
+    if (out.end.kinetic_share > 0.0 && out.end.unbalanced_share == 0.0)
+        throw std::invalid_argument("until_kinetic needs until_unbalanced: a body that turns back "
+                                    "has no kinetic energy either");
+    if (out.end.unbalanced_share > 0.0 && scheme == mpm::Scheme::musl)
+        throw std::invalid_argument("until_unbalanced is not measured with the scheme musl");
     return out;
 }
 

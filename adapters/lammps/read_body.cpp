@@ -46,9 +46,9 @@ mpm::SandPlan read_sand(Words& words) {
             const std::string parameter = words.word("a parameter");
             grit_sand_parameter_set(&out.parameters, index, words.number(parameter));
         } else if (words.take("tolerance")) {
-            out.options.tolerance = words.number("tolerance", 1e-12, 0.1);
+            out.options.tolerance = words.number("tolerance", mpm::limits::tolerance);
         } else if (words.take("evaluation_limit")) {
-            out.options.evaluation_limit = words.integer("evaluation_limit", 2, 1000000);
+            out.options.evaluation_limit = words.integer("evaluation_limit", {2, 1000000});
         } else if (words.take("intergranular")) {
             out.options.intergranular_off = words.choice("intergranular", {"on", "off"});
         } else {
@@ -72,7 +72,7 @@ void read_body(Words& words, FixCase& out) {
             throw std::invalid_argument("two bodies are called \"" + body.name + '"');
     Members members;
     if (words.choice("what a body is made of", {"type", "group"}) == 0)
-        members.type = words.integer("an atom type", 1, 1000000);
+        members.type = words.integer("an atom type", {1, 1000000});
     else members.group = words.word("the group of a body");
     switch (words.choice("the material of a body", {"rigid", "elastic", "neo_hooke", "sand"})) {
         case 0: body.material = mpm::RigidPlan{{{0.0}, {0.0}}, {{0.0}, {0.0}}}; break;

@@ -3,12 +3,14 @@
 
 #include <stdexcept>
 
+#include "adapters/mpm/text.hpp"
+
 namespace grit::lammps {
 namespace {
 
 mpm::TimeTable read_table(Words& words, const std::string& what) {
     mpm::TimeTable out;
-    for (int n = words.integer("the number of points of " + what, 1, 1000000); n > 0; --n) {
+    for (int n = words.integer("the number of points of " + what, {1, 1000000}); n > 0; --n) {
         out.time.push_back(words.number("a time of " + what));
         out.value.push_back(words.number("a value of " + what));
         if (out.time.size() > 1 && !(out.time.back() > out.time[out.time.size() - 2]))
@@ -24,10 +26,19 @@ mpm::PulseTrain read_pulses(Words& words) {
                    : mpm::PulseForm::triangle;
     out.peak = words.number("the peak of a pulse");
     out.duration = words.positive("the duration of a pulse");
-    out.peak_time = words.number("the time of its peak", 0.0, out.duration);
-    out.interval = words.number("the interval of pulses", out.duration, 1e300);
-    out.start = words.number("the start of the first pulse", 0.0, 1e300);
-    out.count = words.integer("the number of pulses", 1, 1000000000);
+    out.peak_time = words.positive("the time of its peak");
+    if (out.form == mpm::PulseForm::half_sine && out.peak_time != 0.5 * out.duration)
+        throw std::invalid_argument("a half sine has its peak at " + mpm::text(0.5 * out.duration) +
+                                    " s, got " + mpm::text(out.peak_time));
+    if (!(out.peak_time < out.duration))
+        throw std::invalid_argument("the time of its peak must be below the duration of a pulse, " +
+                                    mpm::text(out.duration) + ", got " + mpm::text(out.peak_time));
+    out.interval = words.number("the interval of pulses");
+    if (!(out.interval >= out.duration))
+        throw std::invalid_argument("the interval of pulses must be no shorter than one, " +
+                                    mpm::text(out.duration) + ", got " + mpm::text(out.interval));
+    out.start = words.number("the start of the first pulse", mpm::limits::pulse_start);
+    out.count = words.integer("the number of pulses", mpm::limits::pulses);
     return out;
 }
 

@@ -6,6 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "adapters/mpm/text.hpp"
+
 namespace grit::lammps {
 
 bool Words::take(const std::string& word) {
@@ -39,23 +41,22 @@ double Words::number(const std::string& what) {
     return value;
 }
 
-double Words::number(const std::string& what, double lowest, double highest) {
+double Words::number(const std::string& what, mpm::limits::Range range) {
     const double value = number(what);
-    if (!(value >= lowest && value <= highest))
-        throw std::invalid_argument(what + " must be in [" + std::to_string(lowest) + ", " +
-                                    std::to_string(highest) + "], got " + std::to_string(value));
+    if (!(value >= range.low && value <= range.high))
+        throw std::invalid_argument(what + " must be in [" + mpm::text(range.low) + ", " +
+                                    mpm::text(range.high) + "], got " + mpm::text(value));
     return value;
 }
 
 double Words::positive(const std::string& what) {
     const double value = number(what);
-    if (!(value > 0.0))
-        throw std::invalid_argument(what + " must be > 0, got " + std::to_string(value));
+    if (!(value > 0.0)) throw std::invalid_argument(what + " must be > 0, got " + mpm::text(value));
     return value;
 }
 
-int Words::integer(const std::string& what, int lowest, int highest) {
-    const double value = number(what, lowest, highest);
+int Words::integer(const std::string& what, mpm::limits::Range range) {
+    const double value = number(what, range);
     if (value != std::floor(value)) throw std::invalid_argument(what + " must be an integer");
     return static_cast<int>(value);
 }

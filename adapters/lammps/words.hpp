@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "adapters/mpm/case_words.hpp"
+
 namespace grit::lammps {
 
 // All of these throw std::invalid_argument that says what was expected and what is there.
@@ -24,9 +26,9 @@ class Words {
     std::string word(const std::string& what);
     double number(const std::string& what);
     // A number within limits.
-    double number(const std::string& what, double lowest, double highest);
+    double number(const std::string& what, mpm::limits::Range range);
     double positive(const std::string& what);
-    int integer(const std::string& what, int lowest, int highest);
+    int integer(const std::string& what, mpm::limits::Range range);
     bool yes_or_no(const std::string& what);
     // Which of these it is.
     int choice(const std::string& what, std::initializer_list<const char*> names);
