@@ -13,8 +13,4 @@ void read_grid(TomlTable table, grit::mpm::Case& plan);
 void read_boundary(TomlTable table, grit::mpm::Case& plan);
 void read_mpm_numerics(TomlTable table, grit::mpm::Case& plan);
 
-// A number that must be in [low, high].
-double number_within(TomlTable& table, const std::string& key, double otherwise, double low,
-                     double high);
-
 }  // namespace cli

@@ -19,7 +19,7 @@ namespace {
 
 constexpr char magic_text[8] = {'g', 'r', 'i', 't', ' ', 'm', 'p', 'm'};
 constexpr std::uint32_t byte_order_mark = 0x01020304u, other_byte_order = 0x04030201u;
-constexpr std::uint32_t format_now = 2;
+constexpr std::uint32_t format_now = 3;
 
 struct Header {
     char magic[8];
@@ -136,6 +136,8 @@ void restore(Simulation& simulation, std::istream& in, OtherBits bits) {
     const std::string words =
         read_bytes(in, header.word_bytes, header.word_checksum, "description");
     const std::string state = read_bytes(in, header.state_bytes, header.state_checksum, "state");
+    if (in.peek() != std::istream::traits_type::eof())
+        refuse("damaged: bytes follow where its state ends");
     compare_words(words, CheckpointState::words(simulation));
     try {
         CheckpointState::take(simulation, state);

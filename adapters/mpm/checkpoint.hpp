@@ -24,8 +24,8 @@ enum class OtherBits { refused, accepted };
 void save(const Simulation& simulation, std::ostream& out);
 
 // The simulation goes on bitwise as the saved one would have. Throws std::runtime_error that names what
-// is wrong with the stream or differs in the simulation, which is untouched then. Reads no further than
-// the checkpoint.
+// is wrong with the stream or differs in the simulation, which is untouched then. The checkpoint is all that
+// is left of the stream.
 void restore(Simulation& simulation, std::istream& in, OtherBits bits = OtherBits::refused);
 
 }  // namespace grit::mpm
