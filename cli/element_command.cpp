@@ -35,7 +35,7 @@ fs::path cycles_of(const ElementRequest& request, const CaseFile& file) {
     return request.out / (file.name + "_cycles.csv");
 }
 
-void check_outputs(const ElementRequest& request, const std::vector<CaseFile>& cases) {
+Outputs outputs_of(const ElementRequest& request, const std::vector<CaseFile>& cases) {
     Outputs outputs;
     for (const CaseFile& file : cases) {
         const std::string who = fmt::format("case {} ({})", file.name, file.path.string());
@@ -49,6 +49,7 @@ void check_outputs(const ElementRequest& request, const std::vector<CaseFile>& c
             for (const char* ending : {".svg", ".png"})
                 outputs.add(request.out / (picture + ending), who);
     for (const CaseFile& file : cases) outputs.spare(file.inputs);
+    return outputs;
 }
 
 std::set<std::string> columns_wanted(const ElementRequest& request, const CaseFile& file) {
@@ -79,8 +80,7 @@ void report(const ElementRequest& request, const CaseFile& file, const CaseResul
 
 ExitCode run_element_tests(const ElementRequest& request) {
     const std::vector<CaseFile> cases = read_cases(request);
-    check_outputs(request, cases);
-    make_output_folder(request.out);
+    const auto lock = outputs_of(request, cases).lock();
     std::vector<CaseResult> results;
     bool complete = true;
     for (const CaseFile& file : cases) {

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include <adapters/mpm/case_words.hpp>
 #include <fmt/format.h>
 
 #include "cli/abnormal_end.hpp"
@@ -17,7 +18,7 @@ namespace {
 
 using namespace grit::mpm;
 
-void check_outputs(const MpmRequest& request, const MpmCaseFile& file,
+Outputs outputs_of(const MpmRequest& request, const MpmCaseFile& file,
                    const MpmRunOptions& options) {
     Outputs outputs;
     const std::string who = fmt::format("case {} ({})", file.plan.name, request.file.string());
@@ -29,6 +30,7 @@ void check_outputs(const MpmRequest& request, const MpmCaseFile& file,
             outputs.add(options.fields.string() + ending, who);
     if (options.shown) outputs.add(options.fields.string() + ".pvd", who);
     outputs.spare(file.inputs);
+    return outputs;
 }
 
 Runner prepare(const MpmRequest& request, const MpmCaseFile& file) {
@@ -74,10 +76,18 @@ ExitCode convert(const MpmRequest& request, const Case& plan) {
 }  // namespace
 
 ExitCode run_mpm(const MpmRequest& request) {
+    if (!request.keys.empty()) {
+        fmt::print("{}", request.keys == "fix" ? keys_of_fix() : keys_of_cases());
+        return ok;
+    }
     MpmCaseFile file = read_mpm_case(request.file);
     const Case& plan = file.plan;
     if (!request.to_lammps.empty()) return convert(request, plan);
     if (request.threads) file.plan.settings.threads = *request.threads;
+    if (const int usable = usable_threads(plan.settings.threads);
+        usable < plan.settings.threads && !request.quiet)
+        fmt::print(stderr, "grit: {}: {} threads wanted, {} used: there are no more cores\n",
+                   plan.name, plan.settings.threads, usable);
     const MpmRunOptions options{request.out / (plan.name + ".csv"),
                                 request.out / (plan.name + ".checkpoint"),
                                 request.out / plan.name,
@@ -86,9 +96,9 @@ ExitCode run_mpm(const MpmRequest& request) {
                                 request.checkpoint_minutes,
                                 request.restart,
                                 request.quiet};
-    check_outputs(request, file, options);
+    const Outputs outputs = outputs_of(request, file, options);
     Runner runner = prepare(request, file);
-    make_output_folder(request.out);
+    const auto lock = outputs.lock();
     const RunGuard guard(plan.name + ": Grit");
     MpmRun run(options, runner);
     const std::string failure = run.go();

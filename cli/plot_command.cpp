@@ -57,7 +57,10 @@ ExitCode plot(const PlotRequest& request) {
     if (!says_anything(picture, request, curves))
         throw BadInput(
             fmt::format("none of the files has columns for a picture of {}", request.kind));
-    make_output_folder(request.out.parent_path());
+    Outputs outputs;
+    for (const char* ending : {".svg", ".png"})
+        outputs.add(request.out.string() + ending, "the picture");
+    const auto lock = outputs.lock();
     const std::string problem = draw(request.out, picture);
     if (!problem.empty()) {
         warn("grit: no picture: {}\n", problem);

@@ -54,10 +54,11 @@ inline PointResult result_of(const Material& m, bool igs, const Point& p,
 }
 
 // What an update returns, the next one must accept.
-inline bool storable(const Material& m, const PointResult& r) {
+inline Fault fault_of(const Material& m, const PointResult& r) {
     for (const double component : r.T.c)
-        if (!(fabs(component) <= largest_stress_per_h_s * m.h_s - m.p_t)) return false;
-    return true;
+        if (!(fabs(component) <= largest_stress_per_h_s * m.h_s - m.p_t))
+            return Fault::evaluation_limit;
+    return is_void_ratio(r.e) ? Fault::none : Fault::void_ratio_leaves_range;
 }
 
 // A point that stays separated over its whole increment.
@@ -65,7 +66,7 @@ inline PointResult separated_result(bool igs, const Point& p) {
     PointResult r;
     const double opened = trace(p.strain_increment);
     r.h = igs ? isotropic(0.0) : p.h;
-    r.e = fma(1.0 + p.e, exp(opened), -1.0);
+    r.e = void_ratio_after(p.e, opened);
     r.w = max(p.w + opened, 0.0);
     r.next_step = p.advised_step;
     r.flags = p.flags;
@@ -202,7 +203,9 @@ inline void write_resting(const UpdateRequest& q, std::ptrdiff_t i, std::ptrdiff
         }
     }
     if (!q.reports) return;
-    const int flags = stress_free ? GRIT_SAND_STRESS_FREE : void_flag(m, p.T, p.e);
+    // h is scaled back where it is written.
+    const int flags = (raw.rotates ? p.flags : 0) |
+                      (stress_free ? GRIT_SAND_STRESS_FREE : void_flag(m, p.T, p.e));
     write_report(q.reports + i, flags, 0, 0, 0.0);
 }
 

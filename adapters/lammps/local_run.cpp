@@ -201,6 +201,9 @@ void LocalRun::ask_for_step() {
     const double t = simulation().time();
     for (AskedVariable& variable : asked)
         ask(variable, variable.of_motion ? t + simulation().next_step() : t);
+    while (simulation().shorten_step())
+        for (AskedVariable& variable : asked)
+            if (variable.of_motion) ask(variable, t + simulation().next_step());
 }
 
 void LocalRun::ask_for_motion_now() {

@@ -73,7 +73,8 @@ class LocalRun {
     bool is_cut_anew(const Cuts& cuts) const { return !is_cut(cuts); }
 
     // Asks for the values of all variables, in the same order on all processes: of loads at the begin of the
-    // next step, of motions at its end. Only of motions, now: to show them before a step.
+    // next step, of motions at its end, and again where these want it to end earlier. Only of motions, now: to
+    // show them before a step.
     bool has_variables() const { return !asked.empty(); }
     void ask_for_step();
     void ask_for_motion_now();

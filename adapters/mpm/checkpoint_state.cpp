@@ -51,19 +51,23 @@ struct CheckpointMembers {
         }
         for (auto& contact : s.contacts) {
             take(&contact.step_totals, 1);
+            take(&contact.step_faces, 1);
             take(contact.touched.data(), contact.touched.size());
         }
         for (auto& pair : s.penalties) {
             take(&pair.step_totals, 1);
+            take(&pair.next_totals, 1);
+            take(&pair.step_faces[0], 2);
             take(&pair.step, 1);
             take(&pair.taken, 1);
             take(&pair.dt_before, 1);
             for (auto& line : pair.lines)
-                for (auto* of_vertices : {&line.position, &line.velocity, &line.history})
+                for (auto* of_vertices :
+                     {&line.position, &line.velocity, &line.history, &line.force, &line.stiffness})
                     take(of_vertices->data(), of_vertices->size());
         }
     }
-    static constexpr std::size_t bytes_per_vertex = 6 * sizeof(double);
+    static constexpr std::size_t bytes_per_vertex = 9 * sizeof(double);
     // Before all else: how long the lines of penalty contacts have become.
     static std::vector<std::uint64_t> line_counts(const Simulation& s) {
         std::vector<std::uint64_t> counts;
@@ -75,8 +79,10 @@ struct CheckpointMembers {
         auto count = counts.begin();
         for (auto& pair : s.penalties)
             for (auto& line : pair.lines) {
-                for (auto* of_vertices : {&line.position, &line.velocity, &line.history})
+                for (auto* of_vertices :
+                     {&line.position, &line.velocity, &line.history, &line.force})
                     of_vertices->resize(2 * *count);
+                line.stiffness.resize(*count);
                 ++count;
             }
     }

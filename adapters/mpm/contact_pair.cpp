@@ -180,8 +180,8 @@ void ContactPair::correct(const GridView& grid, const ContactBody& a, const Cont
     grit_contact_nodes q{};
     q.struct_size = sizeof q;
     q.index = active.data();
-    q.mass_a = grit_view_of(reinterpret_cast<const double*>(a.records), 8, 1);
-    q.mass_b = grit_view_of(reinterpret_cast<const double*>(b.records), 8, 1);
+    q.mass_a = grit_view_of(reinterpret_cast<const double*>(a.records), record::size, 1);
+    q.mass_b = grit_view_of(reinterpret_cast<const double*>(b.records), record::size, 1);
     q.normal = grit_view_of(normal.data(), 2, 1);
     if (geo) {
         q.distance = grit_view_of(distance.data(), 1, 1);

@@ -55,6 +55,7 @@ class ContactPair {
 
   private:
     friend struct CheckpointMembers;
+    friend struct SharedState;
     bool find_active(const GridView& grid, const ContactBody& a, const ContactBody& b,
                      Exchange& exchange);
     void find_normals(const ContactBody& a, const ContactBody& b);

@@ -7,6 +7,7 @@
 
 #include "adapters/mpm/grid_point.hpp"
 #include "adapters/mpm/require.hpp"
+#include "adapters/mpm/text.hpp"
 
 namespace grit::mpm {
 namespace {
@@ -44,8 +45,8 @@ PenaltyLaw penalty_law(double friction_coefficient, double multiple, double modu
 }
 
 PenaltyPair::PenaltyPair(const PenaltyLaw& law, bool axisymmetric, std::size_t nodes)
-    : pair_law(law), nodal_stiffness(nodes), step_totals{} {
-    step_totals.struct_size = sizeof step_totals;
+    : pair_law(law), nodal_stiffness(nodes), step_totals{}, next_totals{} {
+    next_totals.struct_size = step_totals.struct_size = sizeof step_totals;
     pair_law.options.axisymmetric = axisymmetric;
     for (const int k : {0, 1}) {
         const PenaltyLine& given = k == 0 ? law.line_a : law.line_b;
@@ -55,6 +56,8 @@ PenaltyPair::PenaltyPair(const PenaltyLaw& law, bool axisymmetric, std::size_t n
         lines[k].velocity.resize(lines[k].position.size());
         lines[k].history.resize(lines[k].position.size());
         remesh(lines[k]);
+        lines[k].force.resize(lines[k].position.size());
+        lines[k].stiffness.resize(lines[k].position.size() / 2);
     }
 }
 
@@ -73,8 +76,7 @@ grit_penalty_surface PenaltyPair::surface(Line& line) {
     return s;
 }
 
-void PenaltyPair::push(const GridView& grid, const PenaltyBody& a, const PenaltyBody& b,
-                       double dt) {
+void PenaltyPair::find_forces(double dt) {
     dt_before = dt;
     pair_law.options.time_step = dt > 0.0 ? dt : 1.0;  // at the start nothing has moved yet
     const grit_penalty_surface line_a = surface(lines[0]), line_b = surface(lines[1]);
@@ -82,11 +84,15 @@ void PenaltyPair::push(const GridView& grid, const PenaltyBody& a, const Penalty
     workspace.resize(bytes / sizeof(std::uint64_t) + 1);
     grit_error error;
     require(grit_penalty_forces(&pair_law.options, &line_a, &line_b, workspace.data(), bytes,
-                                &step_totals, &error),
+                                &next_totals, &error),
             error, "penalty contact");
-    for (const int k : {0, 1}) step_faces[k] = faces_of(lines[k]);
-    scatter(grid, lines[0], a, mass[0], stiffness[0]);
-    scatter(grid, lines[1], b, mass[1], stiffness[1]);
+}
+
+void PenaltyPair::find_step(const GridView& grid, const PenaltyBody& a, const PenaltyBody& b) {
+    check_mass(grid, a, b, Vertices::pressed);
+    find_stiffness(grid, lines[0], a, mass[0], stiffness[0]);
+    find_stiffness(grid, lines[1], b, mass[1], stiffness[1]);
+    grit_error error;
     const auto view = [](const std::vector<double>& x) { return grit_view_of(x.data(), 1, 1); };
     const grit_view m_a = view(mass[0]), m_b = view(mass[1]);
     const grit_view k_a = view(stiffness[0]), k_b = view(stiffness[1]);
@@ -94,6 +100,35 @@ void PenaltyPair::push(const GridView& grid, const PenaltyBody& a, const Penalty
                                      static_cast<std::ptrdiff_t>(mass[1].size()), &m_b, &k_b, &step,
                                      &error),
             error, "penalty contact");
+}
+
+void PenaltyPair::check_mass(const GridView& grid, const PenaltyBody& a, const PenaltyBody& b,
+                             Vertices which) const {
+    for (const int k : {0, 1}) {
+        const PenaltyBody& body = k == 0 ? a : b;
+        const Line& line = lines[k];
+        for (std::size_t v = 0; v < line.position.size() && !body.rigid; v += 2) {
+            if (which == Vertices::pressed && !(line.stiffness[v / 2] > 0.0)) continue;
+            const GridPoint at = point_of_body(grid, body, &line.position[v]);
+            if (at.N[0] + at.N[1] + at.N[2] + at.N[3] > 0.0) continue;
+            throw std::runtime_error("penalty contact of " + a.name + " and " + b.name +
+                                     ": vertex " + std::to_string(v / 2) + " of the line of " +
+                                     body.name + ", at r = " + text(line.position[v]) +
+                                     " m, z = " + text(line.position[v + 1]) +
+                                     " m, is in a cell where no node has mass of this body: "
+                                     "nothing would take its force of " +
+                                     text(std::hypot(line.force[v], line.force[v + 1])) +
+                                     " N; does the line follow the body's surface?");
+        }
+    }
+}
+
+void PenaltyPair::push(const GridView& grid, const PenaltyBody& a, const PenaltyBody& b) {
+    check_mass(grid, a, b, Vertices::pressed);
+    step_totals = next_totals;
+    for (const int k : {0, 1}) step_faces[k] = faces_of(lines[k]);
+    scatter(grid, lines[0], a);
+    scatter(grid, lines[1], b);
 }
 
 PenaltyPair::Faces PenaltyPair::faces_of(const Line& line) {
@@ -107,11 +142,8 @@ PenaltyPair::Faces PenaltyPair::faces_of(const Line& line) {
     return out;
 }
 
-// Forces to the nodes; mass and stiffness of those that any vertex in contact touches.
-void PenaltyPair::scatter(const GridView& grid, const Line& line, const PenaltyBody& body,
-                          std::vector<double>& touched_mass, std::vector<double>& touched) {
-    touched_mass.clear();
-    touched.clear();
+// Forces to the nodes.
+void PenaltyPair::scatter(const GridView& grid, const Line& line, const PenaltyBody& body) {
     if (body.rigid) return;
     for (std::size_t v = 0; v < line.stiffness.size(); ++v) {
         if (!(line.stiffness[v] > 0.0)) continue;
@@ -120,8 +152,21 @@ void PenaltyPair::scatter(const GridView& grid, const Line& line, const PenaltyB
             NodeRecord& n = body.records[at.node[i]];
             n[record::f_r] += at.N[i] * line.force[2 * v];
             n[record::f_z] += at.N[i] * line.force[2 * v + 1];
-            nodal_stiffness[static_cast<std::size_t>(at.node[i])] += at.N[i] * line.stiffness[v];
         }
+    }
+}
+
+// Mass and stiffness of the nodes that any vertex in contact touches.
+void PenaltyPair::find_stiffness(const GridView& grid, const Line& line, const PenaltyBody& body,
+                                 std::vector<double>& touched_mass, std::vector<double>& touched) {
+    touched_mass.clear();
+    touched.clear();
+    if (body.rigid) return;
+    for (std::size_t v = 0; v < line.stiffness.size(); ++v) {
+        if (!(line.stiffness[v] > 0.0)) continue;
+        const GridPoint at = point_of_body(grid, body, &line.position[2 * v]);
+        for (int i = 0; i < 4; ++i)
+            nodal_stiffness[static_cast<std::size_t>(at.node[i])] += at.N[i] * line.stiffness[v];
     }
     for (std::size_t v = 0; v < line.stiffness.size(); ++v) {
         if (!(line.stiffness[v] > 0.0)) continue;

@@ -40,6 +40,26 @@ const TractionPlan* counted_by(const Case& plan, std::size_t stage) {
     return out;
 }
 
+// What can be known before: a stage has a train to count, with enough blows left.
+void check_blows(const Case& plan, const std::vector<StagePlan>& stages) {
+    std::map<const TractionPlan*, int> taken;
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        const int wanted = stages[i].end.blows;
+        if (wanted == 0) continue;
+        const std::string waits = "stage " + stages[i].name + " waits for " +
+                                  std::to_string(wanted) + (wanted == 1 ? " blow" : " blows");
+        const TractionPlan* traction = counted_by(plan, i);
+        if (!traction)
+            throw std::invalid_argument(waits + ", but no traction with pulses has begun by then");
+        const int before = taken[traction], count = std::get<PulseTrain>(traction->stress).count;
+        if (wanted > count - before)
+            throw std::invalid_argument(
+                waits + " of a train of " + std::to_string(count) +
+                (before > 0 ? ", of which earlier stages take " + std::to_string(before) : ""));
+        taken[traction] += wanted;
+    }
+}
+
 }  // namespace
 
 // The pulse train that a stage counts: its own one, else the one that began last. Times are on the clock
@@ -61,7 +81,7 @@ Runner::Runner(Case given, BuiltCase ready) : plan(std::move(given)), built(std:
     if (plan.stages.empty()) throw std::invalid_argument("a case needs a stage");
     driven = plan.body(plan.history.body);
     whole = plan.settings.axisymmetric ? 2.0 * std::numbers::pi : 1.0;
-    check_blows();
+    check_blows(plan, plan.stages);
     measure_bodies();
     check_interval("history.interval_s", plan.history.interval);
     state_now.stage_time = built.clock->began;
@@ -120,13 +140,15 @@ void Runner::begin(const std::string& stage,
     if (wanted != now && wanted != now + 1)
         throw std::invalid_argument("stage " + stage + " is not the next one");
     const StagePlan given = describe(plan.stages[wanted]);
-    for (std::size_t i = wanted; i < plan.stages.size(); ++i) {
+    std::vector<StagePlan> stages = plan.stages;
+    for (std::size_t i = wanted; i < stages.size(); ++i) {
         StagePlan next = given;
-        next.name = plan.stages[i].name;
+        next.name = stages[i].name;
         if (i > wanted) next.end = {};
-        plan.stages[i] = next;
+        stages[i] = next;
     }
-    check_blows();
+    check_blows(plan, stages);
+    plan.stages = std::move(stages);
     if (wanted != now) {
         ++state_now.stage;
         begin_stage();
@@ -211,26 +233,6 @@ Runner::Blows Runner::blows() const {
         traction->from_stage.empty() ? 0.0 : state_now.stage_time[plan.stage(traction->from_stage)];
     return {&std::get<PulseTrain>(traction->stress), built.simulation->time() - began,
             state_now.stage_time[stage] - began};
-}
-
-// What can be known before: a stage has a train to count, with enough blows left.
-void Runner::check_blows() const {
-    std::map<const TractionPlan*, int> taken;
-    for (std::size_t i = 0; i < plan.stages.size(); ++i) {
-        const int wanted = plan.stages[i].end.blows;
-        if (wanted == 0) continue;
-        const std::string waits = "stage " + plan.stages[i].name + " waits for " +
-                                  std::to_string(wanted) + (wanted == 1 ? " blow" : " blows");
-        const TractionPlan* traction = counted_by(plan, i);
-        if (!traction)
-            throw std::invalid_argument(waits + ", but no traction with pulses has begun by then");
-        const int before = taken[traction], count = std::get<PulseTrain>(traction->stress).count;
-        if (wanted > count - before)
-            throw std::invalid_argument(
-                waits + " of a train of " + std::to_string(count) +
-                (before > 0 ? ", of which earlier stages take " + std::to_string(before) : ""));
-        taken[traction] += wanted;
-    }
 }
 
 int Runner::blow() const {

@@ -101,7 +101,6 @@ class Runner {
     void check_energy();
     struct Blows;
     Blows blows() const;
-    void check_blows() const;
 
     Case plan;
     BuiltCase built;

@@ -21,6 +21,10 @@ template <class Take> void SharedState::visit_common(Simulation& s, const Take& 
         take(&part.least_mass);
         take(&part.mean.per_volume);
     }
+    for (ContactPair& contact : s.contacts) {
+        take(&contact.step_totals);
+        take(&contact.step_faces);
+    }
 }
 
 // take(first number of the first node, numbers of a node).

@@ -13,7 +13,7 @@ Simulation::Simulation(Axis r, Axis z, const Settings& given, Exchange* others)
     : settings(given), r_axis(std::move(r)), z_axis(std::move(z)),
       fixed_nodes(static_cast<std::size_t>(r_axis.nodes()) *
                   static_cast<std::size_t>(z_axis.nodes())),
-      exchange(others ? *others : alone), pool(given.threads) {
+      exchange(others ? *others : alone), pool(usable_threads(given.threads)) {
     if (settings.axisymmetric && r_axis[0] < 0.0)
         throw std::invalid_argument("the grid must not reach across the axis");
     if (settings.axisymmetric && r_axis[0] == 0.0) fix_below(0, 0.0);
@@ -63,10 +63,13 @@ void Simulation::set_gravity(Vector gravity) {
     settings.gravity_z = gravity.z;
 }
 
-// The next step is known already.
+// The next step is known already; it does not get longer than it was but by this share.
 void Simulation::set_cfl(double cfl) {
-    dt = std::min(dt * (cfl / settings.cfl), settings.largest_step);
+    const double before = dt * (cfl / settings.cfl);
     settings.cfl = cfl;
+    if (!started) return;
+    decide_step();
+    dt = std::min(dt, before);
 }
 
 Vector Simulation::traction_force(std::size_t body) const {
@@ -164,6 +167,11 @@ void Simulation::add_contact(const PenaltyLaw& law) {
     if (&exchange != &alone)
         throw std::invalid_argument("penalty contact is for one process: its lines are not cut");
     penalties.emplace_back(law, settings.axisymmetric, fixed_nodes.size());
+    for (const std::size_t body : {law.a, law.b}) {
+        Part& part = parts[body];
+        part.pressed.resize(static_cast<std::size_t>(part.strips.count()));
+        if (!part.body.rigid()) part.ahead.resize(fixed_nodes.size());
+    }
 }
 
 void Simulation::start() {
@@ -195,8 +203,6 @@ void Simulation::step() {
     watch.lap(spent.contact);
     keep_internal_forces();
     load();
-    // What has just been touched is stiff already. With stress first, the step has begun.
-    if (settings.scheme != Scheme::usf) dt = std::min(dt, stable_step());
     advance();
     push_absorbing();
     watch.lap(spent.nodes);
@@ -225,8 +231,7 @@ void Simulation::step() {
 Seconds Simulation::seconds() const {
     Seconds out = spent;
     for (const Part& part : parts)
-        for (const double of_strip : part.material_seconds)
-            out.material += of_strip / settings.threads;
+        for (const double of_strip : part.material_seconds) out.material += of_strip / pool.size();
     return out;
 }
 

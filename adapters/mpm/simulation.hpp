@@ -52,7 +52,11 @@ class Simulation {
     // Throws std::runtime_error if particles leave the grid, MaterialFailure if the sand of one fails.
     void step();
     double time() const { return t; }
+    // What the next step takes, no less and no more; 0 before the first one, until energy() was asked.
     double next_step() const { return dt; }
+    // For hosts that ask for the motion of rigid bodies at the end of the next step: shortens it, once, if they
+    // would move too far at the speed they were given now. True: ask again, it ends earlier.
+    bool shorten_step();
     long steps() const { return step_count; }
     // Where the time of all steps since it was built went.
     Seconds seconds() const;
@@ -107,6 +111,8 @@ class Simulation {
         std::vector<Deferred> deferred = {};
         std::vector<std::ptrdiff_t> by_id = {};  // particles, ids ascending
         double least_mass = 0.0;
+        std::vector<NodeRecord> ahead = {};  // masses at the end of the step, for penalty contact
+        std::vector<char> pressed = {};      // strips near vertices that press
         std::vector<GatherSums> gather_sums = {};   // of each strip
         std::vector<double> speed = {};             // largest v + c of each strip [m/s]
         std::vector<Total> viscous_loss = {};       // of each strip in this step [J]
@@ -128,22 +134,28 @@ class Simulation {
     void sort();
     static void find_places(Part& part);
     void find_mean_stresses();
-    void scatter(unsigned parts_wanted);
-    void scatter_strips(unsigned parts_wanted);
-    void scatter_fixed(unsigned parts_wanted);
-    bool rescale();
+    // Into records, or ahead of the bodies that have them.
+    enum class Into { records, ahead };
+    void scatter(unsigned parts_wanted, Into into = Into::records);
+    void scatter_strips(unsigned parts_wanted, Into into);
+    void scatter_fixed(unsigned parts_wanted, Into into);
+    bool rescale(unsigned parts_wanted, Into into);
     void clear();
     void load();
     double load_quantum() const;
     void start_velocities();
     void keep_internal_forces();
     void advance();
-    double stable_step() const;
+    double stable_step(double speed) const;
+    double rigid_speed(double at) const;
+    void decide_step();
+    void find_penalty_forces();
+    bool find_pressed_strips();
     void push_contacts();
     void push_absorbing();
     void correct_contacts();
     void move_contacts();
-    PenaltyBody penalty_body(std::size_t body);
+    PenaltyBody penalty_body(std::size_t body, Into into);
     void close();
     void gather(unsigned tasks, double by);
     template <class Work> void each_range(const Part& part, int strip, const Work& work);

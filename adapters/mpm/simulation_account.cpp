@@ -8,6 +8,7 @@
 
 #include "adapters/mpm/for_strips.hpp"
 #include "adapters/mpm/simulation.hpp"
+#include "adapters/mpm/text.hpp"
 
 namespace grit::mpm {
 
@@ -111,13 +112,44 @@ void Simulation::account() {
     if (count_lost > 0.0) report_lost(static_cast<long>(count_lost));
     find_largest();
     dt_before = dt;
-    dt = stable_step();
+    find_penalty_forces();
+    decide_step();
+}
+
+// What moves a rigid body in a step is its velocity at the end of the step.
+void Simulation::decide_step() {
+    dt = stable_step(std::max(largest_speed, rigid_speed(t)));
+    while (std::isfinite(dt) && shorten_step()) {
+    }
     if (!(dt > 0.0) || !std::isfinite(dt))
         throw std::runtime_error("no finite time step: is anything able to move?");
 }
 
-double Simulation::stable_step() const {
-    double inverse2 = largest_speed * largest_speed / (shortest * shortest);
+// By 1 % at the least, and no more than by half: an end that is much farther off says little.
+bool Simulation::shorten_step() {
+    const double limit = stable_step(std::max(largest_speed, rigid_speed(t + dt)));
+    if (dt <= limit) return false;
+    dt = std::max(0.5 * dt, std::min(0.99 * dt, limit));
+    return true;
+}
+
+double Simulation::rigid_speed(double at) const {
+    double speed = 0.0;
+    for (const Part& part : parts) {
+        if (!part.body.rigid()) continue;
+        const Vector v = part.body.prescribed_velocity(at);
+        const double size = std::hypot(v.r, v.z);
+        if (!std::isfinite(size))
+            throw std::runtime_error("body " + part.body.name +
+                                     ": its prescribed velocity at t = " + text(at) + " s is (" +
+                                     text(v.r) + ", " + text(v.z) + ") m/s");
+        speed = std::max(speed, size);
+    }
+    return speed;
+}
+
+double Simulation::stable_step(double speed) const {
+    double inverse2 = speed * speed / (shortest * shortest);
     for (const PenaltyPair& pair : penalties)
         inverse2 += 1.0 / (pair.stable_step() * pair.stable_step());
     return std::min(settings.cfl / std::sqrt(inverse2), settings.largest_step);

@@ -83,16 +83,19 @@ void Simulation::find_mean_stresses() {
             exchange.sum_cells(part.cells.data(), static_cast<std::ptrdiff_t>(part.cells.size()));
 }
 
-void Simulation::scatter_strips(unsigned parts_wanted) {
+void Simulation::scatter_strips(unsigned parts_wanted, Into into) {
     const bool means = settings.cell_mean && (parts_wanted & part::force);
     for (const int colour : {0, 1})
         for_strips(pool, parts, [&, this](Part& part, int strip) {
             if (strip % 2 != colour) return;
+            if (into == Into::ahead &&
+                (part.ahead.empty() || !part.pressed[static_cast<std::size_t>(strip)]))
+                return;
             const ScatterCall call{grid(),
                                    part.body.particles.view(),
                                    part.strips.begin(strip),
                                    part.strips.begin(strip + 1),
-                                   part.records.data(),
+                                   into == Into::ahead ? part.ahead.data() : part.records.data(),
                                    parts_wanted,
                                    settings.fixed_point
                                        ? &part.fixed_points[static_cast<std::size_t>(strip)]
@@ -105,10 +108,11 @@ void Simulation::scatter_strips(unsigned parts_wanted) {
         });
 }
 
-void Simulation::scatter(unsigned parts_wanted) {
+void Simulation::scatter(unsigned parts_wanted, Into into) {
     if (settings.cell_mean && (parts_wanted & part::force)) find_mean_stresses();
-    if (settings.fixed_point) return scatter_fixed(parts_wanted);
-    scatter_strips(parts_wanted);
+    if (settings.fixed_point) return scatter_fixed(parts_wanted, into);
+    scatter_strips(parts_wanted, into);
+    if (into == Into::ahead) return;  // penalty contact is for one process
     for (Part& part : parts)
         exchange.sum_nodes(part.records.data(), static_cast<std::ptrdiff_t>(part.records.size()));
 }

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/mpm/thread_pool.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace grit::mpm {
 
 namespace {
 
-// About a tenth of a millisecond: what lies between two passes of a step. To be woken takes nearly as long.
-constexpr int looks_before_sleep = 4000;
+// A microsecond or two: for the last task of another core.
+constexpr int looks = 64;
+// What lies between two passes of a step, and to be woken takes nearly as long. The core is free for others.
+constexpr int yields = 200;
 
 void rest() {
 #ifdef __x86_64__
@@ -20,9 +23,12 @@ void rest() {
 
 }  // namespace
 
+int usable_threads(int wanted) {
+    const auto cores = static_cast<int>(std::thread::hardware_concurrency());
+    return std::clamp(wanted, 1, std::max(cores, 1));
+}
+
 ThreadPool::ThreadPool(int count) {
-    // With fewer cores than threads, one that only looks would keep another from its work.
-    if (count <= static_cast<int>(std::thread::hardware_concurrency())) looks = looks_before_sleep;
     for (int i = 1; i < count; ++i) threads.emplace_back([this] { serve(); });
 }
 
@@ -33,31 +39,40 @@ ThreadPool::~ThreadPool() {
     for (std::thread& thread : threads) thread.join();
 }
 
-void ThreadPool::wait(const std::atomic<int>& value, int was) const {
-    for (int i = 0; i < looks; ++i) {
+void ThreadPool::wait(const std::atomic<int>& value, int was) {
+    for (int i = 0; i < looks + yields; ++i) {
         if (value != was) return;
-        rest();
+        if (i < looks) rest();
+        else std::this_thread::yield();
     }
     value.wait(was);
 }
 
 void ThreadPool::start(int count, const void* task, Call call) {
+    // All tasks of the run before are done: nobody who reads these now can take one.
     work_item = task;
     work_call = call;
     tasks = count;
-    next = 0;
-    busy = static_cast<int>(threads.size());
+    done = 0;
+    open = ((open >> 32) + 1) << 32 | static_cast<std::uint32_t>(count);
     ++generation;
-    generation.notify_all();
+    if (!threads.empty()) generation.notify_all();
     work();
-    for (int left = busy; left > 0; left = busy) wait(busy, left);
+    for (int so_far = done; so_far < count; so_far = done) wait(done, so_far);
     if (failure) std::rethrow_exception(std::exchange(failure, nullptr));
 }
 
 void ThreadPool::work() {
-    for (int i = next++; i < tasks; i = next++) {
+    for (std::uint64_t now = open;;) {
+        const auto left = static_cast<std::uint32_t>(now);
+        if (left == 0) return;
+        const int count = tasks;
+        const void* item = work_item;
+        const Call call = work_call;
+        if (!open.compare_exchange_weak(now, now - 1)) continue;
+        const int i = count - static_cast<int>(left);
         try {
-            work_call(work_item, i);
+            call(item, i);
         } catch (...) {
             const std::lock_guard lock(mutex);
             if (!failure || i < failed_task) {
@@ -65,15 +80,16 @@ void ThreadPool::work() {
                 failed_task = i;
             }
         }
+        if (++done == count) done.notify_all();
+        now = open;
     }
 }
 
 void ThreadPool::serve() {
-    for (int seen = 0;; ++seen) {
+    for (int seen = 0; !stopping;) {
         wait(generation, seen);
-        if (stopping) return;
+        seen = generation;
         work();
-        if (--busy == 0) busy.notify_one();
     }
 }
 

@@ -3,12 +3,16 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <exception>
 #include <mutex>
 #include <thread>
 #include <vector>
 
 namespace grit::mpm {
+
+// As many as there are cores for, and no more than wanted: others would only take turns.
+int usable_threads(int wanted);
 
 class ThreadPool {
   public:
@@ -18,7 +22,9 @@ class ThreadPool {
     ThreadPool(const ThreadPool&) = delete;
     ThreadPool& operator=(const ThreadPool&) = delete;
 
-    // task(0) ... task(count - 1); throws the exception of the lowest task that threw.
+    int size() const { return static_cast<int>(threads.size()) + 1; }
+    // task(0) ... task(count - 1); throws the exception of the lowest task that threw. Waits for tasks, not
+    // for threads: one that gets no core is not missed.
     template <class Task> void run(int count, const Task& task) {
         start(count, &task, [](const void* work, int i) { (*static_cast<const Task*>(work))(i); });
     }
@@ -29,15 +35,18 @@ class ThreadPool {
     void work();
     void serve();
     // Returns once value is no longer what it was.
-    void wait(const std::atomic<int>& value, int was) const;
+    static void wait(const std::atomic<int>& value, int was);
 
     std::vector<std::thread> threads;
-    int looks = 0;  // before a thread that waits goes to sleep
-    std::atomic<int> next{0}, busy{0}, generation{0};
+    // Tasks that nobody has taken yet, and above these 32 bits the number of the run: who looked at an earlier
+    // one takes none.
+    std::atomic<std::uint64_t> open{0};
+    std::atomic<int> done{0}, generation{0};
     std::atomic<bool> stopping{false};
-    int tasks = 0;
-    const void* work_item = nullptr;
-    Call work_call = nullptr;
+    // Of this run; they hold for whoever has taken a task of it.
+    std::atomic<int> tasks{0};
+    std::atomic<const void*> work_item{nullptr};
+    std::atomic<Call> work_call{nullptr};
     std::mutex mutex;  // of what follows
     int failed_task = 0;
     std::exception_ptr failure;

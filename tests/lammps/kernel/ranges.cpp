@@ -116,7 +116,8 @@ std::string refusal_of_fix(const Pair& pair, double number) {
     if (!pair.of_stage) words += ' ' + given;
     try {
         const grit::lammps::FixCase plan = grit::lammps::read_fix(split(words), box);
-        if (pair.of_stage) grit::lammps::read_stage(split(given), plan.plan.stages[0]);
+        if (pair.of_stage)
+            grit::lammps::read_stage(split(given), plan.plan.stages[0], plan.plan.settings.scheme);
     } catch (const std::invalid_argument& refused) {
         return refused.what();
     }
@@ -136,6 +137,49 @@ TEST(LammpsRanges, AreThoseOfCaseFilesForEveryNumber) {
         }
         EXPECT_GT(taken, 0) << pair.line << ": " << case_with(pair, 0.4);
     }
+}
+
+// What belongs together, or apart, in a case file.
+TEST(LammpsRanges, OfWordsThatMustFitTogetherAreThoseOfCaseFiles) {
+    const double box[2][2] = {{0.0, 30.0}, {0.0, 30.0}};
+    const std::string grid = "grid r 30 3 1 grid z 30 3 1 ";
+    const std::string bodies = "body plate type 1 rigid body block type 2 elastic 1000 0.3 ";
+    const auto refusal = [&](const std::string& words, const std::string& geometry) {
+        try {
+            grit::lammps::read_fix(split(geometry + ' ' + grid + bodies + words), box);
+        } catch (const std::invalid_argument& refused) {
+            return std::string(refused.what());
+        }
+        return std::string();
+    };
+    const auto plane = [&](const std::string& words) { return refusal(words, "plane_strain"); };
+    const std::string geo = "contact plate block geo 0.3",
+                      smooth = "contact plate block frictional 0";
+    EXPECT_EQ(plane(geo + " power 4 distance edge gated no"), "");
+    EXPECT_EQ(plane(smooth + " distance edge"), "");
+    EXPECT_EQ(plane(smooth + " power 4"),
+              "power belongs to the geo law, not to the frictional one");
+    EXPECT_EQ(plane(smooth + " distance edge gated no"),
+              "distance: the frictional law measures none unless it is gated");
+    EXPECT_EQ(plane(geo + " contact block plate geo 0.1"),
+              "block and plate have a contact already");
+    EXPECT_EQ(plane("stages 3 a b a"), "two stages are called \"a\"");
+    EXPECT_EQ(plane("traction block all top 0 0 5"), "the direction of a traction must not be 0");
+    EXPECT_EQ(plane("traction block all top 0 -1 pulses half_sine 1 3 1 4 0 2"),
+              "a half sine has its peak at 1.5 s, got 1");
+    EXPECT_EQ(plane("boundary left fixed"), "");
+    EXPECT_EQ(refusal("boundary left roller", "axisymmetric"), "");
+    EXPECT_EQ(refusal("boundary left fixed", "axisymmetric"),
+              "boundary left is the axis r = 0: roller");
+}
+
+TEST(LammpsRanges, OfStagesThatEndAtRestAreThoseOfCaseFiles) {
+    using grit::lammps::read_stage;
+    using grit::mpm::Scheme;
+    const std::vector<std::string> rest = split("until_unbalanced 0.1 until_kinetic 0.01");
+    EXPECT_EQ(read_stage(rest, {}, Scheme::usl).end.kinetic_share, 0.01);
+    EXPECT_THROW(read_stage(rest, {}, Scheme::musl), std::invalid_argument);
+    EXPECT_THROW(read_stage(split("until_kinetic 0.01"), {}, Scheme::usl), std::invalid_argument);
 }
 
 }  // namespace
