@@ -13,7 +13,7 @@ function(grit_unity target)
   set_source_files_properties(${unity_EXCEPT} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# The sources of a test, eight at a time: each in a namespace of its own, after the headers of all, so that tests
+# The sources of a test, six at a time: each in a namespace of its own, after the headers of all, so that tests
 # need not know each other's names. Other sources (support/) and those after EXCEPT are left as they are. Called
 # when the list of sources is complete.
 function(grit_unity_tests target)
@@ -21,7 +21,7 @@ function(grit_unity_tests target)
     return()
   endif()
   cmake_parse_arguments(unity "" "" "EXCEPT" ${ARGN})
-  set(batch 8)
+  set(batch 6)
   get_target_property(sources ${target} SOURCES)
   set(alone ${sources})
   list(FILTER sources INCLUDE REGEX "^(kernel/)?[a-z0-9_]+\\.cpp$")
