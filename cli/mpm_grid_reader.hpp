@@ -2,8 +2,8 @@
 // [grid], [boundary] and [numerics] of a material-point case.
 #pragma once
 
-#include <adapters/mpm/case.hpp>
-#include <adapters/mpm/case_words.hpp>
+#include <adapters/mpm/case/case.hpp>
+#include <adapters/mpm/case/case_words.hpp>
 
 #include "cli/toml_table.hpp"
 

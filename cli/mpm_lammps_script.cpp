@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-#include <adapters/mpm/history.hpp>
+#include <adapters/mpm/run/history.hpp>
 #include <fmt/format.h>
 #include <grit/contact.h>
 #include <grit/contact_distance.h>

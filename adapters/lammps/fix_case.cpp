@@ -10,8 +10,8 @@
 #include "adapters/lammps/read_body.hpp"
 #include "adapters/lammps/read_function.hpp"
 #include "adapters/lammps/words.hpp"
-#include "adapters/mpm/checksum.hpp"
-#include "adapters/mpm/contact_pair.hpp"
+#include "adapters/mpm/io/checksum.hpp"
+#include "adapters/mpm/step/contact_pair.hpp"
 
 namespace grit::lammps {
 namespace {
