@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include <adapters/lammps/fix_case.hpp>
-#include <adapters/mpm/case_words.hpp>
+#include <adapters/mpm/case/case_words.hpp>
 
 namespace {
 
