@@ -32,6 +32,10 @@ endfunction()
 grit_flags_of_this_compiler(GRIT_VECTOR_FLAGS -Wno-psabi -Wno-ignored-attributes -Wno-bitwise-instead-of-logical)
 # Instrumented kernels take minutes to optimise, a fifth of it for where pointers point to.
 grit_flags_of_this_compiler(GRIT_QUICK_FLAGS -fno-tree-pta)
+# Every load of an unrolled kernel would be checked in place, in several ways: the address sanitizer is called
+# instead, and sees what the checks of pointers would see.
+grit_flags_of_this_compiler(GRIT_SANITIZED_KERNEL_FLAGS --param=asan-instrumentation-with-call-threshold=0
+                            -fno-sanitize=null,alignment,object-size)
 # Structs are copied in whole registers: half of one that was just stored whole, or the reverse, waits for
 # the cache. GCC's default is 16 bytes.
 grit_flags_of_this_compiler(GRIT_AVX2_FLAGS -mmove-max=256 -mstore-max=256)
@@ -83,10 +87,14 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT GRIT_NATIVE)
 endif()
 macro(grit_kernels result)
   set(${result} kernel_baseline.cpp)
+  set(of_baseline)
   if(GRIT_NATIVE)
-    set_source_files_properties(kernel_baseline.cpp PROPERTIES COMPILE_OPTIONS
-                                                               "-march=native;${GRIT_AVX512_FLAGS}")
+    list(APPEND of_baseline -march=native ${GRIT_AVX512_FLAGS})
   endif()
+  if(GRIT_SANITIZE)
+    list(APPEND of_baseline ${GRIT_SANITIZED_KERNEL_FLAGS})
+  endif()
+  set_source_files_properties(kernel_baseline.cpp PROPERTIES COMPILE_OPTIONS "${of_baseline}")
   if(GRIT_X86_KERNELS)
     list(APPEND ${result} kernel_avx2.cpp kernel_avx512.cpp)
     set_source_files_properties(kernel_avx2.cpp PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma;${GRIT_AVX2_FLAGS}")
