@@ -22,13 +22,19 @@ Outcome outcome_of(grit_status status) {
 
 }  // namespace
 
+grit_sand_options usual_options() {
+    grit_sand_options out;
+    expect(grit_sand_options_init(&out, sizeof out), "grit_sand_options_init");
+    return out;
+}
+
 GritLaw::GritLaw(const grit_sand_parameters& parameters, const GritLawOptions& given)
     : water_stiffness(given.water_stiffness), names{"h_11",       "h_22",       "h_33",
                                                     "h_12",       "h_13",       "h_23",
                                                     "void_ratio", "separation", "substep"} {
     grit_error error{};
     if (grit_sand_prepare(&parameters, &prepared, &error) != GRIT_OK) throw BadCase(error.message);
-    expect(grit_sand_options_init(&options, sizeof options), "grit_sand_options_init");
+    options = usual_options();
     if (!(given.tolerance >= 1e-12 && given.tolerance <= 0.1))
         throw BadCase(text("tolerance must be in [1e-12, 0.1], got %g", given.tolerance));
     if (given.evaluation_limit < 2 || given.evaluation_limit > 1000000)

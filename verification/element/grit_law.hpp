@@ -8,9 +8,12 @@
 
 namespace element {
 
+// As grit_sand_options_init sets them.
+grit_sand_options usual_options();
+
 struct GritLawOptions {
-    double tolerance = 3e-3;  // of grit_sand_update: stress error / |stress|, [1e-12, 0.1]
-    int evaluation_limit = 20000;
+    double tolerance = usual_options().tolerance;  // stress error / |stress|, [1e-12, 0.1]
+    int evaluation_limit = usual_options().evaluation_limit;
     bool intergranular_strain = true;  // false: basic hypoplasticity
     // (W1) K_w/n_p of the mixture [stress], 0: no pore water. If positive, stress is the total
     // stress and the last state variable the excess pore pressure.
