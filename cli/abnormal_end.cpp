@@ -74,7 +74,8 @@ void handle_abnormal_ends() {
     sigaltstack(&stack, nullptr);
     for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) handle(signal, at_crash);
     for (const int signal : {SIGINT, SIGTERM}) handle(signal, at_interrupt);
-    handle(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of who writes it
+    // A file that may not grow and a reader that went away are errors of who writes.
+    for (const int signal : {SIGXFSZ, SIGPIPE}) handle(signal, SIG_IGN);
     std::atexit(at_exit);
 }
 

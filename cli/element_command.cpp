@@ -12,6 +12,7 @@
 #include "cli/element_pictures.hpp"
 #include "cli/outputs.hpp"
 #include "cli/panels.hpp"
+#include "cli/standard_streams.hpp"
 #include "cli/table_file.hpp"
 
 namespace cli {
@@ -34,7 +35,7 @@ fs::path cycles_of(const ElementRequest& request, const CaseFile& file) {
     return request.out / (file.name + "_cycles.csv");
 }
 
-void check_outputs(const ElementRequest& request, const std::vector<CaseFile>& cases) {
+Outputs outputs_of(const ElementRequest& request, const std::vector<CaseFile>& cases) {
     Outputs outputs;
     for (const CaseFile& file : cases) {
         const std::string who = fmt::format("case {} ({})", file.name, file.path.string());
@@ -48,6 +49,7 @@ void check_outputs(const ElementRequest& request, const std::vector<CaseFile>& c
             for (const char* ending : {".svg", ".png"})
                 outputs.add(request.out / (picture + ending), who);
     for (const CaseFile& file : cases) outputs.spare(file.inputs);
+    return outputs;
 }
 
 std::set<std::string> columns_wanted(const ElementRequest& request, const CaseFile& file) {
@@ -62,25 +64,23 @@ std::set<std::string> columns_wanted(const ElementRequest& request, const CaseFi
 }
 
 void report(const ElementRequest& request, const CaseFile& file, const CaseResult& result) {
-    if (!result.failure.empty())
-        fmt::print(stderr, "grit: {}: stopped early at {}\n", file.name, result.failure);
+    if (!result.failure.empty()) warn("grit: {}: stopped early at {}\n", file.name, result.failure);
     if (request.quiet) return;
-    fmt::print("{}: {} increments, {} Newton iterations, {} evaluations of the rate, {} halvings, "
-               "{:.3f} s -> {}\n",
-               file.name, result.increments, result.iterations, result.evaluations, result.halvings,
-               result.seconds, csv_of(request, file).string());
-    for (const std::string& exit : result.exits) fmt::print("{}: ended by {}\n", file.name, exit);
+    say("{}: {} increments, {} Newton iterations, {} evaluations of the rate, {} halvings, "
+        "{:.3f} s -> {}\n",
+        file.name, result.increments, result.iterations, result.evaluations, result.halvings,
+        result.seconds, csv_of(request, file).string());
+    for (const std::string& exit : result.exits) say("{}: ended by {}\n", file.name, exit);
     for (const std::string& condition : result.never)
-        fmt::print("{}: note: until never held: {}\n", file.name, condition);
-    std::fflush(stdout);
+        say("{}: note: until never held: {}\n", file.name, condition);
+    flush_words();
 }
 
 }  // namespace
 
 ExitCode run_element_tests(const ElementRequest& request) {
     const std::vector<CaseFile> cases = read_cases(request);
-    check_outputs(request, cases);
-    make_output_folder(request.out);
+    const auto lock = outputs_of(request, cases).lock();
     std::vector<CaseResult> results;
     bool complete = true;
     for (const CaseFile& file : cases) {
@@ -94,8 +94,8 @@ ExitCode run_element_tests(const ElementRequest& request) {
     }
     if (!request.no_plot) draw_cases(request.out, cases, results, request.quiet);
     const Comparison comparison = compare(cases, results);
-    if (!comparison.text.empty()) fmt::print("\n{}", comparison.text);
-    if (!comparison.within) fmt::print(stderr, "grit: a difference exceeds its limit\n");
+    if (!comparison.text.empty()) say("\n{}", comparison.text);
+    if (!comparison.within) warn("grit: a difference exceeds its limit\n");
     return complete && comparison.within ? ok : failed_computation;
 }
 

@@ -8,6 +8,7 @@
 #include "cli/panels.hpp"
 #include "cli/picture_maker.hpp"
 #include "cli/progress.hpp"
+#include "cli/standard_streams.hpp"
 #include "incremental_driver/run.hpp"
 
 namespace cli {
@@ -76,12 +77,12 @@ ExitCode run_incremental_driver(const IncrementalDriverRequest& request) {
     }
     progress.finish();
     if (!request.quiet)
-        fmt::print("data:    {}\n{} increments, {} rows, {:.3f} s\n", report.output.string(),
-                   report.increments, report.rows, progress.seconds());
+        say("data:    {}\n{} increments, {} rows, {:.3f} s\n", report.output.string(),
+            report.increments, report.rows, progress.seconds());
     if (!request.quiet)
-        for (const std::string& exit : report.exits) fmt::print("exit:    {}\n", exit);
-    std::fflush(stdout);
-    if (!report.failure.empty()) fmt::print(stderr, "grit: stopped early at {}\n", report.failure);
+        for (const std::string& exit : report.exits) say("exit:    {}\n", exit);
+    flush_words();
+    if (!report.failure.empty()) warn("grit: stopped early at {}\n", report.failure);
     if (!request.no_plot) draw(request, report, rows.table);
     return report.failure.empty() ? ok : failed_computation;
 }

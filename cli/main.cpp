@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <exception>
 #include <functional>
+#include <sstream>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -15,6 +16,7 @@
 #endif
 #include "cli/plot_command.hpp"
 #include "cli/sand_command.hpp"
+#include "cli/standard_streams.hpp"
 #include "cli/version.hpp"
 
 namespace {
@@ -27,7 +29,10 @@ std::string version() {
 
 #ifdef GRIT_CLI_HAS_MPM
 void add_mpm_options(CLI::App& app, cli::MpmRequest& request) {
-    app.add_option("CASE", request.file, "TOML file")->required();
+    app.add_option("CASE", request.file, "TOML file");
+    app.add_option("--keys", request.keys,
+                   "Print the keys of case files or the words of fix grit/mpm, as in docs/")
+        ->check(CLI::IsMember({"cases", "fix"}));
     app.add_option("--out", request.out, "Folder for data and pictures, made if missing [.]");
     app.add_option("--threads", request.threads, "Instead of the case's; changes no result")
         ->check(CLI::Range(1, 1024));
@@ -43,10 +48,7 @@ void add_mpm_options(CLI::App& app, cli::MpmRequest& request) {
 }
 #endif
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    cli::handle_abnormal_ends();
+int follow(int argc, char** argv) {
     std::function<cli::ExitCode()> command;
     CLI::App app("Grit: hypoplastic sand. Exit status 0: done, 1: the computation failed or missed "
                  "its reference, 2: bad input.",
@@ -104,7 +106,10 @@ int main(int argc, char** argv) {
                                               "docs/material-points.md");
     cli::MpmRequest run;
     add_mpm_options(*mpm, run);
-    mpm->callback([&] { command = [&] { return cli::run_mpm(run); }; });
+    mpm->callback([&] {
+        if (run.file.empty() && run.keys.empty()) throw CLI::RequiredError("CASE or --keys");
+        command = [&] { return cli::run_mpm(run); };
+    });
 #endif
 
     CLI::App* picture = app.add_subcommand("plot", "Draw results and laboratory data together");
@@ -125,12 +130,28 @@ int main(int argc, char** argv) {
         app.parse(argc, argv);
         return command();
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? cli::ok : cli::bad_input;
+        std::ostringstream help, complaint;
+        const int status = app.exit(error, help, complaint);
+        cli::say("{}", help.str());
+        cli::warn("{}", complaint.str());
+        return status == 0 ? cli::ok : cli::bad_input;
     } catch (const cli::BadInput& error) {
-        fmt::print(stderr, "grit: {}\n", error.what());
+        cli::warn("grit: {}\n", error.what());
         return cli::bad_input;
     } catch (const std::exception& error) {
-        fmt::print(stderr, "grit: {}\n", error.what());
+        cli::warn("grit: {}\n", error.what());
         return cli::failed_computation;
     }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    cli::occupy_standard_streams();
+    cli::handle_abnormal_ends();
+    const int status = follow(argc, argv);
+    const std::string unsaid = cli::unsaid();
+    if (unsaid.empty()) return status;
+    cli::warn("grit: {}\n", unsaid);
+    return status == cli::ok ? int{cli::failed_computation} : status;
 }

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include <adapters/mpm/case/case_words.hpp>
 #include <fmt/format.h>
 
 #include "cli/abnormal_end.hpp"
@@ -10,13 +11,14 @@
 #include "cli/mpm_run.hpp"
 #include "cli/mpm_to_lammps.hpp"
 #include "cli/outputs.hpp"
+#include "cli/standard_streams.hpp"
 
 namespace cli {
 namespace {
 
 using namespace grit::mpm;
 
-void check_outputs(const MpmRequest& request, const MpmCaseFile& file,
+Outputs outputs_of(const MpmRequest& request, const MpmCaseFile& file,
                    const MpmRunOptions& options) {
     Outputs outputs;
     const std::string who = fmt::format("case {} ({})", file.plan.name, request.file.string());
@@ -28,6 +30,7 @@ void check_outputs(const MpmRequest& request, const MpmCaseFile& file,
             outputs.add(options.fields.string() + ending, who);
     if (options.shown) outputs.add(options.fields.string() + ".pvd", who);
     outputs.spare(file.inputs);
+    return outputs;
 }
 
 Runner prepare(const MpmRequest& request, const MpmCaseFile& file) {
@@ -48,14 +51,14 @@ void tell_cost(Runner& runner) {
     if (!(total > 0.0)) return;
     const double done = static_cast<double>(spent.steps) * static_cast<double>(runner.particles());
     const auto share = [total](double part) { return 100.0 * part / total; };
-    fmt::print("{}: {:.3g} particle-steps/s; scatter {:.0f} %, nodes {:.0f} %, contact {:.0f} %, "
-               "material {:.0f} %, rest of gather {:.0f} %\n",
-               runner.description().name, done / total, share(spent.scatter), share(spent.nodes),
-               share(spent.contact), share(spent.material), share(spent.gather - spent.material));
+    say("{}: {:.3g} particle-steps/s; scatter {:.0f} %, nodes {:.0f} %, contact {:.0f} %, "
+        "material {:.0f} %, rest of gather {:.0f} %\n",
+        runner.description().name, done / total, share(spent.scatter), share(spent.nodes),
+        share(spent.contact), share(spent.material), share(spent.gather - spent.material));
     for (std::size_t i = 0; i < simulation.penalty_contact_count(); ++i) {
         const PenaltyPair& pair = simulation.penalty_contact(i);
-        fmt::print("{}: {} and {} vertices of penalty lines\n", runner.description().name,
-                   pair.vertices(0).size() / 2, pair.vertices(1).size() / 2);
+        say("{}: {} and {} vertices of penalty lines\n", runner.description().name,
+            pair.vertices(0).size() / 2, pair.vertices(1).size() / 2);
     }
 }
 
@@ -66,18 +69,25 @@ ExitCode convert(const MpmRequest& request, const Case& plan) {
         throw BadInput(fmt::format("{}: {}", request.file.string(), error.what()));
     }
     if (!request.quiet)
-        fmt::print("{}: grit-lmp -in {}.in in {}\n", plan.name, plan.name,
-                   request.to_lammps.string());
+        say("{}: grit-lmp -in {}.in in {}\n", plan.name, plan.name, request.to_lammps.string());
     return ok;
 }
 
 }  // namespace
 
 ExitCode run_mpm(const MpmRequest& request) {
+    if (!request.keys.empty()) {
+        fmt::print("{}", request.keys == "fix" ? keys_of_fix() : keys_of_cases());
+        return ok;
+    }
     MpmCaseFile file = read_mpm_case(request.file);
     const Case& plan = file.plan;
     if (!request.to_lammps.empty()) return convert(request, plan);
     if (request.threads) file.plan.settings.threads = *request.threads;
+    if (const int usable = usable_threads(plan.settings.threads);
+        usable < plan.settings.threads && !request.quiet)
+        fmt::print(stderr, "grit: {}: {} threads wanted, {} used: there are no more cores\n",
+                   plan.name, plan.settings.threads, usable);
     const MpmRunOptions options{request.out / (plan.name + ".csv"),
                                 request.out / (plan.name + ".checkpoint"),
                                 request.out / plan.name,
@@ -86,18 +96,18 @@ ExitCode run_mpm(const MpmRequest& request) {
                                 request.checkpoint_minutes,
                                 request.restart,
                                 request.quiet};
-    check_outputs(request, file, options);
+    const Outputs outputs = outputs_of(request, file, options);
     Runner runner = prepare(request, file);
-    make_output_folder(request.out);
+    const auto lock = outputs.lock();
     const RunGuard guard(plan.name + ": Grit");
     MpmRun run(options, runner);
     const std::string failure = run.go();
-    if (!failure.empty()) fmt::print(stderr, "grit: {}: {}\n", plan.name, failure);
+    if (!failure.empty()) warn("grit: {}: {}\n", plan.name, failure);
     if (!request.no_plot) run.draw();
     if (request.quiet) return failure.empty() ? ok : failed_computation;
-    fmt::print("{}: {} particles, {} steps, t = {:.4g} s, {:.1f} s of computing -> {}\n", plan.name,
-               runner.particles(), runner.simulation().steps(), runner.simulation().time(),
-               run.seconds(), options.history.string());
+    say("{}: {} particles, {} steps, t = {:.4g} s, {:.1f} s of computing -> {}\n", plan.name,
+        runner.particles(), runner.simulation().steps(), runner.simulation().time(), run.seconds(),
+        options.history.string());
     tell_cost(runner);
     return failure.empty() ? ok : failed_computation;
 }

@@ -69,7 +69,7 @@ Picture picture_of_history(const Table& history, const std::string& title) {
             if (!values || (panel.own_key && is_zero(*values))) continue;
             Series series{line.label, t, *values, own, false};
             for (double& x : series.y) x *= sheet.scale;
-            panel.series.push_back(thinned(std::move(series)));
+            panel.series.push_back(thinned(series));
         }
         if (!panel.series.empty()) out.panels.push_back(std::move(panel));
     }

@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "cli/vtu_file.hpp"
-
 namespace cli {
 namespace {
 
@@ -47,12 +45,22 @@ void MpmFieldFiles::write() {
         write_vtu(folder / file_name(written.size(), b), sheet);
     }
     written.push_back(now);
+    if (list) {
+        list->add(entries_of(written.size() - 1));
+        return;
+    }
     std::vector<PvdEntry> entries;
     for (std::size_t i = 0; i < written.size(); ++i)
-        for (std::size_t b = 0; b < fields.bodies(); ++b)
-            entries.push_back({written[i], static_cast<int>(b), file_name(i, b)});
-    std::filesystem::path list = stem;
-    write_pvd(list += ".pvd", entries);
+        for (PvdEntry& entry : entries_of(i)) entries.push_back(std::move(entry));
+    std::filesystem::path place = stem;
+    list.emplace(place += ".pvd", entries);
+}
+
+std::vector<PvdEntry> MpmFieldFiles::entries_of(std::size_t frame) const {
+    std::vector<PvdEntry> out;
+    for (std::size_t b = 0; b < fields.bodies(); ++b)
+        out.push_back({written[frame], static_cast<int>(b), file_name(frame, b)});
+    return out;
 }
 
 }  // namespace cli

@@ -4,8 +4,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "cli/mpm_fields.hpp"
+#include "cli/vtu_file.hpp"
 
 namespace cli {
 
@@ -22,6 +24,7 @@ class MpmFieldFiles {
     void resume(std::vector<double> times) { written = std::move(times); }
 
   private:
+    std::vector<PvdEntry> entries_of(std::size_t frame) const;
     std::string file_name(std::size_t frame, std::size_t body) const;
 
     std::filesystem::path stem;
@@ -29,6 +32,7 @@ class MpmFieldFiles {
     const MpmFields& fields;
     std::vector<std::string> body_names;  // for files, all different
     std::vector<double> written;
+    std::optional<PvdFile> list;  // from the first frame of this program on
 };
 
 }  // namespace cli

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/standard_streams.hpp"
+
 namespace cli {
 namespace {
 
@@ -59,16 +61,14 @@ bool MpmProgress::operator()(grit::mpm::Runner& runner) {
     last = now;
     if (quiet || (!terminal && now - last_line < std::chrono::seconds(30))) return true;
     last_line = now;
-    fmt::print(stderr, fmt::runtime(terminal ? "\r\033[K{}" : "{}\n"), line(runner));
-    std::fflush(stderr);
+    warn("{}{}{}", terminal ? "\r\033[K" : "", line(runner), terminal ? "" : "\n");
     drawn = terminal;
     return true;
 }
 
 void MpmProgress::finish() {
     if (!drawn) return;
-    fmt::print(stderr, "\r\033[K");
-    std::fflush(stderr);
+    warn("\r\033[K");
     drawn = false;
 }
 

@@ -12,6 +12,7 @@
 #include "cli/mpm_pictures.hpp"
 #include "cli/picture_maker.hpp"
 #include "cli/replay_case.hpp"
+#include "cli/standard_streams.hpp"
 
 namespace cli {
 
@@ -105,7 +106,7 @@ void MpmRun::draw() {
         const std::filesystem::path stem = options.fields.string() + "_" + field.name;
         const std::string problem = draw_field(stem, picture, fields);
         if (problem.empty()) continue;
-        fmt::print(stderr, "grit: no picture: {}\n", problem);
+        warn("grit: no picture: {}\n", problem);
         return;
     }
 }
@@ -144,7 +145,7 @@ void MpmRun::step() {
     if (options.checkpoint_minutes > 0.0 && since.count() >= options.checkpoint_minutes)
         if (const std::string problem = save(); !problem.empty()) {
             progress.finish();
-            fmt::print(stderr, "grit: {}: {}\n", runner.description().name, problem);
+            warn("grit: {}: {}\n", runner.description().name, problem);
         }
 }
 
@@ -155,7 +156,7 @@ void MpmRun::stage_ended(int stage) {
                                     plan.stages.at(static_cast<std::size_t>(stage)).name,
                                     words[static_cast<int>(runner.ended())], here()));
     progress.finish();
-    if (!options.quiet) fmt::print(stderr, "{}: {}\n", plan.name, done.ends.back());
+    if (!options.quiet) warn("{}: {}\n", plan.name, done.ends.back());
 }
 
 std::string MpmRun::save() {

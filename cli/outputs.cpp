@@ -32,6 +32,15 @@ void Outputs::spare(const std::vector<fs::path>& inputs) const {
                                            input.string(), owner));
 }
 
+std::unique_ptr<element::OutputLock> Outputs::lock() const {
+    std::vector<fs::path> all;
+    for (const auto& [output, owner] : owners) {
+        make_output_folder(output.parent_path());
+        all.push_back(output);
+    }
+    return std::make_unique<element::OutputLock>(all);
+}
+
 void make_output_folder(const fs::path& folder) {
     std::error_code refused;
     if (!folder.empty()) fs::create_directories(folder, refused);

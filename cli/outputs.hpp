@@ -4,8 +4,11 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "element/output_lock.hpp"
 
 namespace cli {
 
@@ -15,6 +18,10 @@ class Outputs {
     void add(const std::filesystem::path& path, const std::string& by);
     // Throws BadInput if one of these would be overwritten.
     void spare(const std::vector<std::filesystem::path>& inputs) const;
+
+    // Make their folders, as below, and keep other runs from writing them as long as it lives.
+    // Throws element::CannotWrite if another run does.
+    std::unique_ptr<element::OutputLock> lock() const;
 
   private:
     std::map<std::filesystem::path, std::string> owners;

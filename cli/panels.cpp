@@ -75,7 +75,7 @@ Series series_of(const Curve& curve, const Axis& x, const Axis& y) {
         out.x.push_back(x.factor * (*xs)[i]);
         out.y.push_back(y.factor * (*ys)[i]);
     }
-    return out.points ? spaced(out) : thinned(std::move(out));
+    return out.points ? spaced(out) : thinned(out, x.log);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/standard_streams.hpp"
 #include "element/aside_file.hpp"
 
 namespace cli {
@@ -16,8 +17,8 @@ void PictureMaker::draw(const std::string& name, const Picture& picture) {
     } catch (const element::CannotWrite& error) {
         problem = error.what();
     }
-    if (!problem.empty()) fmt::print(stderr, "grit: no picture: {}\n", problem);
-    else if (!quiet) fmt::print("picture: {} and .png\n", (folder / (name + ".svg")).string());
+    if (!problem.empty()) warn("grit: no picture: {}\n", problem);
+    else if (!quiet) say("picture: {} and .png\n", (folder / (name + ".svg")).string());
 }
 
 }  // namespace cli

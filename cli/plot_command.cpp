@@ -9,6 +9,7 @@
 #include "cli/foreign_columns.hpp"
 #include "cli/outputs.hpp"
 #include "cli/panels.hpp"
+#include "cli/standard_streams.hpp"
 #include "element/nearest.hpp"
 
 namespace cli {
@@ -56,13 +57,16 @@ ExitCode plot(const PlotRequest& request) {
     if (!says_anything(picture, request, curves))
         throw BadInput(
             fmt::format("none of the files has columns for a picture of {}", request.kind));
-    make_output_folder(request.out.parent_path());
+    Outputs outputs;
+    for (const char* ending : {".svg", ".png"})
+        outputs.add(request.out.string() + ending, "the picture");
+    const auto lock = outputs.lock();
     const std::string problem = draw(request.out, picture);
     if (!problem.empty()) {
-        fmt::print(stderr, "grit: no picture: {}\n", problem);
+        warn("grit: no picture: {}\n", problem);
         return failed_computation;
     }
-    fmt::print("picture: {}.svg and .png\n", request.out.string());
+    say("picture: {}.svg and .png\n", request.out.string());
     return ok;
 }
 

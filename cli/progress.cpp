@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/standard_streams.hpp"
+
 namespace cli {
 
 Progress::Progress(std::string case_name)
@@ -31,23 +33,21 @@ void Progress::operator()(long increment, long increments) {
     const auto now = Clock::now();
     if (terminal) {
         if (now - last < std::chrono::milliseconds(100)) return;
-        fmt::print(stderr, "\r\033[K{}", line(increment, increments));
-        std::fflush(stderr);
+        warn("\r\033[K{}", line(increment, increments));
         drawn = true;
     } else {
         const int reached = static_cast<int>(10.0 * static_cast<double>(increment) /
                                              static_cast<double>(increments));
         if (reached == tenths || now - last < std::chrono::seconds(1)) return;
         tenths = reached;
-        fmt::print(stderr, "{}\n", line(increment, increments));
+        warn("{}\n", line(increment, increments));
     }
     last = now;
 }
 
 void Progress::finish() {
     if (!drawn) return;
-    fmt::print(stderr, "\r\033[K");
-    std::fflush(stderr);
+    warn("\r\033[K");
 }
 
 }  // namespace cli

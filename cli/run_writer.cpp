@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/standard_streams.hpp"
 #include "cli/version.hpp"
 
 namespace cli {
@@ -86,8 +87,8 @@ void RunWriter::record(const element::Record& record) {
     result.evaluations += record.evaluations;
     result.halvings += record.cut_backs;
     if (output.residuals && record.increment > 0)
-        fmt::print("stage {}, step {}, increment {}: residuals {:.1e}\n", here.stage, record.step,
-                   record.increment, fmt::join(record.residuals, " "));
+        say("stage {}, step {}, increment {}: residuals {:.1e}\n", here.stage, record.step,
+            record.increment, fmt::join(record.residuals, " "));
 }
 
 void RunWriter::end_stage() {

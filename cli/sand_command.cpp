@@ -6,16 +6,17 @@
 #include <fmt/format.h>
 
 #include "cli/parameter_units.hpp"
+#include "cli/standard_streams.hpp"
 
 namespace cli {
 
 ExitCode list_sands() {
-    fmt::print("{:<18} {:<6} {}\n", "name", "status", "sand");
+    say("{:<18} {:<6} {}\n", "name", "status", "sand");
     for (int i = 0; i < grit_sand_record_count(); ++i) {
         const grit_sand_record& record = *grit_sand_record_at(i);
-        fmt::print("{:<18} {:<6} {}\n", record.name, record.status, record.title);
+        say("{:<18} {:<6} {}\n", record.name, record.status, record.title);
     }
-    fmt::print("status A: two independent sources agree; B: one source, or sources that differ\n");
+    say("status A: two independent sources agree; B: one source, or sources that differ\n");
     return ok;
 }
 
@@ -28,9 +29,9 @@ ExitCode show_sand(const std::string& name) {
     grit_sand_parameters_init(&parameters, sizeof parameters);
     grit_sand_record_parameters(index, 1.0, &parameters);
 
-    fmt::print("{}\nstatus  {}\nsource  {}\n", record.title, record.status, record.source);
-    if (*record.note) fmt::print("note    {}\n", record.note);
-    fmt::print("\n{:<33} {:<8} {:>10}  {}\n", "parameter", "symbol", "value", "unit");
+    say("{}\nstatus  {}\nsource  {}\n", record.title, record.status, record.source);
+    if (*record.note) say("note    {}\n", record.note);
+    say("\n{:<33} {:<8} {:>10}  {}\n", "parameter", "symbol", "value", "unit");
     for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i) {
         const grit_sand_parameter_info& info = *grit_sand_parameter_describe(i);
         double value = NAN;
@@ -38,7 +39,7 @@ ExitCode show_sand(const std::string& name) {
         const Unit unit = unit_of(info);
         const std::string number =
             std::isnan(value) ? "not given" : fmt::format("{:.6g}", value / unit.size);
-        fmt::print("{:<33} {:<8} {:>10}  {}\n", info.name, info.symbol, number, unit.name);
+        say("{:<33} {:<8} {:>10}  {}\n", info.name, info.symbol, number, unit.name);
     }
     return ok;
 }

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/vtu_file.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <bit>
+#include <cerrno>
 #include <cstdint>
 #include <cstring>
 #include <string_view>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -83,6 +88,21 @@ std::string opening(std::string_view type) {
                        type, byte_order);
 }
 
+constexpr std::string_view pvd_closing = "</Collection>\n</VTKFile>\n";
+
+std::string lines_of(const std::vector<PvdEntry>& entries) {
+    std::string out;
+    for (const PvdEntry& entry : entries)
+        out += fmt::format("<DataSet timestep=\"{:.17g}\" part=\"{}\" file=\"{}\"/>\n", entry.time,
+                           entry.part, escaped(entry.file));
+    return out;
+}
+
+[[noreturn]] void cannot_write(const std::filesystem::path& place, int error) {
+    throw element::CannotWrite(fmt::format("{}: cannot write this file: {}", place.string(),
+                                           std::generic_category().message(error)));
+}
+
 }  // namespace
 
 void write_vtu(const std::filesystem::path& place, const VtuSheet& sheet) {
@@ -109,14 +129,44 @@ void write_vtu(const std::filesystem::path& place, const VtuSheet& sheet) {
     file.complete();
 }
 
-void write_pvd(const std::filesystem::path& place, const std::vector<PvdEntry>& entries) {
-    element::AsideFile file(place);
-    file.write(opening("Collection") + "<Collection>\n");
-    for (const PvdEntry& entry : entries)
-        file.write(fmt::format("<DataSet timestep=\"{:.17g}\" part=\"{}\" file=\"{}\"/>\n",
-                               entry.time, entry.part, escaped(entry.file)));
-    file.write("</Collection>\n</VTKFile>\n");
-    file.complete();
+PvdFile::PvdFile(const std::filesystem::path& place, const std::vector<PvdEntry>& entries)
+    : name(place) {
+    const std::string text = opening("Collection") + "<Collection>\n" + lines_of(entries);
+    element::AsideFile whole(place);
+    whole.write(text);
+    whole.write(pvd_closing);
+    whole.complete();
+    file = open(place.c_str(), O_WRONLY | O_CLOEXEC);
+    if (file < 0) cannot_write(place, errno);
+    end = text.size();
+}
+
+PvdFile::~PvdFile() {
+    if (file >= 0) close(file);
+}
+
+void PvdFile::add(const std::vector<PvdEntry>& entries) {
+    const std::string text = lines_of(entries);
+    try {
+        put(text + std::string(pvd_closing), end);
+    } catch (const element::CannotWrite&) {
+        put(std::string(pvd_closing), end);
+        if (ftruncate(file, static_cast<off_t>(end + pvd_closing.size())) != 0)
+            cannot_write(name, errno);
+        throw;
+    }
+    end += text.size();
+}
+
+// A second call is for the signals and disks that end a first one early.
+void PvdFile::put(const std::string& text, std::size_t at) {
+    for (std::size_t done = 0; done < text.size();) {
+        const ssize_t written =
+            pwrite(file, text.data() + done, text.size() - done, static_cast<off_t>(at + done));
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) cannot_write(name, written < 0 ? errno : ENOSPC);
+        done += static_cast<std::size_t>(written);
+    }
 }
 
 }  // namespace cli

@@ -21,7 +21,7 @@ struct VtuSheet {
     std::vector<VtuArray> arrays;
 };
 
-// Both written aside and renamed; throw element::CannotWrite.
+// Written aside and renamed; throws element::CannotWrite.
 void write_vtu(const std::filesystem::path& place, const VtuSheet& sheet);
 
 struct PvdEntry {
@@ -29,6 +29,26 @@ struct PvdEntry {
     int part;
     std::string file;  // beside the list
 };
-void write_pvd(const std::filesystem::path& place, const std::vector<PvdEntry>& entries);
+
+// The list grows in place: entries go where the closing tags stand, together with new ones and in one
+// call of the system, so that what a killed program leaves is a list of all frames it finished.
+class PvdFile {
+  public:
+    // Written aside and renamed. All throw element::CannotWrite.
+    PvdFile(const std::filesystem::path& place, const std::vector<PvdEntry>& entries);
+    PvdFile(const PvdFile&) = delete;
+    PvdFile& operator=(const PvdFile&) = delete;
+    ~PvdFile();
+
+    // What does not fit on the disk leaves the list as it is.
+    void add(const std::vector<PvdEntry>& entries);
+
+  private:
+    void put(const std::string& text, std::size_t at);
+
+    std::filesystem::path name;
+    int file = -1;
+    std::size_t end = 0;  // of the entries: the place of the closing tags
+};
 
 }  // namespace cli

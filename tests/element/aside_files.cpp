@@ -6,6 +6,10 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <set>
+#include <string>
+
+#include "../cli/support/no_room.hpp"
 
 namespace {
 
@@ -22,6 +26,13 @@ class AsideFiles : public testing::Test {
 
     bool is_empty() const { return fs::is_empty(folder); }
 
+    std::set<std::string> files() const {
+        std::set<std::string> out;
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+            out.insert(entry.path().filename().string());
+        return out;
+    }
+
     fs::path folder;
 };
 
@@ -32,7 +43,31 @@ TEST_F(AsideFiles, AppearWhenTheyAreComplete) {
     file.complete();
     std::ifstream written(folder / "a.csv");
     EXPECT_EQ(std::string(std::istreambuf_iterator<char>(written), {}), "1,2\n");
-    EXPECT_FALSE(fs::exists(folder / "a.csv.part"));
+    EXPECT_EQ(files(), std::set<std::string>{"a.csv"});
+}
+
+TEST_F(AsideFiles, OfTheSameNameDoNotMix) {
+    AsideFile first(folder / "a.csv"), second(folder / "a.csv");
+    for (int i = 0; i < 10000; ++i) {
+        first.write("1\n");
+        second.write("22\n");
+    }
+    const auto size = [&] { return fs::file_size(folder / "a.csv"); };
+    first.complete();
+    EXPECT_EQ(size(), 20000u);
+    second.complete();
+    EXPECT_EQ(size(), 30000u);
+    EXPECT_EQ(files(), std::set<std::string>{"a.csv"});
+}
+
+TEST_F(AsideFiles, LeftByAKilledProgramAreKnownFromOthers) {
+    const std::set<std::string> others = {"a.csv.part", "a.csv.0123456789abcdeX.part",
+                                          "b.csv.0123456789abcdef.part", "a.csv",
+                                          "a.csv.0123456789abcdef"};
+    for (const std::string& name : others) std::ofstream(folder / name) << "mine";
+    std::ofstream(folder / "a.csv.0123456789abcdef.part") << "half";
+    remove_left_behind(folder / "a.csv");
+    EXPECT_EQ(files(), others);
 }
 
 TEST_F(AsideFiles, VanishWhenTheyAreNot) {
@@ -57,15 +92,14 @@ TEST_F(AsideFiles, LeaveNothingWhereTheirPlaceIsTaken) {
         AsideFile file(folder / "a.csv");
         EXPECT_THROW(file.complete(), CannotWrite);
     }
-    EXPECT_FALSE(fs::exists(folder / "a.csv.part"));
+    EXPECT_EQ(files(), std::set<std::string>{"a.csv"});
     EXPECT_THROW(AsideFile(folder / "no" / "a.csv"), CannotWrite);
 }
 
 TEST_F(AsideFiles, SayWhenTheDiskIsFull) {
-    if (!fs::exists("/dev/full")) return;
-    fs::create_symlink("/dev/full", folder / "a.csv.part");
     AsideFile file(folder / "a.csv");
     file.write("1,2\n");
+    const cli_test::NoRoom full(0);
     EXPECT_THROW(file.complete(), CannotWrite);
 }
 

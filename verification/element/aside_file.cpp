@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <random>
 #include <system_error>
 
 namespace element {
@@ -39,6 +40,25 @@ void unlist(int slot) {
     slots[static_cast<std::size_t>(slot)].taken = false;
 }
 
+constexpr std::size_t token_length = 16;
+
+// "NAME.0123456789abcdef.part": no two programs write to the same.
+std::string aside_name(const std::string& name) {
+    std::random_device random;
+    char token[token_length + 1];
+    std::snprintf(token, sizeof token, "%08x%08x", random(), random());
+    return name + '.' + token + ".part";
+}
+
+bool is_aside_name(std::string_view name, std::string_view of) {
+    constexpr std::string_view end = ".part";
+    if (name.size() != of.size() + 1 + token_length + end.size() || !name.starts_with(of) ||
+        name[of.size()] != '.' || !name.ends_with(end))
+        return false;
+    const std::string_view token = name.substr(of.size() + 1, token_length);
+    return token.find_first_not_of("0123456789abcdef") == token.npos;
+}
+
 [[noreturn]] void fail(const fs::path& place, int error) {
     throw CannotWrite(place.string() +
                       ": cannot write this file: " + std::generic_category().message(error));
@@ -51,8 +71,17 @@ void remove_aside_files() noexcept {
         if (slot.listed) unlink(slot.name.data());
 }
 
+void remove_left_behind(const fs::path& place) noexcept try {
+    for (const fs::directory_entry& entry :
+         fs::directory_iterator(fs::absolute(place).parent_path()))
+        if (is_aside_name(entry.path().filename().native(), place.filename().native()))
+            fs::remove(entry.path());
+} catch (const std::exception&) {
+    return;  // they are in nobody's way
+}
+
 AsidePath::AsidePath(fs::path destination) : place(std::move(destination)), aside(place) {
-    aside += ".part";
+    aside.replace_filename(aside_name(place.filename().string()));
     aside = fs::absolute(aside);  // whatever a library does to the current folder
     slot = list(aside);
 }
@@ -73,7 +102,7 @@ void AsidePath::complete() {
 }
 
 AsideFile::AsideFile(const fs::path& place) : name(place) {
-    file = std::fopen(name.path().c_str(), "w");
+    file = std::fopen(name.path().c_str(), "wx");
     if (!file) fail(place, errno);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that appear when they are complete: written as NAME.part, renamed at the end, and removed if it
-// never comes to that, be it by an exception, a signal or a library that ends the program.
+// Files that appear when they are complete: written beside as NAME.TOKEN.part with a token of their own,
+// renamed at the end, and removed if it never comes to that, be it by an exception, a signal or a library
+// that ends the program.
 #pragma once
 
 #include <cstdio>
@@ -50,7 +51,10 @@ class AsideFile {
     std::FILE* file = nullptr;
 };
 
-// All that are not complete. May be called by a signal handler.
+// Files beside this one that nobody is going to complete, which its caller knows.
+void remove_left_behind(const std::filesystem::path& place) noexcept;
+
+// All of this program that are not complete. May be called by a signal handler.
 void remove_aside_files() noexcept;
 
 }  // namespace element

@@ -6,6 +6,7 @@
 
 #include "element/errors.hpp"
 #include "element/library_law.hpp"
+#include "element/output_lock.hpp"
 #include "element/simulate.hpp"
 #include "element/text.hpp"
 #include "incremental_driver/classic_law.hpp"
@@ -87,6 +88,7 @@ Report simulate(const Request& request, const Inputs& in, const element::Law& la
     const int nstatv = static_cast<int>(in.initial.statev.size());
     check_output(report.output, in, test);
     make_folder(report.output.parent_path());
+    const element::OutputLock lock({report.output});
     OutputFile file(report.output, test.heading, nstatv);
     element::Listeners ours;
     ours.record = [&](const element::Record& record) {

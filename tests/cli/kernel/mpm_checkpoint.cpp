@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include <element/aside_file.hpp>
 
 #include "support/no_room.hpp"
@@ -71,6 +73,23 @@ TEST_F(CheckpointFile, ThatIsCutOrChangedIsRefusedByName) {
         here.write("x.checkpoint", damaged);
         EXPECT_NE(refusal(place, *simulation), "accepted") << i;
     }
+}
+
+TEST_F(CheckpointFile, WithMoreBehindItIsRefusedByName) {
+    cli::write_mpm_checkpoint(place, *simulation, runner);
+    const std::string whole = file();
+    std::mt19937 random(16);
+    for (std::size_t length = 1; length < 5000; length = 2 * length + 1) {
+        std::string more(length, '\0');
+        for (char& c : more) c = static_cast<char>(random());
+        for (const std::string& behind : {more, std::string(length, '\0'), whole}) {
+            here.write("x.checkpoint", whole + behind);
+            EXPECT_EQ(refusal(place, *simulation),
+                      place.string() + ": checkpoint: damaged: bytes follow where its state ends");
+        }
+    }
+    here.write("x.checkpoint", whole);
+    EXPECT_EQ(refusal(place, *simulation), "accepted");
 }
 
 TEST_F(CheckpointFile, ThatIsNotThereIsRefusedByName) {

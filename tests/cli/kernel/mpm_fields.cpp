@@ -2,12 +2,18 @@
 #include "cli/mpm_fields.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
+#include <fstream>
 #include <numbers>
+#include <random>
 
 #include <element/aside_file.hpp>
+#include <fmt/format.h>
 
 #include "cli/mpm_field_files.hpp"
 #include "support/no_room.hpp"
@@ -172,6 +178,69 @@ TEST_F(Fields, ThatFindNoRoomLeaveNoHalfWrittenFile) {
     EXPECT_EQ(here.text("push.pvd"), list);
     EXPECT_EQ(here.files().size(), 3u);
     EXPECT_EQ(files.times().size(), 1u);
+}
+
+// Bytes that this program has handed to the system for writing.
+std::uint64_t bytes_written() {
+    std::ifstream account("/proc/self/io");
+    std::uint64_t value = 0;
+    for (std::string word; account >> word >> value;)
+        if (word == "wchar:") return value;
+    return 0;
+}
+
+TEST_F(Fields, CostAsMuchToWriteAtEveryTime) {
+    if (bytes_written() == 0) GTEST_SKIP() << "no account of bytes written";
+    cli::MpmFieldFiles files = files_of(here, fields);
+    const auto cost = [&] {
+        const std::uint64_t before = bytes_written();
+        files.write();
+        return bytes_written() - before;
+    };
+    cost();
+    const std::uint64_t early = cost();
+    for (int i = 0; i < 200; ++i) files.write();
+    EXPECT_LT(cost(), early + 100);
+    EXPECT_EQ(read_xml(here.text("push.pvd")).all("DataSet").size(), 406u);
+}
+
+TEST_F(Fields, OfAKilledRunAreAllInAListThatIsWellFormed) {
+    std::mt19937 random(23);
+    for (int trial = 0; trial < 60; ++trial) {
+        const pid_t child = fork();
+        if (child == 0) {
+            cli::MpmFieldFiles files = files_of(here, fields);
+            for (;;) files.write();
+        }
+        while (!std::filesystem::exists(here.path("push.pvd"))) usleep(100);
+        usleep(static_cast<useconds_t>(random() % 20000));
+        kill(child, SIGKILL);
+        waitpid(child, nullptr, 0);
+        const Element list = read_xml(here.text("push.pvd"));
+        const auto entries = list.all("DataSet");
+        ASSERT_GE(entries.size(), 2u);
+        for (std::size_t i = 0; i < entries.size(); ++i)
+            ASSERT_EQ(entries[i]->attributes.at("file"),
+                      fmt::format("push_{:06}_{}.vtu", i / 2, i % 2 == 0 ? "sand" : "hammer"));
+        EXPECT_FALSE(
+            here.files().contains(fmt::format("push_{:06}_sand.vtu", entries.size() / 2 + 1)));
+        std::filesystem::remove(here.path("push.pvd"));
+        for (const std::string& file : here.files()) std::filesystem::remove(here.path(file));
+    }
+}
+
+TEST_F(Fields, ThatFindNoRoomInTheListLeaveItWellFormed) {
+    cli::PvdFile list(here.path("push.pvd"), {{0.0, 0, "a.vtu"}});
+    for (int i = 1; i < 100; ++i) list.add({{0.1 * i, 0, "a.vtu"}});
+    const std::string before = here.text("push.pvd");
+    for (rlim_t more = 0; more < 60; ++more) {
+        const NoRoom full(before.size() + more);
+        EXPECT_THROW(list.add({{1.0, 0, "a_file_with_a_long_name_that_does_not_fit.vtu"}}),
+                     element::CannotWrite);
+        EXPECT_EQ(here.text("push.pvd"), before);
+    }
+    list.add({{1.0, 0, "b.vtu"}});
+    EXPECT_EQ(read_xml(here.text("push.pvd")).all("DataSet").size(), 101u);
 }
 
 }  // namespace

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs at the same time in one folder.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "support/workplace.hpp"
+
+namespace {
+
+// A second or so.
+const std::string cycles = "[[stage]]\ntest = \"triaxial_undrained\"\n"
+                           "axial_strain_amplitude = -1e-4\ncycles = 800\nrecord_every = 100\n";
+
+class TwoRuns : public testing::Test {
+  protected:
+    TwoRuns() {
+        here.write_case("x", cycles);
+        EXPECT_EQ(here.grit("element --no-plot --quiet --out plain x.toml").status, 0);
+    }
+    void leave_the_result_of_one() const {
+        EXPECT_EQ(here.text("out/x.csv"), here.text("plain/x.csv"));
+        EXPECT_EQ(here.files("out"), here.files("plain"));
+    }
+    Workplace here;
+    const std::string run = GRIT_CLI " element --no-plot --quiet --out out x.toml";
+};
+
+TEST_F(TwoRuns, OfOneCaseAreOneThatIsRefusedByName) {
+    for (const std::string delay : {"0", "0.02", "0.3"}) {
+        const Answer answer = here.grit("sand list > /dev/null; " + run + " & sleep " + delay +
+                                        "; " + run + "; second=$?; wait $!; echo $? + $second;");
+        EXPECT_TRUE(answer.says("0 + 1\n") || answer.says("1 + 0\n")) << answer.text;
+        EXPECT_TRUE(answer.says("grit: out/x.csv: another run of grit is writing this file"))
+            << answer.text;
+        leave_the_result_of_one();
+    }
+}
+
+TEST_F(TwoRuns, OfDifferentCasesDoNotDisturbEachOther) {
+    here.write_case("y", cycles);
+    const Answer answer =
+        here.grit("sand list > /dev/null; " + run +
+                  " & " GRIT_CLI " element --no-plot --quiet --out out y.toml && wait $!");
+    EXPECT_EQ(answer.status, 0) << answer.text;
+    EXPECT_EQ(here.text("out/x.csv"), here.text("plain/x.csv"));
+    EXPECT_EQ(here.files("out"),
+              (std::set<std::string>{"x.csv", "x_cycles.csv", "y.csv", "y_cycles.csv"}));
+}
+
+TEST_F(TwoRuns, AreNoneWhereTheFirstWasKilled) {
+    const Answer answer = here.grit("sand list > /dev/null; " + run +
+                                    " & sleep 0.3; kill -KILL $!; wait $!; ls -a out; " + run);
+    EXPECT_EQ(answer.status, 0) << answer.text;
+    EXPECT_TRUE(answer.says(".part\n")) << answer.text;
+    leave_the_result_of_one();
+}
+
+#ifdef GRIT_MPM_CASES
+TEST(TwoRunsOfMaterialPoints, AreOneThatIsRefusedByName) {
+    const Workplace here;
+    const std::string run = GRIT_CLI " mpm --no-plot --quiet --out ";
+    const std::string plan = " " GRIT_MPM_CASES "/every_key_override.toml";
+    const Answer answer =
+        here.grit("sand list > /dev/null; " + run + "out" + plan + " & sleep 0.05; " + run + "out" +
+                  plan + "; second=$?; wait $!; echo $? + $second; " + run + "plain" + plan);
+    EXPECT_TRUE(answer.says("0 + 1\n") || answer.says("1 + 0\n")) << answer.text;
+    EXPECT_TRUE(answer.says("grit: out/every_key_override.")) << answer.text;
+    EXPECT_EQ(here.files("out"), here.files("plain"));
+    for (const std::string& file : here.files("plain"))
+        EXPECT_EQ(here.text("out/" + file), here.text("plain/" + file)) << file;
+}
+#endif
+
+}  // namespace

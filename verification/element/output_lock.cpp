@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "element/output_lock.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <string_view>
+#include <system_error>
+
+#include "element/aside_file.hpp"
+
+namespace element {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Locks of an open file, not of a process, where there are any: closing another copy releases nothing.
+#ifdef F_OFD_SETLK
+constexpr int set_lock = F_OFD_SETLK;
+#else
+constexpr int set_lock = F_SETLK;
+#endif
+
+enum class Answer { taken, held_by_another, no_locks_here };
+
+Answer lock_bytes(int file, off_t first, off_t count) {
+    struct flock range {};
+    range.l_type = F_WRLCK;
+    range.l_whence = SEEK_SET;
+    range.l_start = first;
+    range.l_len = count;
+    if (fcntl(file, set_lock, &range) == 0) return Answer::taken;
+    return errno == EACCES || errno == EAGAIN ? Answer::held_by_another : Answer::no_locks_here;
+}
+
+Answer lock_all(int file) { return lock_bytes(file, 0, 0); }
+
+// FNV-1a. A byte of the lock file stands for a name; it need not be there to be locked.
+off_t byte_of(std::string_view name) {
+    std::uint64_t hash = 14695981039346656037u;
+    for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
+    return static_cast<off_t>(hash >> 2);
+}
+
+// Who had it open last may have removed it meanwhile.
+bool is_still(int file, const fs::path& path) {
+    struct stat opened {
+    }, named{};
+    return fstat(file, &opened) == 0 && stat(path.c_str(), &named) == 0 &&
+           opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
+}
+
+fs::path folder_of(const fs::path& output) { return fs::absolute(output).parent_path(); }
+
+}  // namespace
+
+OutputLock::Folder* OutputLock::open_folder(const fs::path& folder) {
+    for (Folder& known : folders)
+        if (known.lock.parent_path() == folder) return &known;
+    const fs::path path = folder / ".grit-lock";
+    const int file = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (file < 0) return nullptr;
+    folders.push_back({path, file});
+    return &folders.back();
+}
+
+OutputLock::OutputLock(const std::vector<fs::path>& outputs) {
+    int attempts = 100;  // where names and files never agree, there is no lock
+    for (std::size_t i = 0; i < outputs.size();) {
+        Folder* folder = open_folder(folder_of(outputs[i]));
+        const Answer answer =
+            folder ? lock_bytes(folder->file, byte_of(outputs[i].filename().native()), 1)
+                   : Answer::no_locks_here;
+        if (answer == Answer::held_by_another) {
+            release();
+            throw CannotWrite(outputs[i].string() +
+                              ": another run of grit is writing this file: wait for its end, or "
+                              "write to another folder");
+        }
+        if (answer == Answer::taken && !is_still(folder->file, folder->lock) && attempts-- > 0) {
+            release();
+            i = 0;
+            continue;
+        }
+        if (answer == Answer::taken) remove_left_behind(outputs[i]);
+        ++i;
+    }
+}
+
+// Who holds all of the file is alone with it, and nobody takes it before the name is gone.
+void OutputLock::release() {
+    for (const Folder& folder : folders) {
+        if (lock_all(folder.file) == Answer::taken && is_still(folder.file, folder.lock))
+            unlink(folder.lock.c_str());
+        close(folder.file);
+    }
+    folders.clear();
+}
+
+OutputLock::~OutputLock() { release(); }
+
+}  // namespace element
