@@ -239,8 +239,8 @@ std::string keys_of_cases() {
         const Told texts = told && word.words.data() == told ? Told::words_alone : Told::with_texts;
         told = word.words.data();
         out += row({word.section == section ? "" : heading(word.section),
-                    '`' + std::string(word.key) + '`', value_of(word, false, texts), default_of(word),
-                    word.text});
+                    '`' + std::string(word.key) + '`', value_of(word, false, texts),
+                    default_of(word), word.text});
         section = word.section;
     }
     return out;

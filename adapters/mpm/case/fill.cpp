@@ -13,13 +13,13 @@ namespace {
 
 constexpr double roundoff = 1e-9;  // of a length
 
-struct Interval {
+struct Slab {
     double centre, half;  // [m]
 };
 
 // Of the part of an axis between two places.
-std::vector<Interval> cut(const Axis& axis, double from, double to, int per_cell) {
-    std::vector<Interval> out;
+std::vector<Slab> cut(const Axis& axis, double from, double to, int per_cell) {
+    std::vector<Slab> out;
     const double least = roundoff * axis.shortest();
     for (int c = 0; c < axis.cells(); ++c) {
         const double cell = axis[c + 1] - axis[c];
@@ -80,9 +80,9 @@ Particles fill(const BodyPlan& body, const Axis& r, const Axis& z, bool axisymme
         const Bounds b = bounds_of(outline);
         const int per_cell_r = outline.particles_r > 0 ? outline.particles_r : body.particles_r;
         const int per_cell_z = outline.particles_z > 0 ? outline.particles_z : body.particles_z;
-        const std::vector<Interval> along_r = cut(r, b.r0, b.r1, per_cell_r);
-        for (const Interval& j : cut(z, b.z0, b.z1, per_cell_z))
-            for (const Interval& i : along_r) {
+        const std::vector<Slab> along_r = cut(r, b.r0, b.r1, per_cell_r);
+        for (const Slab& j : cut(z, b.z0, b.z1, per_cell_z))
+            for (const Slab& i : along_r) {
                 const auto here = [&](const Outline& o) { return inside(o, i.centre, j.centre); };
                 if (!here(outline)) continue;
                 if (std::any_of(before, before + static_cast<std::ptrdiff_t>(k), here)) continue;
