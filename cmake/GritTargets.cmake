@@ -79,7 +79,7 @@ function(grit_library_part target)
 endfunction()
 
 # One source per instruction set that this processor family has: kernel_baseline.cpp and so on, in
-# the calling folder, into the list RESULT. Or one kernel for the machine that builds, which takes a fifth of the
+# the calling folder, into the list RESULT. Or one kernel for the machine that builds, which takes less than half the
 # time to compile: it counts as the baseline, and there is no other.
 set(GRIT_X86_KERNELS OFF)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT GRIT_NATIVE)
