@@ -6,7 +6,7 @@ set(longest 300)
 string(CONCAT markers "(TO" "DO|FIX" "ME|GTEST_" "SKIP|DISABLED" "_)")
 
 set(files)
-foreach(folder include support umat contact adapters cli verification examples tests cmake script docs)
+foreach(folder include support umat contact adapters element cli verification examples tests cmake script docs)
   file(GLOB_RECURSE found ${SOURCE}/${folder}/*)
   list(APPEND files ${found})
 endforeach()
