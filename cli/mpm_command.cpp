@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include <adapters/mpm/case/case_words.hpp>
 #include <fmt/format.h>
 
 #include "cli/abnormal_end.hpp"
@@ -75,10 +76,18 @@ ExitCode convert(const MpmRequest& request, const Case& plan) {
 }  // namespace
 
 ExitCode run_mpm(const MpmRequest& request) {
+    if (!request.keys.empty()) {
+        fmt::print("{}", request.keys == "fix" ? keys_of_fix() : keys_of_cases());
+        return ok;
+    }
     MpmCaseFile file = read_mpm_case(request.file);
     const Case& plan = file.plan;
     if (!request.to_lammps.empty()) return convert(request, plan);
     if (request.threads) file.plan.settings.threads = *request.threads;
+    if (const int usable = usable_threads(plan.settings.threads);
+        usable < plan.settings.threads && !request.quiet)
+        fmt::print(stderr, "grit: {}: {} threads wanted, {} used: there are no more cores\n",
+                   plan.name, plan.settings.threads, usable);
     const MpmRunOptions options{request.out / (plan.name + ".csv"),
                                 request.out / (plan.name + ".checkpoint"),
                                 request.out / plan.name,

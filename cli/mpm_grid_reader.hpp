@@ -2,7 +2,7 @@
 // [grid], [boundary] and [numerics] of a material-point case.
 #pragma once
 
-#include <adapters/mpm/case.hpp>
+#include <adapters/mpm/case/case.hpp>
 
 #include "cli/toml_table.hpp"
 
@@ -12,9 +12,5 @@ void read_grid(TomlTable table, grit::mpm::Case& plan);
 // After the grid.
 void read_boundary(TomlTable table, grit::mpm::Case& plan);
 void read_mpm_numerics(TomlTable table, grit::mpm::Case& plan);
-
-// A number that must be in [low, high].
-double number_within(TomlTable& table, const std::string& key, double otherwise, double low,
-                     double high);
 
 }  // namespace cli

@@ -14,7 +14,7 @@ configure_package_config_file(
   ${CMAKE_CURRENT_LIST_DIR}/GritConfig.cmake.in GritConfig.cmake
   INSTALL_DESTINATION ${GRIT_CMAKE_DIR}
   PATH_VARS GRIT_FORTRAN_INSTALL_DIR)
-write_basic_package_version_file(GritConfigVersion.cmake COMPATIBILITY SameMajorVersion)
+write_basic_package_version_file(GritConfigVersion.cmake COMPATIBILITY ${GRIT_COMPATIBILITY})
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/GritConfig.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/GritConfigVersion.cmake DESTINATION ${GRIT_CMAKE_DIR})
 # Relative to the file itself, so that the installed tree may be moved.

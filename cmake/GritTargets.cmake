@@ -2,7 +2,45 @@
 
 include(CheckCXXCompilerFlag)
 
+# What may change: everything with a major version, and layouts with a minor one before 1.0.
+if(PROJECT_VERSION_MAJOR EQUAL 0)
+  set(GRIT_SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  set(GRIT_COMPATIBILITY SameMinorVersion)
+else()
+  set(GRIT_SOVERSION ${PROJECT_VERSION_MAJOR})
+  set(GRIT_COMPATIBILITY SameMajorVersion)
+endif()
+
 set(GRIT_SANITIZERS address,undefined,float-cast-overflow)
+
+# Flags of some compilers only, into the list RESULT: what this one understands of them.
+function(grit_flags_of_this_compiler result)
+  set(known)
+  foreach(flag IN LISTS ARGN)
+    string(MAKE_C_IDENTIFIER "GRIT_HAS${flag}" has)
+    string(REGEX REPLACE "^-Wno-" "-W" asked ${flag}) # any -Wno- is accepted
+    check_cxx_compiler_flag(${asked} ${has})
+    if(${has})
+      list(APPEND known ${flag})
+    endif()
+  endforeach()
+  set(${result} ${known} PARENT_SCOPE)
+endfunction()
+
+# g++ speaks of the calling convention of wide vectors and of their attributes as template arguments, which
+# never leave a kernel; clang of masks that are plain bools and joined without a branch.
+grit_flags_of_this_compiler(GRIT_VECTOR_FLAGS -Wno-psabi -Wno-ignored-attributes -Wno-bitwise-instead-of-logical)
+# Instrumented kernels take minutes to optimise, a fifth of it for where pointers point to.
+grit_flags_of_this_compiler(GRIT_QUICK_FLAGS -fno-tree-pta)
+# Every load of an unrolled kernel would be checked in place, in several ways: the address sanitizer is called
+# instead, and sees what the checks of pointers would see.
+grit_flags_of_this_compiler(GRIT_SANITIZED_KERNEL_FLAGS --param=asan-instrumentation-with-call-threshold=0
+                            -fno-sanitize=null,alignment,object-size)
+# Structs are copied in whole registers: half of one that was just stored whole, or the reverse, waits for
+# the cache. GCC's default is 16 bytes.
+grit_flags_of_this_compiler(GRIT_AVX2_FLAGS -mmove-max=256 -mstore-max=256)
+# g++ 12 warns about its own AVX-512 header.
+grit_flags_of_this_compiler(GRIT_AVX512_FLAGS -Wno-uninitialized -Wno-maybe-uninitialized)
 
 # Warnings and sanitizers for everything that is built here; errors only when Grit is on top.
 function(grit_warnings target)
@@ -29,35 +67,40 @@ function(grit_library_part target)
   grit_warnings(${target})
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include)
   target_compile_definitions(${target} PRIVATE GRIT_BUILDING)
-  # Instrumented kernels take minutes to optimise, a fifth of it for where pointers point to.
   target_compile_options(
-    ${target} PRIVATE $<IF:$<BOOL:${GRIT_SANITIZE}>,-O1$<SEMICOLON>-fno-tree-pta,-O3> -ffp-contract=off -fno-math-errno -fno-trapping-math -Wno-psabi
-                      -Wno-ignored-attributes)
+    ${target} PRIVATE "$<IF:$<BOOL:${GRIT_SANITIZE}>,-O1;${GRIT_QUICK_FLAGS},-O3>" -ffp-contract=off
+                      -fno-math-errno -fno-trapping-math ${GRIT_VECTOR_FLAGS})
   grit_hidden(${target})
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
-  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  if(GRIT_X86_KERNELS)
     target_compile_definitions(${target} PRIVATE GRIT_HAS_X86_KERNELS)
   endif()
   set_property(GLOBAL APPEND PROPERTY GRIT_PARTS ${target})
 endfunction()
 
 # One source per instruction set that this processor family has: kernel_baseline.cpp and so on, in
-# the calling folder, into the list RESULT.
+# the calling folder, into the list RESULT. Or one kernel for the machine that builds, which takes a fifth of the
+# time to compile: it counts as the baseline, and there is no other.
+set(GRIT_X86_KERNELS OFF)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT GRIT_NATIVE)
+  set(GRIT_X86_KERNELS ON)
+endif()
 macro(grit_kernels result)
   set(${result} kernel_baseline.cpp)
-  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  set(of_baseline)
+  if(GRIT_NATIVE)
+    list(APPEND of_baseline -march=native ${GRIT_AVX512_FLAGS})
+  endif()
+  if(GRIT_SANITIZE)
+    list(APPEND of_baseline ${GRIT_SANITIZED_KERNEL_FLAGS})
+  endif()
+  set_source_files_properties(kernel_baseline.cpp PROPERTIES COMPILE_OPTIONS "${of_baseline}")
+  if(GRIT_X86_KERNELS)
     list(APPEND ${result} kernel_avx2.cpp kernel_avx512.cpp)
-    # Structs are copied in whole registers: half of one that was just stored whole, or the reverse, waits for
-    # the cache. GCC's default is 16 bytes.
-    check_cxx_compiler_flag("-mmove-max=256 -mstore-max=256" GRIT_HAS_MOVE_MAX)
+    set_source_files_properties(kernel_avx2.cpp PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma;${GRIT_AVX2_FLAGS}")
     set_source_files_properties(
-      kernel_avx2.cpp
-      PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma;$<$<BOOL:${GRIT_HAS_MOVE_MAX}>:-mmove-max=256;-mstore-max=256>")
-    # g++ 12 warns about its own AVX-512 header.
-    set_source_files_properties(
-      kernel_avx512.cpp
-      PROPERTIES COMPILE_OPTIONS
-                 "-mavx512f;-mavx512vl;-mavx512dq;-mfma;-Wno-uninitialized;-Wno-maybe-uninitialized")
+      kernel_avx512.cpp PROPERTIES COMPILE_OPTIONS
+                                   "-mavx512f;-mavx512vl;-mavx512dq;-mfma;${GRIT_AVX512_FLAGS}")
   endif()
 endmacro()
 
@@ -70,7 +113,7 @@ function(grit_add_libraries)
   endforeach()
   add_library(grit SHARED ${objects})
   add_library(grit_static STATIC ${objects})
-  set_target_properties(grit PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
+  set_target_properties(grit PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${GRIT_SOVERSION})
   target_link_options(grit PRIVATE -Wl,--no-undefined)
   target_link_libraries(grit_static INTERFACE m)
   foreach(library grit grit_static)

@@ -21,7 +21,7 @@ grit_contact_options default_contact_options() {
 grit_status read_options(const grit_contact_options* caller, grit_contact_options& ours,
                          grit_error* error) {
     ours = default_contact_options();
-    GRIT_REQUIRE(!caller || read_versioned(*caller, ours),
+    GRIT_REQUIRE(!caller || read_versioned(caller, ours),
                  "grit_contact_options.struct_size %zu is not understood: call "
                  "grit_contact_options_init first",
                  caller->struct_size);

@@ -34,7 +34,7 @@ grit_status grit_contact_correct(const grit_contact_options* options, ptrdiff_t 
     grit_contact_options o;
     if (const grit_status s = read_options(options, o, error)) return s;
     grit_contact_nodes q{};
-    GRIT_REQUIRE(read_versioned(*nodes, q),
+    GRIT_REQUIRE(read_versioned(nodes, q),
                  "grit_contact_nodes.struct_size %zu is not understood: set it to sizeof",
                  nodes->struct_size);
     if (n == 0) return GRIT_OK;  // an empty array may have no base pointer

@@ -32,6 +32,7 @@ template <int C> struct Crowd {
     int bodies = 0, pair_count = 0, active = 0;
     double mass[most_bodies];
     bool rigid[most_bodies] = {};
+    bool meets[most_bodies] = {};  // has an active pair
     Velocity velocity[most_bodies];
     NodePair<C> pairs[most_pairs];
 
@@ -79,15 +80,17 @@ template <int C> struct Crowd {
         return true;
     }
 
-    // Twice the kinetic energy, as seen from the rigid body if there is one.
+    // Twice the kinetic energy of the bodies that meet another, as seen from the rigid one if there is one. The
+    // velocity of a body that meets none may be anything.
     double energy(const Velocity (&v)[most_bodies]) const {
         Velocity frame{};
         for (int body = 0; body < bodies; ++body)
-            if (rigid[body]) frame = v[body];
+            if (rigid[body] && meets[body]) frame = v[body];
         double sum = 0.0;
         for (int body = 0; body < bodies; ++body) {
+            if (rigid[body] || !meets[body]) continue;
             const Velocity seen = difference(v[body], frame);
-            if (!rigid[body] && mass[body] > 0.0) sum += mass[body] * dot(seen, seen);
+            sum += mass[body] * dot(seen, seen);
         }
         return sum;
     }

@@ -159,7 +159,7 @@ extern "C" grit_status grit_contact_surfaces_add(const grit_contact_surfaces* su
     grit_contact_surfaces s{};
     if (const grit_status status = read_surfaces(surfaces, s, error)) return status;
     grit_contact_domains d{};
-    GRIT_REQUIRE(read_versioned(*domains, d),
+    GRIT_REQUIRE(read_versioned(domains, d),
                  "grit_contact_domains.struct_size %zu is not understood: set it to sizeof",
                  domains->struct_size);
     if (n == 0) return GRIT_OK;  // an empty array may have no base pointer

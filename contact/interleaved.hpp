@@ -9,10 +9,12 @@
 
 GRIT_KERNEL_BEGIN
 
-// A shuffle mask whose lane is index(lane).
-template <int W, class Index> GRIT_INLINE auto shuffle_mask(Index index) {
+// The lanes of a, then those of b; lane l of the result is number index(l) of them.
+template <int W, class Index>
+GRIT_INLINE typename Pack<W>::Vector shuffled(const typename Pack<W>::Vector& a,
+                                              const typename Pack<W>::Vector& b, Index) {
     return [&]<int... lane>(std::integer_sequence<int, lane...>) {
-        return typename VectorTypes<W>::Bits{index(lane)...};
+        return __builtin_shufflevector(a, b, Index()(lane)...);
     }
     (std::make_integer_sequence<int, W>());
 }
@@ -20,29 +22,24 @@ template <int W, class Index> GRIT_INLINE auto shuffle_mask(Index index) {
 // Component k of W vectors: number C lane + k of the packs in memory.
 template <int C, int W, int k>
 GRIT_INLINE Pack<W> component_of(const typename Pack<W>::Vector (&memory)[C]) {
-    const auto first = shuffle_mask<W>([](int l) { return C * l + k < 2 * W ? C * l + k : 0; });
-    const auto low = __builtin_shuffle(memory[0], memory[1], first);
+    const auto low =
+        shuffled<W>(memory[0], memory[1], [](int l) { return C * l + k < 2 * W ? C * l + k : 0; });
     if constexpr (C == 2) return low;
-    else {
-        const auto second =
-            shuffle_mask<W>([](int l) { return C * l + k < 2 * W ? l : C * l + k - W; });
-        return __builtin_shuffle(low, memory[2], second);
-    }
+    else
+        return shuffled<W>(low, memory[2],
+                           [](int l) { return C * l + k < 2 * W ? l : C * l + k - W; });
 }
 
 // Pack j of the memory: number W j + lane is component (W j + lane) % C of vector (W j + lane) / C.
 template <int C, int W, int j> GRIT_INLINE Pack<W> memory_of(const Pack<W> (&component)[C]) {
-    const auto first = shuffle_mask<W>([](int l) {
+    const auto low = shuffled<W>(component[0].v, component[1].v, [](int l) {
         const int vector = (W * j + l) / C, c = (W * j + l) % C;
         return c == 0 ? vector : c == 1 ? W + vector : 0;
     });
-    const auto low = __builtin_shuffle(component[0].v, component[1].v, first);
     if constexpr (C == 2) return low;
-    else {
-        const auto second =
-            shuffle_mask<W>([](int l) { return (W * j + l) % C < 2 ? l : W + (W * j + l) / C; });
-        return __builtin_shuffle(low, component[2].v, second);
-    }
+    else
+        return shuffled<W>(low, component[2].v,
+                           [](int l) { return (W * j + l) % C < 2 ? l : W + (W * j + l) / C; });
 }
 
 template <int C, int W>

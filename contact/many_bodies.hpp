@@ -47,6 +47,7 @@ template <int C> class ManyCorrection {
         for (int body = 0; body < b.count; ++body) {
             crowd.mass[body] = load<double>(b.mass[body], 0, here);
             crowd.velocity[body] = load_vector<C, double>(b.velocity[body], here);
+            crowd.meets[body] = false;
         }
         crowd.active = 0;
         for (int p = 0; p < q.pair_count; ++p) {
@@ -58,6 +59,7 @@ template <int C> class ManyCorrection {
             pair.shares = shares_of(pair.law, m_a, m_b);
             if (!pair.shares.active) continue;
             ++crowd.active;
+            crowd.meets[pair.a] = crowd.meets[pair.b] = true;
             if (!read_pair(q.pairs[p], pair, here)) return p;
         }
         return -1;

@@ -66,19 +66,20 @@ grit_status check_bodies(const grit_contact_bodies& b, grit_error* error) {
     return check_instruction_set(b.instruction_set, error);
 }
 
-grit_status read_pair(const grit_contact_bodies& b, const grit_contact_pair& first,
-                      const grit_contact_pair& caller, grit_contact_pair& pair,
+// struct_size: of the first pair.
+grit_status read_pair(const grit_contact_bodies& b, std::size_t struct_size,
+                      const grit_contact_pair* caller, grit_contact_pair& pair,
                       grit_contact_options& o, std::ptrdiff_t n, grit_error* error) {
-    GRIT_REQUIRE(caller.struct_size == first.struct_size && read_versioned(caller, pair),
+    GRIT_REQUIRE(size_of_versioned(caller) == struct_size && read_versioned(caller, pair),
                  "grit_contact_pair.struct_size %zu is not understood: set it to sizeof",
-                 caller.struct_size);
+                 size_of_versioned(caller));
     GRIT_REQUIRE(pair.a >= 0 && pair.a < b.count && pair.b >= 0 && pair.b < b.count &&
                      pair.a != pair.b,
                  "a and b must be two different bodies of 0 ... %d, got %d and %d", b.count - 1,
                  pair.a, pair.b);
     grit_contact_options given = default_contact_options();
     if (pair.options) {
-        GRIT_REQUIRE(read_versioned(*pair.options, given),
+        GRIT_REQUIRE(read_versioned(pair.options, given),
                      "grit_contact_options.struct_size %zu is not understood: call "
                      "grit_contact_options_init first",
                      pair.options->struct_size);
@@ -126,7 +127,7 @@ extern "C" grit_status grit_contact_correct_many(const grit_contact_bodies* bodi
     GRIT_REQUIRE(bodies, "grit_contact_correct_many: bodies is null");
     GRIT_REQUIRE(n >= 0, "grit_contact_correct_many: n must be >= 0, got %td", n);
     grit_contact_bodies b{};
-    GRIT_REQUIRE(read_versioned(*bodies, b),
+    GRIT_REQUIRE(read_versioned(bodies, b),
                  "grit_contact_bodies.struct_size %zu is not understood: set it to sizeof",
                  bodies->struct_size);
     if (const grit_status s = check_bodies(b, error)) return s;
@@ -136,15 +137,15 @@ extern "C" grit_status grit_contact_correct_many(const grit_contact_bodies* bodi
     GRIT_REQUIRE(pairs || pair_count == 0, "grit_contact_correct_many: pairs is null");
     grit_contact_pair ours[most_pairs] = {};
     grit_contact_options options[most_pairs];
-    GRIT_REQUIRE(pair_count == 0 || pairs->struct_size % alignof(grit_contact_pair) == 0,
-                 "grit_contact_pair.struct_size %zu is not understood: set it to sizeof",
-                 pairs->struct_size);
+    // The caller's struct may be longer or shorter than ours.
+    const std::size_t size = pair_count == 0 ? sizeof *pairs : size_of_versioned(pairs);
+    GRIT_REQUIRE(size % alignof(grit_contact_pair) == 0,
+                 "grit_contact_pair.struct_size %zu is not understood: set it to sizeof", size);
     const auto* bytes = reinterpret_cast<const unsigned char*>(pairs);
-    for (int p = 0; p < pair_count;
-         ++p) {  // the caller's struct may be longer or shorter than ours
-        const auto& caller = *reinterpret_cast<const grit_contact_pair*>(
-            bytes + static_cast<std::size_t>(p) * pairs->struct_size);
-        if (const grit_status s = read_pair(b, *pairs, caller, ours[p], options[p], n, error))
+    for (int p = 0; p < pair_count; ++p) {
+        const auto* caller =
+            reinterpret_cast<const grit_contact_pair*>(bytes + static_cast<std::size_t>(p) * size);
+        if (const grit_status s = read_pair(b, size, caller, ours[p], options[p], n, error))
             return of_pair(p, s, error);
     }
     if (const grit_status s = check_agreement(pair_count, ours, options, error)) return s;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include <grit/view.h>
 
@@ -37,14 +38,17 @@ GRIT_INLINE double lane_of(double x, int) { return x; }
 template <class Mask> GRIT_INLINE bool holds(const Mask& x, int lane) { return x[lane]; }
 GRIT_INLINE bool holds(bool x, int) { return x; }
 
-GRIT_INLINE double gather(const double* p, std::ptrdiff_t stride, const Places<1>& places, double) {
-    return p[places.at[0] * stride];
+// The offset of a number of a component is summed before it is added to the base: what lies between need not be
+// in the array.
+GRIT_INLINE double gather(const double* base, std::ptrdiff_t from, std::ptrdiff_t stride,
+                          const Places<1>& places, double) {
+    return base[from + places.at[0] * stride];
 }
 template <int W>
-GRIT_INLINE Pack<W> gather(const double* p, std::ptrdiff_t stride, const Places<W>& places,
-                           Pack<W>) {
+GRIT_INLINE Pack<W> gather(const double* base, std::ptrdiff_t from, std::ptrdiff_t stride,
+                           const Places<W>& places, Pack<W>) {
     using V = typename Pack<W>::Vector;
-    const auto x = [&](int lane) { return p[places.at[lane] * stride]; };
+    const auto x = [&](int lane) { return base[from + places.at[lane] * stride]; };
     if constexpr (W == 8) return V{x(0), x(1), x(2), x(3), x(4), x(5), x(6), x(7)};
     else if constexpr (W == 4) return V{x(0), x(1), x(2), x(3)};
     else return V{x(0), x(1)};
@@ -77,19 +81,27 @@ GRIT_INLINE Vector<Real, C> where(const Mask& mask, const Vector<Real, C>& v) {
 // asked for.
 constexpr std::ptrdiff_t nodes_ahead = 64;
 
+// An address, not a pointer: it may lie behind the end of the array.
+GRIT_INLINE void ask_for(const double* p, std::ptrdiff_t ahead) {
+    const auto address = reinterpret_cast<std::uintptr_t>(p);
+    const auto bytes = static_cast<std::uintptr_t>(ahead) * sizeof(double);
+    __builtin_prefetch(reinterpret_cast<const void*>(address + bytes));
+}
+
 template <class Real> inline constexpr bool is_pack = (lanes_of<Real>) != 1;
 
 template <class Real, class View>
 GRIT_INLINE Real load(const View& view, int component, const Places<lanes_of<Real>>& places) {
-    const double* p = view.base + component * view.component_stride;
+    const std::ptrdiff_t from = component * view.component_stride;
     if constexpr (is_pack<Real>)
         if (places.consecutive && view.point_stride == 1) {
+            const double* p = view.base + (from + places.at[0]);
             Real x;
-            __builtin_memcpy(&x.v, p + places.at[0], sizeof x.v);
-            __builtin_prefetch(p + places.at[0] + nodes_ahead);
+            __builtin_memcpy(&x.v, p, sizeof x.v);
+            ask_for(p, nodes_ahead);
             return x;
         }
-    return gather(p, view.point_stride, places, Real());
+    return gather(view.base, from, view.point_stride, places, Real());
 }
 
 // The nodes' vectors lie one behind the other.
@@ -114,15 +126,16 @@ GRIT_INLINE Vector<Real, C> load_vector(const View& view, const Places<lanes_of<
 template <class Real>
 GRIT_INLINE void store(const Real& x, const grit_mutable_view& view, int component,
                        const Places<lanes_of<Real>>& places) {
-    double* p = view.base + component * view.component_stride;
+    const std::ptrdiff_t from = component * view.component_stride;
     if constexpr (is_pack<Real>)
         if (places.consecutive && view.point_stride == 1) {
-            __builtin_memcpy(p + places.at[0], &x.v, sizeof x.v);
+            __builtin_memcpy(view.base + (from + places.at[0]), &x.v, sizeof x.v);
             return;
         }
 #pragma GCC unroll 8
     for (int lane = 0; lane < lanes_of<Real>; ++lane)
-        if (lane < places.used) p[places.at[lane] * view.point_stride] = lane_of(x, lane);
+        if (lane < places.used)
+            view.base[from + places.at[lane] * view.point_stride] = lane_of(x, lane);
 }
 
 template <int C, class Real>

@@ -125,11 +125,11 @@ extern "C" grit_status grit_contact_normals_from_gradients(ptrdiff_t n,
     GRIT_REQUIRE(gradients, "grit_contact_normals_from_gradients: gradients is null");
     GRIT_REQUIRE(n >= 0, "grit_contact_normals_from_gradients: n must be >= 0, got %td", n);
     grit_contact_gradients q{};
-    GRIT_REQUIRE(read_versioned(*gradients, q),
+    GRIT_REQUIRE(read_versioned(gradients, q),
                  "grit_contact_gradients.struct_size %zu is not understood: set it to sizeof",
                  gradients->struct_size);
     grit_contact_normal_counts found{};
-    GRIT_REQUIRE(!counts || write_versioned(found, *counts),
+    GRIT_REQUIRE(!counts || write_versioned(found, counts),
                  "grit_contact_normal_counts.struct_size %zu is not understood: set it to sizeof",
                  counts->struct_size);
     if (const grit_status s = check_call(q, n, error)) return s;
@@ -150,6 +150,6 @@ extern "C" grit_status grit_contact_normals_from_gradients(ptrdiff_t n,
         for (int c = 0; c < q.components; ++c)
             q.normal.base[node * q.normal.point_stride + c * q.normal.component_stride] = v.c[c];
     }
-    if (counts) write_versioned(found, *counts);
+    if (counts) write_versioned(found, counts);
     return result;
 }

@@ -90,7 +90,7 @@ grit_status grit_penalty_forces(const grit_penalty_options* options, const grit_
     const PassSums sums_a = run_pass(pass, body[0], body[1]);
     const PassSums sums_b = run_pass(pass, body[1], body[0]);
     const grit_penalty_totals ours = add_up(sums_a, sums_b, !pass.axisymmetric, tests);
-    if (totals) write_versioned(ours, *totals);
+    if (totals) write_versioned(ours, totals);
     return GRIT_OK;
 }
 }

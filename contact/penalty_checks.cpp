@@ -8,7 +8,7 @@ namespace grit::penalty {
 grit_status read_options(const grit_penalty_options* given, grit_penalty_options& o,
                          grit_error* error) {
     GRIT_REQUIRE(given, "options is null: normal_stiffness and depth_max have no default");
-    GRIT_REQUIRE(read_versioned(*given, o),
+    GRIT_REQUIRE(read_versioned(given, o),
                  "grit_penalty_options.struct_size %zu is not understood: call "
                  "grit_penalty_options_init first",
                  given->struct_size);
@@ -36,7 +36,7 @@ grit_status read_options(const grit_penalty_options* given, grit_penalty_options
 grit_status read_surface(const grit_penalty_surface* given, const char* name,
                          grit_penalty_surface& s, grit_error* error) {
     GRIT_REQUIRE(given, "%s is null", name);
-    GRIT_REQUIRE(read_versioned(*given, s),
+    GRIT_REQUIRE(read_versioned(given, s),
                  "%s: grit_penalty_surface.struct_size %zu is not understood: set it to sizeof",
                  name, given->struct_size);
     GRIT_REQUIRE(is_switch(s.closed), "%s: closed must be 0 or 1, got %d", name, s.closed);

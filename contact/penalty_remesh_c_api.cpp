@@ -63,7 +63,7 @@ grit_status grit_penalty_remesh(const grit_penalty_remeshing* remeshing, void* w
     GRIT_REQUIRE(remeshing, "remeshing is null");
     GRIT_REQUIRE(new_count, "new_count is null");
     grit_penalty_remeshing q{};
-    GRIT_REQUIRE(read_versioned(*remeshing, q),
+    GRIT_REQUIRE(read_versioned(remeshing, q),
                  "grit_penalty_remeshing.struct_size %zu is not understood: set it to sizeof",
                  remeshing->struct_size);
     if (const grit_status s = check(q, error)) return s;

@@ -140,11 +140,11 @@ grit_status grit_contact_normals_by_regression(ptrdiff_t n, const grit_contact_c
     GRIT_REQUIRE(clouds, "grit_contact_normals_by_regression: clouds is null");
     GRIT_REQUIRE(n >= 0, "grit_contact_normals_by_regression: n must be >= 0, got %td", n);
     grit_contact_clouds q{};
-    GRIT_REQUIRE(read_versioned(*clouds, q),
+    GRIT_REQUIRE(read_versioned(clouds, q),
                  "grit_contact_clouds.struct_size %zu is not understood: set it to sizeof",
                  clouds->struct_size);
     grit_contact_normal_counts numbers{};
-    GRIT_REQUIRE(!counts || write_versioned(numbers, *counts),
+    GRIT_REQUIRE(!counts || write_versioned(numbers, counts),
                  "grit_contact_normal_counts.struct_size %zu is not understood: set it to sizeof",
                  counts->struct_size);
     if (const grit_status s = check_options(q, error)) return s;
@@ -165,7 +165,7 @@ grit_status grit_contact_normals_by_regression(ptrdiff_t n, const grit_contact_c
     numbers.defined = found.defined;
     numbers.undefined = found.undefined;
     numbers.failed = found.failed;
-    if (counts) write_versioned(numbers, *counts);
+    if (counts) write_versioned(numbers, counts);
     return found.fault == RegressionFault::none ? GRIT_OK : describe(request, found, error);
 }
 }

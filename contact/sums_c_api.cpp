@@ -92,6 +92,6 @@ grit_status grit_contact_sums_read(const grit_contact_sums* sums, grit_contact_t
     t.stick = count(counts_at + GRIT_CONTACT_STICK);
     t.slip = count(counts_at + GRIT_CONTACT_SLIP);
     t.failed = count(failed_at);
-    return write_versioned(t, *totals) ? GRIT_OK : GRIT_BAD_CALL;
+    return write_versioned(t, totals) ? GRIT_OK : GRIT_BAD_CALL;
 }
 }

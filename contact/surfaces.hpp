@@ -14,7 +14,7 @@ namespace grit {
 inline grit_status read_surfaces(const grit_contact_surfaces* caller, grit_contact_surfaces& ours,
                                  grit_error* error) {
     GRIT_REQUIRE(caller, "surfaces is null");
-    GRIT_REQUIRE(read_versioned(*caller, ours),
+    GRIT_REQUIRE(read_versioned(caller, ours),
                  "grit_contact_surfaces.struct_size %zu is not understood: set it to sizeof",
                  caller->struct_size);
     GRIT_REQUIRE(ours.components == 2 || ours.components == 3, "components must be 2 or 3, got %d",

@@ -114,7 +114,7 @@ grit_status grit_contact_surfaces_finish(const grit_contact_surfaces* surfaces, 
     grit_contact_surfaces s{};
     if (const grit_status status = read_surfaces(surfaces, s, error)) return status;
     grit_contact_distances q{};
-    GRIT_REQUIRE(read_versioned(*distances, q),
+    GRIT_REQUIRE(read_versioned(distances, q),
                  "grit_contact_distances.struct_size %zu is not understood: set it to sizeof",
                  distances->struct_size);
     if (n == 0) return GRIT_OK;  // an empty array may have no base pointer

@@ -111,7 +111,7 @@ class Batch {
     void take(std::ptrdiff_t i) {
         const std::ptrdiff_t at = q.points->index ? q.points->index[i] : i;
         const RawPoint raw = read_point(*q.points, at);
-        const Fault fault = check_point(m, q.igs, q.points->components, raw);
+        const Fault fault = check_point(m, *q.options, q.igs, q.points->components, raw);
         if (fault != Fault::none) return fail(i, fault, raw.strain, 0.0, 0);
         if (q.options->validate_only) {
             write_report(q.reports ? q.reports + i : nullptr, 0, 0, 0, 0.0);
@@ -127,7 +127,7 @@ class Batch {
         const auto end = integrated<double>(path, start.T, p.advised_step);
         if (end.failed) return fail(p, i, end);
         const PointResult r = result_of(m, q.igs, p, path, end);
-        if (!storable(m, r)) return fail(p, i, end);
+        if (const Fault f = fault_of(m, r); f != Fault::none) return fail(p, i, end, f);
         write_point(q, i, at, p, r);
     }
 
@@ -147,7 +147,7 @@ class Batch {
         const Integrated<double> end = plain(dual_end);
         if (end.failed) return fail(p, i, end);
         PointResult r = result_of(m, q.igs, p, plain(path), end);
-        if (!storable(m, r)) return fail(p, i, end);
+        if (const Fault f = fault_of(m, r); f != Fault::none) return fail(p, i, end, f);
         r.has_tangent = true;
         for (int row = 0; row < 6; ++row) {
             const Six slope = by_strain(dual_end.y.T[row], along);
@@ -157,11 +157,11 @@ class Batch {
         write_point(q, i, at, p, r);
     }
 
-    void fail(const Point& p, std::ptrdiff_t i, const Integrated<double>& end) {
+    void fail(const Point& p, std::ptrdiff_t i, const Integrated<double>& end,
+              Fault fault = Fault::evaluation_limit) {
         double strain[6];
         strain_to_voigt(p.strain_increment, strain);
-        fail(i, Fault::evaluation_limit, strain, end.failed ? end.progress : 0.0,
-             static_cast<int>(end.evaluations));
+        fail(i, fault, strain, end.failed ? end.progress : 0.0, static_cast<int>(end.evaluations));
     }
 
     void fail(std::ptrdiff_t i, Fault fault, const double strain[6], double progress,

@@ -38,12 +38,12 @@ inline grit_status read_call(const char* name, const grit_sand* sand,
                  "%s: sand was not prepared by grit_sand_prepare of major version %d", name,
                  GRIT_VERSION_MAJOR);
     call.options =
-        options ? view_versioned(*options, default_options, call.own_options) : &default_options;
+        options ? view_versioned(options, default_options, call.own_options) : &default_options;
     GRIT_REQUIRE(call.options,
                  "grit_sand_options.struct_size %zu is not understood: call "
                  "grit_sand_options_init first",
                  options->struct_size);
-    call.points = view_versioned(*points, nothing, call.own_points);
+    call.points = view_versioned(points, nothing, call.own_points);
     GRIT_REQUIRE(call.points,
                  "grit_sand_points.struct_size %zu is not understood: set it to sizeof",
                  points->struct_size);

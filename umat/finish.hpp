@@ -26,8 +26,12 @@ GRIT_INLINE Tensor<Real> h_at_end(const Material& m, const StraightPath<Real>& p
                                   const Mobilisation<Real>& h, const PlainOf<Real>& late) {
     const Real length = m.R * min(h.rho, Real(1.0));
     const Real along_h = length - late * h.rho_beta * h.c;  // (G3)
-    return scaled_sum(fma(along_h, h.c, Real(late)), path.D_hat,
-                      scaled(path.tau, along_h * h.across));
+    Tensor<Real> end =
+        scaled_sum(fma(along_h, h.c, Real(late)), path.D_hat, scaled(path.tau, along_h * h.across));
+    const Real length_sq = contract(end, end) * square(m.inverse_R);
+    const MaskOf<Real> beyond = length_sq > Real(1.0 + 1e-12);
+    if (any(beyond)) assign(beyond, end, scaled(end, 1.0 / sqrt(length_sq)));
+    return end;
 }
 
 // The end of an integrated path: h, e and, if it separated on the way, w.
@@ -54,10 +58,11 @@ inline PointResult result_of(const Material& m, bool igs, const Point& p,
 }
 
 // What an update returns, the next one must accept.
-inline bool storable(const Material& m, const PointResult& r) {
+inline Fault fault_of(const Material& m, const PointResult& r) {
     for (const double component : r.T.c)
-        if (!(fabs(component) <= largest_stress_per_h_s * m.h_s - m.p_t)) return false;
-    return true;
+        if (!(fabs(component) <= largest_stress_per_h_s * m.h_s - m.p_t))
+            return Fault::evaluation_limit;
+    return is_void_ratio(r.e) ? Fault::none : Fault::void_ratio_leaves_range;
 }
 
 // A point that stays separated over its whole increment.
@@ -65,7 +70,7 @@ inline PointResult separated_result(bool igs, const Point& p) {
     PointResult r;
     const double opened = trace(p.strain_increment);
     r.h = igs ? isotropic(0.0) : p.h;
-    r.e = fma(1.0 + p.e, exp(opened), -1.0);
+    r.e = void_ratio_after(p.e, opened);
     r.w = max(p.w + opened, 0.0);
     r.next_step = p.advised_step;
     r.flags = p.flags;
@@ -202,7 +207,9 @@ inline void write_resting(const UpdateRequest& q, std::ptrdiff_t i, std::ptrdiff
         }
     }
     if (!q.reports) return;
-    const int flags = stress_free ? GRIT_SAND_STRESS_FREE : void_flag(m, p.T, p.e);
+    // h is scaled back where it is written.
+    const int flags = (raw.rotates ? p.flags : 0) |
+                      (stress_free ? GRIT_SAND_STRESS_FREE : void_flag(m, p.T, p.e));
     write_report(q.reports + i, flags, 0, 0, 0.0);
 }
 

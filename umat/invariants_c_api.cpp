@@ -51,7 +51,7 @@ grit_status grit_sand_invariants_of(const grit_sand* sand, const double stress[6
         ours.relative_density =
             (m.e_c0 * E - state[GRIT_SAND_VOID_RATIO]) / ((m.e_c0 - m.e_d0) * E);
     }
-    return write_versioned(ours, *invariants) ? GRIT_OK : GRIT_BAD_CALL;
+    return write_versioned(ours, invariants) ? GRIT_OK : GRIT_BAD_CALL;
 }
 
 grit_status grit_sand_void_ratio_at_pressure(const grit_sand* sand, double e_0, double p,

@@ -16,7 +16,8 @@ struct Exponent {
     std::int64_t quarters;
 };
 
-struct Material {
+// Read where it lies, in an array of doubles: hence may_alias.
+struct __attribute__((may_alias)) Material {
     std::uint64_t stamp;
     // parameters
     double phi_c, h_s, n, e_d0, e_c0, e_i0, alpha, beta, p_t;

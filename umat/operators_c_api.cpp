@@ -68,7 +68,7 @@ grit_status grit_sand_factors(const grit_sand* sand, const double stress[6], dou
     ours.f_e = std::pow(m.e_c0 / e_0, m.beta);  // (H7)
     ours.f_b = k.f.f_s / ours.f_e;
     ours.f_s = k.f.f_s;
-    return write_versioned(ours, *factors) ? GRIT_OK : GRIT_BAD_CALL;
+    return write_versioned(ours, factors) ? GRIT_OK : GRIT_BAD_CALL;
 }
 
 grit_status grit_sand_stiffness(const grit_sand* sand, const double stress[6], double void_ratio,

@@ -26,10 +26,9 @@ GRIT_INLINE void turn(const UpdateRequest& request, const Places<Real>& places,
                       OrdinaryPoints<Real>& r) {
     const grit_sand_points& q = *request.points;
     Real Q[9], off(0.0);
-    for (int c = 0; c < 9; ++c) {
-        Q[c] = read(q.rotation_increment, places, c);
-        off = off + fabs(Q[c] - (c % 4 == 0 ? 1.0 : 0.0));
-    }
+    for (int c = 0; c < 9; ++c) Q[c] = read(q.rotation_increment, places, c);
+    if (q.components == 4) keep_in_plane(Q);
+    for (int c = 0; c < 9; ++c) off = off + fabs(Q[c] - (c % 4 == 0 ? 1.0 : 0.0));
     const MaskOf<Real> stays = off <= Real(0.0);
     r.ordinary = r.ordinary & (stays | is_rotation(Q, q.components == 4));
     r.h = select(stays, r.h, rotated(Q, r.h));

@@ -162,7 +162,7 @@ grit_status grit_sand_parameters_init(grit_sand_parameters* parameters, size_t s
     for (const Entry& entry : table) ours.*entry.member = missing;
     ours.pressure_shift = 0.0;
     parameters->struct_size = struct_size;
-    write_versioned(ours, *parameters);
+    write_versioned(ours, parameters);
     return GRIT_OK;
 }
 
@@ -175,7 +175,7 @@ grit_status grit_sand_parameter_get(const grit_sand_parameters* parameters, int 
     if (!parameters || !value || !grit_sand_parameter_describe(index)) return GRIT_BAD_CALL;
     grit_sand_parameters ours;
     grit_sand_parameters_init(&ours, sizeof ours);
-    if (!read_versioned(*parameters, ours)) return GRIT_BAD_CALL;
+    if (!read_versioned(parameters, ours)) return GRIT_BAD_CALL;
     *value = ours.*table[index].member;
     return GRIT_OK;
 }
@@ -184,9 +184,9 @@ grit_status grit_sand_parameter_set(grit_sand_parameters* parameters, int index,
     if (!parameters || !grit_sand_parameter_describe(index)) return GRIT_BAD_CALL;
     grit_sand_parameters ours;
     grit_sand_parameters_init(&ours, sizeof ours);
-    if (!read_versioned(*parameters, ours)) return GRIT_BAD_CALL;
+    if (!read_versioned(parameters, ours)) return GRIT_BAD_CALL;
     ours.*table[index].member = value;
-    return write_versioned(ours, *parameters) ? GRIT_OK : GRIT_BAD_CALL;
+    return write_versioned(ours, parameters) ? GRIT_OK : GRIT_BAD_CALL;
 }
 
 grit_status grit_sand_prepare(const grit_sand_parameters* parameters, grit_sand* sand,
@@ -196,7 +196,7 @@ grit_status grit_sand_prepare(const grit_sand_parameters* parameters, grit_sand*
                        parameters ? "sand" : "parameters");
     grit_sand_parameters ours;
     grit_sand_parameters_init(&ours, sizeof ours);
-    if (!read_versioned(*parameters, ours))
+    if (!read_versioned(parameters, ours))
         return failure(error, GRIT_BAD_CALL, -1,
                        "grit_sand_parameters.struct_size %zu is not understood (this version has "
                        "%zu bytes): call grit_sand_parameters_init first",
@@ -218,6 +218,6 @@ grit_status grit_sand_parameters_of(const grit_sand* sand, grit_sand_parameters*
     for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i)
         if (table[i].info.optional != 2 || m.has_intergranular_strain != 0.0)
             ours.*table[i].member = values[i];
-    return write_versioned(ours, *parameters) ? GRIT_OK : GRIT_BAD_CALL;
+    return write_versioned(ours, parameters) ? GRIT_OK : GRIT_BAD_CALL;
 }
 }

@@ -20,6 +20,14 @@ GRIT_INLINE double element(const double* base, std::ptrdiff_t point_stride,
     return base[point * point_stride + component * component_stride];
 }
 
+constexpr double tolerated_tilt = 1e-12;  // of a Q about axis 3 with 4 components
+
+// With 4 components what a Q tilts out of the plane is roundoff, and h13 and h23 stay zero: not taken over.
+template <class Real> GRIT_INLINE void keep_in_plane(Real Q[9]) {
+    for (const int c : {2, 5, 6, 7})
+        Q[c] = select(fabs(Q[c]) <= Real(tolerated_tilt), Real(0.0), Q[c]);
+}
+
 inline RawPoint read_point(const grit_sand_points& q, std::ptrdiff_t at) {
     RawPoint raw;
     const int n = q.components == 0 ? 6 : q.components;
@@ -34,9 +42,12 @@ inline RawPoint read_point(const grit_sand_points& q, std::ptrdiff_t at) {
         raw.state[c] = element(s.base, s.point_stride, s.component_stride, at, c);
     const auto& r = q.rotation_increment;
     raw.rotates = false;  // by Q = I nothing is touched
-    for (int c = 0; r.base && c < 9; ++c) {
-        raw.Q[c] = element(r.base, r.point_stride, r.component_stride, at, c);
-        raw.rotates = raw.rotates || raw.Q[c] != (c % 4 == 0 ? 1.0 : 0.0);
+    if (r.base) {
+        for (int c = 0; c < 9; ++c)
+            raw.Q[c] = element(r.base, r.point_stride, r.component_stride, at, c);
+        if (n == 4) keep_in_plane(raw.Q);
+        for (int c = 0; c < 9; ++c)
+            raw.rotates = raw.rotates || raw.Q[c] != (c % 4 == 0 ? 1.0 : 0.0);
     }
     raw.substep = q.substep.base ? q.substep.base[at * q.substep.point_stride] : 0.0;
     return raw;
@@ -66,10 +77,23 @@ template <class Real> inline MaskOf<Real> is_rotation(const Real Q[9], bool in_p
                      Q[2] * (Q[3] * Q[7] - Q[4] * Q[6]);
     const Real out_of_plane = max(max(fabs(Q[2]), fabs(Q[5])), max(fabs(Q[6]), fabs(Q[7])));
     const MaskOf<Real> proper = (worst <= Real(1e-8)) & (det > Real(0.0));
-    return in_plane ? proper & (out_of_plane <= Real(1e-12)) : proper;
+    return in_plane ? proper & (out_of_plane <= Real(tolerated_tilt)) : proper;
 }
 
-inline Fault check_point(const Material& m, bool igs, int components, const RawPoint& raw) {
+// (H9), of a point and of its end alike.
+GRIT_INLINE double void_ratio_after(double e, double volumetric) {
+    return fma(1.0 + e, exp(volumetric), -1.0);
+}
+GRIT_INLINE bool is_void_ratio(double e) { return e > 0.0 && e <= largest_void_ratio; }
+
+GRIT_INLINE bool is_stress(const Material& m, const double stress[6]) {
+    for (int c = 0; c < 6; ++c)
+        if (!(fabs(stress[c]) <= largest_stress_per_h_s * m.h_s)) return false;
+    return true;
+}
+
+inline Fault check_point(const Material& m, const grit_sand_options& options, bool igs,
+                         int components, const RawPoint& raw) {
     if (!finite(raw.strain, 6)) return Fault::strain_not_finite;
     if (!finite(raw.stress, 6)) return Fault::stress_not_finite;
     if (!finite(raw.state, GRIT_SAND_STATE_SIZE)) return Fault::state_not_finite;
@@ -77,7 +101,7 @@ inline Fault check_point(const Material& m, bool igs, int components, const RawP
     if (raw.rotates && (!finite(raw.Q, 9) || !is_rotation(raw.Q, components == 4)))
         return Fault::rotation_improper;
     const double e = raw.state[GRIT_SAND_VOID_RATIO];
-    if (!(e > 0.0 && e <= largest_void_ratio)) return Fault::void_ratio_out_of_range;
+    if (!is_void_ratio(e)) return Fault::void_ratio_out_of_range;
     if (!(raw.state[GRIT_SAND_SEPARATION] >= 0.0)) return Fault::separation_negative;
     if (igs) {
         if (components == 4 && (raw.state[GRIT_SAND_H13] != 0.0 || raw.state[GRIT_SAND_H23] != 0.0))
@@ -85,15 +109,18 @@ inline Fault check_point(const Material& m, bool igs, int components, const RawP
         if (!(norm(strain_from_voigt(raw.state)) <= tolerated_h_excess * m.R))
             return Fault::h_too_long;
     }
-    for (double component : raw.stress)
-        if (!(fabs(component) <= largest_stress_per_h_s * m.h_s)) return Fault::stress_too_large;
+    if (!is_stress(m, raw.stress)) return Fault::stress_too_large;
+    if (raw.rotates && !options.stress_is_rotated) {
+        double turned[6];
+        stress_to_voigt(rotated(raw.Q, stress_from_voigt(raw.stress)), turned);
+        if (!is_stress(m, turned)) return Fault::turned_stress_too_large;
+    }
     double largest = 0.0;
     for (double component : raw.strain) largest = max(largest, fabs(component));
     if (!(largest <= 1.0)) return Fault::increment_too_large;
     const Tensor<double> dE = strain_from_voigt(raw.strain);
     if (!(norm(dE) <= largest_increment)) return Fault::increment_too_large;
-    const double e_end = (1.0 + e) * exp(trace(dE)) - 1.0;  // (H9)
-    if (!(e_end > 0.0 && e_end <= largest_void_ratio)) return Fault::void_ratio_leaves_range;
+    if (!is_void_ratio(void_ratio_after(e, trace(dE)))) return Fault::void_ratio_leaves_range;
     return Fault::none;
 }
 

@@ -22,6 +22,7 @@ enum class Fault {
     h_out_of_plane,
     h_too_long,
     stress_too_large,
+    turned_stress_too_large,
     increment_too_large,
     void_ratio_leaves_range,
     evaluation_limit

@@ -116,6 +116,10 @@ grit_status describe(const Material& m, const grit_sand_options& o, const grit_s
         case Fault::stress_too_large:
             return say("point %td: stress components must be within 10 h_s = %g: units?",
                        c_api::largest_stress_per_h_s * m.h_s);
+        case Fault::turned_stress_too_large:
+            return say("point %td: stress components must be within 10 h_s = %g after the rotation "
+                       "increment too: units?",
+                       c_api::largest_stress_per_h_s * m.h_s);
         case Fault::increment_too_large:
             return say(
                 "point %td: |strain increment| must be at most %g, got %g: use smaller steps",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The UMAT: one material point per call.
 #include <cmath>
+#include <limits>
 
 #include <grit/sand.h>
 #include <grit/sand_operators.h>
@@ -16,6 +17,9 @@ namespace {
 
 // PNEWDT where the cause does not say how much smaller an increment must be.
 constexpr double default_reduction = 0.25;
+
+// Nine entries below it are denormal or zero: DROT that was not set.
+constexpr double smallest_normal = std::numeric_limits<double>::min();
 
 // The share of L in the symmetric tangent (docs/adr/0006).
 constexpr double share_of_L = 0.5;
@@ -71,8 +75,29 @@ void project(double Q[9]) {
     }
 }
 
-// DROT as a row-major Q. False where nothing is to be turned: null, the identity, or all zero, which
-// is how hosts without finite rotations fill it.
+// As the library takes it, see its check.
+bool is_rotation(const double Q[9]) {
+    double off = 0.0;  // sums of magnitudes keep what is not a number
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j <= i; ++j) {
+            double dot = i == j ? -1.0 : 0.0;
+            for (int k = 0; k < 3; ++k) dot += Q[3 * i + k] * Q[3 * j + k];
+            off += std::fabs(dot);
+        }
+    const double det = Q[0] * (Q[4] * Q[8] - Q[5] * Q[7]) - Q[1] * (Q[3] * Q[8] - Q[5] * Q[6]) +
+                       Q[2] * (Q[3] * Q[7] - Q[4] * Q[6]);
+    return off <= 1e-8 && det > 0.0;
+}
+
+bool rests(const UmatArguments& call) {
+    double size = 0.0;
+    for (int c = 0; c < *call.ntens; ++c) size += std::fabs(call.dstran[c]);
+    return size == 0.0;
+}
+
+// DROT as a row-major Q. False where nothing is to be turned: null, the identity, or nothing above the
+// denormals, which is how hosts without finite rotations fill it. Hosts that ask for the first stiffness
+// without a strain may not have set DROT at all: then only what is a rotation turns.
 bool read_rotation(const UmatArguments& call, double Q[9]) {
     if (!call.drot || *call.ntens == 3) return false;
     const bool in_plane = *call.ntens != 6;
@@ -86,9 +111,9 @@ bool read_rotation(const UmatArguments& call, double Q[9]) {
             from_identity += std::fabs(entry - unit);
             Q[3 * r + c] = entry;
         }
-    if (size == 0.0 || from_identity == 0.0) return false;
+    if (size < smallest_normal || from_identity == 0.0) return false;
     project(Q);
-    return true;
+    return !rests(call) || is_rotation(Q);
 }
 
 grit_status update(const UmatArguments& call, const Material& material, Point& point,

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "adapters/mpm/case.hpp"
+#include "adapters/mpm/case/case.hpp"
 
 namespace grit::lammps {
 
@@ -37,6 +37,7 @@ struct FixCase {
 FixCase read_fix(const std::vector<std::string>& words, const double (&box)[2][2]);
 
 // A stage as fix_modify describes it; what it does not name is as before.
-mpm::StagePlan read_stage(const std::vector<std::string>& words, const mpm::StagePlan& before);
+mpm::StagePlan read_stage(const std::vector<std::string>& words, const mpm::StagePlan& before,
+                          mpm::Scheme scheme);
 
 }  // namespace grit::lammps

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "adapters/lammps/guarded.hpp"
-#include "adapters/mpm/history.hpp"
+#include "adapters/mpm/run/history.hpp"
 
 namespace grit::lammps {
 
@@ -228,7 +228,8 @@ int FixGritMpm::modify_param(int count, char** words) {
 void FixGritMpm::begin_stage(const std::vector<std::string>& words) {
     mpm::Runner& runner = run->run();
     runner.begin(words[0], [&](const mpm::StagePlan& before) {
-        return read_stage({words.begin() + 1, words.end()}, before);
+        return read_stage({words.begin() + 1, words.end()}, before,
+                          runner.description().settings.scheme);
     });
 }
 

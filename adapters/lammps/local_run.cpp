@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "adapters/mpm/column_names.hpp"
-#include "adapters/mpm/initial_state.hpp"
-#include "adapters/mpm/shared_state.hpp"
+#include "adapters/mpm/case/initial_state.hpp"
+#include "adapters/mpm/io/column_names.hpp"
+#include "adapters/mpm/io/shared_state.hpp"
 
 namespace grit::lammps {
 namespace {
@@ -86,6 +86,10 @@ bool LocalRun::is_cut(const Cuts& cuts) const { return cut.at == cuts.at && cut.
 
 void LocalRun::start(const Cuts& cuts, const std::vector<std::vector<int>>& traction_ids) {
     if (runner && is_cut(cuts)) return settle();
+    // Cuts that are refused leave all as it was.
+    HaloLayout layout{cuts.world, {}, cuts.here, {}};
+    std::copy(&cuts.neighbour[0][0], &cuts.neighbour[0][0] + 4, &layout.neighbour[0][0]);
+    layout.slices = {slices(axis_r, cuts.at[0], slack()), slices(axis_z, cuts.at[1], slack())};
     Halo::Traffic traffic;
     if (runner) {
         // Particles that came are at home on the grid as it will be, not on the one that is.
@@ -93,11 +97,8 @@ void LocalRun::start(const Cuts& cuts, const std::vector<std::vector<int>>& trac
         take_particles_out();
         traffic = exchange->traffic();
     }
-    cut = cuts;
-    HaloLayout layout{cuts.world, {}, cuts.here, {}};
-    std::copy(&cuts.neighbour[0][0], &cuts.neighbour[0][0] + 4, &layout.neighbour[0][0]);
-    layout.slices = {slices(axis_r, cuts.at[0], slack()), slices(axis_z, cuts.at[1], slack())};
     runner.reset();
+    cut = cuts;
     exchange = std::make_unique<Halo>(std::move(layout));
     exchange->count_from(traffic);
     if (stored) plan.plan.stages = stored->stages;
@@ -200,6 +201,9 @@ void LocalRun::ask_for_step() {
     const double t = simulation().time();
     for (AskedVariable& variable : asked)
         ask(variable, variable.of_motion ? t + simulation().next_step() : t);
+    while (simulation().shorten_step())
+        for (AskedVariable& variable : asked)
+            if (variable.of_motion) ask(variable, t + simulation().next_step());
 }
 
 void LocalRun::ask_for_motion_now() {

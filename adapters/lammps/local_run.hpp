@@ -10,7 +10,7 @@
 
 #include "adapters/lammps/fix_case.hpp"
 #include "adapters/lammps/halo.hpp"
-#include "adapters/mpm/run.hpp"
+#include "adapters/mpm/run/run.hpp"
 
 namespace grit::lammps {
 
@@ -69,10 +69,12 @@ class LocalRun {
     // There is something to store: it was started, or goes on from a stored run.
     bool has_begun() const { return runner || stored; }
     // The grid is not cut that way.
+    // The grid is not cut that way.
     bool is_cut_anew(const Cuts& cuts) const { return !is_cut(cuts); }
 
     // Asks for the values of all variables, in the same order on all processes: of loads at the begin of the
-    // next step, of motions at its end. Only of motions, now: to show them before a step.
+    // next step, of motions at its end, and again where these want it to end earlier. Only of motions, now: to
+    // show them before a step.
     bool has_variables() const { return !asked.empty(); }
     void ask_for_step();
     void ask_for_motion_now();

@@ -3,12 +3,16 @@
 
 #include <stdexcept>
 
+#include "adapters/mpm/io/text.hpp"
+
 namespace grit::lammps {
 namespace {
 
+using mpm::case_word;
+
 mpm::TimeTable read_table(Words& words, const std::string& what) {
     mpm::TimeTable out;
-    for (int n = words.integer("the number of points of " + what, 1, 1000000); n > 0; --n) {
+    for (int n = words.integer("the number of points of " + what, {1, 1000000}); n > 0; --n) {
         out.time.push_back(words.number("a time of " + what));
         out.value.push_back(words.number("a value of " + what));
         if (out.time.size() > 1 && !(out.time.back() > out.time[out.time.size() - 2]))
@@ -19,15 +23,26 @@ mpm::TimeTable read_table(Words& words, const std::string& what) {
 
 mpm::PulseTrain read_pulses(Words& words) {
     mpm::PulseTrain out;
-    out.form = words.choice("the form of a pulse", {"half_sine", "triangle"}) == 0
-                   ? mpm::PulseForm::half_sine
-                   : mpm::PulseForm::triangle;
+    out.form =
+        static_cast<mpm::PulseForm>(words.choice("the form of a pulse", mpm::words::pulse_forms));
     out.peak = words.number("the peak of a pulse");
-    out.duration = words.positive("the duration of a pulse");
-    out.peak_time = words.number("the time of its peak", 0.0, out.duration);
-    out.interval = words.number("the interval of pulses", out.duration, 1e300);
-    out.start = words.number("the start of the first pulse", 0.0, 1e300);
-    out.count = words.integer("the number of pulses", 1, 1000000000);
+    out.duration =
+        words.number("the duration of a pulse", case_word("traction.pulses", "duration_s"));
+    out.peak_time =
+        words.number("the time of its peak", case_word("traction.pulses", "peak_time_s"));
+    if (out.form == mpm::PulseForm::half_sine && out.peak_time != 0.5 * out.duration)
+        throw std::invalid_argument("a half sine has its peak at " + mpm::text(0.5 * out.duration) +
+                                    " s, got " + mpm::text(out.peak_time));
+    if (!(out.peak_time < out.duration))
+        throw std::invalid_argument("the time of its peak must be below the duration of a pulse, " +
+                                    mpm::text(out.duration) + ", got " + mpm::text(out.peak_time));
+    out.interval = words.number("the interval of pulses");
+    if (!(out.interval >= out.duration))
+        throw std::invalid_argument("the interval of pulses must be no shorter than one, " +
+                                    mpm::text(out.duration) + ", got " + mpm::text(out.interval));
+    out.start =
+        words.number("the start of the first pulse", case_word("traction.pulses", "start_s"));
+    out.count = words.integer("the number of pulses", case_word("traction.pulses", "count").range);
     return out;
 }
 

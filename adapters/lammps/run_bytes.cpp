@@ -9,7 +9,7 @@
 namespace grit::lammps {
 namespace {
 
-constexpr std::uint64_t format = 0x677269746d706d03;  // "gritmpm", 3
+constexpr std::uint64_t format = 0x677269746d706d04;  // "gritmpm", 4
 
 class Writer {
   public:

@@ -14,10 +14,18 @@ set(prefix ${WORK}/prefix)
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix} --config "${CONFIG}")
 
 run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${SOURCE} -B ${WORK}/consumer
-    -DCMAKE_C_COMPILER=${CC} -DCMAKE_PREFIX_PATH=${prefix})
+    -DCMAKE_C_COMPILER=${CC} -DCMAKE_PREFIX_PATH=${prefix} -DGRIT_VERSION=${VERSION})
 run(${CMAKE_COMMAND} --build ${WORK}/consumer)
 run(${WORK}/consumer/with_shared)
 run(${WORK}/consumer/with_static)
+
+# The loader tells incompatible libraries apart by this name: before 1.0 that is another minor version.
+string(REGEX REPLACE "^(0\\.[0-9]+|[0-9]+).*" "\\1" soversion ${VERSION})
+file(GLOB_RECURSE library ${prefix}/*/libgrit.so)
+run(${OBJDUMP} -p ${library})
+if(NOT output MATCHES "SONAME +libgrit\\.so\\.([0-9.]+)" OR NOT CMAKE_MATCH_1 STREQUAL soversion)
+  message(FATAL_ERROR "libgrit.so.${soversion} is called libgrit.so.${CMAKE_MATCH_1}")
+endif()
 
 file(GLOB_RECURSE pc ${prefix}/*/grit.pc)
 get_filename_component(pc_dir "${pc}" DIRECTORY)

@@ -163,6 +163,38 @@ TEST(UmatRotation, TakesAZeroMatrixAsNoneInThePlaneToo) {
     EXPECT_TRUE(without.same_results(with));
 }
 
+// A host that has not set DROT yet hands over what its memory held.
+TEST(UmatRotation, TakesDenormalsAsZeros) {
+    for (const int components : {6, 4}) {
+        UmatCall with = UmatCall::hochstetten();
+        with.use_components(components);
+        with.set_dstran(-1e-4, 4e-5, 1e-5, 5e-5);
+        UmatCall without = with;
+        for (std::size_t i = 0; i < 9; ++i) without.drot[i] = i % 2 ? 6.9e-310 : -5e-324;
+        with.run();
+        without.run();
+        EXPECT_EQ(without.pnewdt, 1.0);
+        EXPECT_TRUE(without.same_results(with));
+    }
+}
+
+TEST(UmatRotation, IsNotLookedForWithoutStrainWhereDrotIsNone) {
+    const double nan = std::nan(""), infinite = HUGE_VAL;
+    for (const int components : {6, 4, 3})
+        for (const double entry : {6.9e-310, 1e-300, 1e-5, -0.7, 3.0, 1e300, infinite, nan}) {
+            UmatCall with = UmatCall::hochstetten();
+            with.use_components(components);
+            with.statev[0] = -5e-5;
+            UmatCall without = with;
+            for (const std::size_t i : {0U, 1U, 4U, 8U}) without.drot[i] = entry;
+            with.run();
+            without.run();
+            EXPECT_EQ(without.pnewdt, 1.0) << entry;
+            EXPECT_TRUE(without.same_results(with)) << entry;
+            EXPECT_GT(without.ddsdde[0], 0.0) << entry;
+        }
+}
+
 TEST(UmatRotation, StaysInThePlaneWithFourComponents) {
     UmatCall full = UmatCall::hochstetten();
     full.statev[0] = -5e-5;
@@ -182,6 +214,7 @@ TEST(UmatRotation, StaysInThePlaneWithFourComponents) {
 
 TEST(UmatRotation, RefusesAMatrixThatDoesNotRotate) {
     UmatCall call = UmatCall::hochstetten();
+    call.set_dstran(-1e-4, 4e-5, 1e-5, 5e-5);
     call.drot[0] = 1.1;
     const UmatCall before = call;
     EXPECT_NE(call.complaint().find("rotation_increment"), std::string::npos);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // More than two bodies at a node, (C7).
 #include <algorithm>
+#include <limits>
 #include <string>
 
 #include "support/crowd.hpp"
@@ -191,6 +192,91 @@ TEST(ManyBodies, GiveTheSameBitsInAnyCompany) {
         alone.correct();
         EXPECT_EQ(std::memcmp(&alone.node[0], &together.node[i], sizeof alone.node[0]), 0);
     }
+}
+
+// A node of a crowd with the bodies kept only, in their order.
+Crowd part_of(const Crowd& whole, const std::vector<int>& kept) {
+    Crowd part = whole;
+    const auto place = [&](int body) {
+        const auto at = std::find(kept.begin(), kept.end(), body);
+        return at == kept.end() ? -1 : static_cast<int>(at - kept.begin());
+    };
+    part.count = static_cast<int>(kept.size());
+    for (std::size_t b = 0; b < kept.size(); ++b) {
+        const auto from = static_cast<std::size_t>(kept[b]);
+        part.node[0].m[b] = whole.node[0].m[from];
+        part.node[0].v[b] = whole.node[0].v[from];
+    }
+    part.who.clear();
+    part.options.clear();
+    for (std::size_t p = 0; p < whole.who.size(); ++p) {
+        const int a = place(whole.who[p].first), b = place(whole.who[p].second);
+        if (a < 0 || b < 0) continue;
+        part.node[0].n[part.who.size()] = whole.node[0].n[p];
+        part.node[0].s[part.who.size()] = whole.node[0].s[p];
+        part.who.emplace_back(a, b);
+        part.options.push_back(whole.options[p]);
+    }
+    part.sums.resize(part.who.size());
+    return part;
+}
+
+// Velocities of bodies without an active pair may be anything.
+TEST(ManyBodies, DoNotFeelThoseThatAreNotThere) {
+    Random random(72);
+    const double anything[] = {std::numeric_limits<double>::quiet_NaN(),
+                               std::numeric_limits<double>::infinity(),
+                               -std::numeric_limits<double>::infinity(), 1e300, -0.7};
+    int rubbing = 0;
+    for (int trial = 0; trial < 3000; ++trial) {
+        const int components = trial % 2 ? 2 : 3, count = 3 + trial % 6;
+        Crowd whole(count, 1, 7200 + static_cast<std::uint64_t>(trial), components);
+        const int rigid = static_cast<int>(random.uniform(0.0, 2.0 * count));  // often none
+        for (std::size_t p = 0; p < whole.who.size(); ++p) {
+            whole.options[p].friction_coefficient = random.uniform(0.0, 1.0);
+            if (whole.who[p].first == rigid) whole.options[p].rigid = GRIT_CONTACT_A_RIGID;
+            if (whole.who[p].second == rigid) whole.options[p].rigid = GRIT_CONTACT_B_RIGID;
+        }
+        std::vector<int> kept;
+        for (int b = 0; b < count; ++b) {
+            const bool must = count - b <= 2 - static_cast<int>(kept.size());
+            if (must || random.uniform(0.0, 1.0) < 0.6) {
+                kept.push_back(b);
+                continue;
+            }
+            const auto at = static_cast<std::size_t>(b);
+            whole.node[0].m[at] = 0.0;
+            for (int c = 0; c < components; ++c)
+                whole.node[0].v[at][static_cast<std::size_t>(c)] =
+                    anything[static_cast<int>(random.uniform(0.0, 5.0))];
+        }
+        Crowd part = part_of(whole, kept);
+        const Crowd::One before = whole.node[0];
+        ASSERT_EQ(whole.correct(), part.correct()) << whole.error.message << part.error.message;
+        std::size_t k = 0;
+        for (std::size_t b = 0; b < static_cast<std::size_t>(count); ++b) {
+            const bool there = k < kept.size() && kept[k] == static_cast<int>(b);
+            const Vec& expected = there ? part.node[0].v[k++] : before.v[b];
+            EXPECT_EQ(std::memcmp(&whole.node[0].v[b], &expected, sizeof expected), 0)
+                << "trial " << trial << ", body " << b;
+        }
+        std::size_t q = 0;
+        for (std::size_t p = 0; p < whole.who.size(); ++p) {
+            const auto is_kept = [&](int b) {
+                return std::find(kept.begin(), kept.end(), b) != kept.end();
+            };
+            if (!is_kept(whole.who[p].first) || !is_kept(whole.who[p].second)) {
+                EXPECT_EQ(whole.reports[p].state, GRIT_CONTACT_INACTIVE);
+                continue;
+            }
+            rubbing += part.reports[q].trial_energy_tangential > 0.0;
+            EXPECT_EQ(std::memcmp(&whole.reports[p], &part.reports[q], sizeof whole.reports[p]), 0)
+                << "trial " << trial << ", pair " << p;
+            EXPECT_EQ(std::memcmp(&whole.sums[p], &part.sums[q], sizeof whole.sums[p]), 0);
+            ++q;
+        }
+    }
+    EXPECT_GT(rubbing, 1000);
 }
 
 TEST(ManyBodies, WithARigidOneLeaveItAlone) {

@@ -3,16 +3,20 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <random>
 #include <sstream>
 #include <string>
 
-#include <adapters/mpm/checkpoint.hpp>
-#include <adapters/mpm/checksum.hpp>
+#include <adapters/mpm/io/checkpoint.hpp>
+#include <adapters/mpm/io/checksum.hpp>
+#include <adapters/mpm/run/history.hpp>
+#include <adapters/mpm/run/measures.hpp>
 #include <grit/version.h>
 
+#include "support/plans.hpp"
 #include "support/pressed_sand.hpp"
 
 namespace {
@@ -180,6 +184,63 @@ TEST(CheckpointOfPenaltyContact, GoesOnWithLinesThatHaveBeenSplit) {
     for (std::size_t part = 1; part < 64; ++part)
         EXPECT_NE(refusal(file.substr(0, file.size() * part / 64), *untouched), "accepted");
     EXPECT_TRUE(slid(*untouched) == before);
+}
+
+// A column under a plate, in nodal or penalty contact, pushed by a traction.
+Case pushed_case(bool penalty) {
+    Case plan = column_case();
+    plan.bodies.push_back(elastic_box("plate", 0.0, 0.2, 1.0, 1.1));
+    plan.bodies[1].velocity = {0.0, -0.5};
+    plan.tractions = {{.body = "plate",
+                       .edge = Edge::top,
+                       .direction = {0.0, -1.0},
+                       .stress = TimeTable{{0.0, 0.05}, {1e3, 1e4}}}};
+    ContactPlan contact{.stiff = "plate", .soft = "column"};
+    contact.law = GRIT_CONTACT_GEO;
+    contact.friction_coefficient = 0.3;
+    if (penalty)
+        contact.penalty = PenaltyPlan{
+            1.3e6, 5.0, {{{0.0, 1.0}, {0.2, 1.0}}, false}, {{{0.2, 1.0}, {0.0, 1.0}}, false}};
+    plan.contacts = {contact};
+    plan.stages[0].local_damping = 0.1;
+    plan.history.body = "plate";
+    plan.history.interval = 1e9;
+    return plan;
+}
+
+std::vector<double> shown(Runner& runner) {
+    std::vector<double> out;
+    const HistoryRow row = runner.look();
+    for (const HistoryColumn& column : history_columns()) out.push_back(column.value(row));
+    const ContactForces forces = contact_forces(runner.simulation(), 0);
+    out.insert(out.end(),
+               {forces.tip.z, forces.shaft.z, forces.largest_gap,
+                base_reaction(runner.simulation()), runner.simulation().traction_force(1).z});
+    return out;
+}
+
+TEST(CheckpointOfARun, ShowsTheRowThatItShowed) {
+    for (const bool penalty : {false, true}) {
+        const Case plan = pushed_case(penalty);
+        Runner uninterrupted(plan);
+        int pressed = 0;
+        for (int i = 0; i < 120; ++i) {
+            uninterrupted.step();
+            if (i % 10 != 9) continue;
+            Runner resumed(plan);
+            resumed.resume(uninterrupted.state());
+            restore_from(saved(uninterrupted.simulation()), resumed.simulation());
+            const std::vector<double> before = shown(uninterrupted), after = shown(resumed);
+            EXPECT_EQ(std::memcmp(before.data(), after.data(), before.size() * sizeof(double)), 0)
+                << "penalty " << penalty << ", step " << i;
+            for (std::size_t c = 0; c < before.size(); ++c)
+                EXPECT_TRUE(before[c] == after[c] ||
+                            (std::isnan(before[c]) && std::isnan(after[c])))
+                    << c << ": " << before[c] << ", then " << after[c];
+            pressed += before[before.size() - 5] != 0.0;
+        }
+        EXPECT_GT(pressed, 3);
+    }
 }
 
 // One number of the header changed, as another program would have written it.

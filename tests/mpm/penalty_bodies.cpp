@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bodies in penalty contact, in the driver.
+#include <random>
+#include <string>
+
+#include "../larger.hpp"
 #include "support/meeting_bodies.hpp"
+#include "support/shapes.hpp"
 
 namespace {
 
@@ -97,6 +102,56 @@ TEST(PenaltyLine, FollowsABodyThatStretches) {
     EXPECT_GT(right, 1.6);  // it has stretched
     EXPECT_NEAR(tip, right, 0.1 * h);
     EXPECT_LE(longest, h * (1.0 + 1e-12));
+}
+
+// A line may be drawn, or may have come, where its body has no mass: what the one body gets the other one
+// gives, or the step is refused.
+TEST(PenaltyLine, LosesNoMomentumWhereverItIs) {
+    constexpr double h = 0.1, v = 2.0;
+    std::mt19937 generator(17);
+    int refused = 0, pressed = 0;
+    for (int trial = 0; trial < 60; ++trial) {
+        const auto off = [&] {
+            return std::uniform_real_distribution<>(-0.5 * h, 4.0 * h)(generator);
+        };
+        const double lower = trial % 3 == 0 ? 0.0 : off(), upper = trial % 3 == 1 ? 0.0 : off();
+        Simulation simulation(Axis::uniform(0.0, 1.0, 10), Axis::uniform(0.0, 3.0, 30),
+                              {.axisymmetric = false, .fixed_point = trial % 2 == 0});
+        for (const int k : {0, 1}) {
+            Body block = make_box({0.3, 0.7, 1.0 + 0.45 * k, 1.4 + 0.45 * k, 8, 8, 1000.0}, false,
+                                  std::make_unique<NeoHooke>(1e5, 0.2));
+            block.name = k == 0 ? "lower" : "upper";
+            const ParticleView q = block.particles.view();
+            for (std::ptrdiff_t p = 0; p < block.particles.size(); ++p)
+                q[column::v_z][p] = k == 0 ? v : -v;
+            simulation.add_body(std::move(block));
+        }
+        PenaltyLaw law = penalty_law(0.2, 1.0, 1e5, h);
+        law.line_a.points = {{0.7, 1.4 + lower}, {0.3, 1.4 + lower}};
+        law.line_b.points = {{0.3, 1.45 - upper}, {0.7, 1.45 - upper}};
+        simulation.add_contact(law);
+        std::string told;
+        double lost = 0.0;
+        try {
+            while (simulation.time() < 0.1) {
+                simulation.step();
+                if (simulation.penalty_contact(0).totals().contacts_a > 0) ++pressed;
+                const CentreOfMass a = centre_of_mass(simulation.body(0).particles);
+                const CentreOfMass b = centre_of_mass(simulation.body(1).particles);
+                lost = larger(lost, std::fabs(a.mass * a.v_z + b.mass * b.v_z) / (a.mass * v));
+            }
+        } catch (const std::runtime_error& error) {
+            told = error.what();
+        }
+        EXPECT_LT(lost, 1e-10) << lower << ' ' << upper;
+        if (told.empty()) continue;
+        ++refused;
+        EXPECT_NE(told.find("penalty contact of lower and upper: vertex "), std::string::npos);
+        EXPECT_NE(told.find(" is in a cell where no node has mass of this body"), std::string::npos)
+            << told;
+    }
+    EXPECT_GT(refused, 10);
+    EXPECT_GT(pressed, 100);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include <adapters/mpm/shared_state.hpp>
+#include <adapters/mpm/io/shared_state.hpp>
 
 #include "support/pressed_sand.hpp"
 
@@ -43,6 +43,19 @@ TEST(SharedState, KnowsWhichNodesPressed) {
     ASSERT_GT(std::count(wanted.begin(), wanted.end(), 1u), 0);
     SharedState::take_nodes(*other, SharedState::nodes(*one));
     EXPECT_EQ(pressed(*other), wanted);
+}
+
+TEST(SharedState, ShowsTheContactForcesOfTheLastStep) {
+    const PressedSand made;
+    const auto one = made.build(), other = made.build();
+    for (int i = 0; i < 60; ++i) one->step();
+    SharedState::take_common(*other, SharedState::common(*one));
+    const ContactPair::Faces &wanted = one->contact(0).faces(), &now = other->contact(0).faces();
+    EXPECT_NE(wanted.along_z.z, 0.0);
+    EXPECT_EQ(now.along_z.z, wanted.along_z.z);
+    EXPECT_EQ(now.along_r.z, wanted.along_r.z);
+    EXPECT_EQ(now.largest_gap, wanted.largest_gap);
+    EXPECT_EQ(other->contact(0).totals().force_on_a[1], one->contact(0).totals().force_on_a[1]);
 }
 
 TEST(SharedState, OfAnotherCaseIsRefused) {

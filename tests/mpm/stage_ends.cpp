@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include <adapters/mpm/measures.hpp>
-#include <adapters/mpm/run.hpp>
+#include <adapters/mpm/run/measures.hpp>
+#include <adapters/mpm/run/run.hpp>
 
 #include "support/plans.hpp"
 
@@ -205,6 +205,39 @@ TEST(EnergyBalance, ClosesFromTheFirstStepsOfALoadOn) {
     }
     EXPECT_LT(largest, 0.045);
     EXPECT_LT(std::abs(runner.row().residual_share), 0.01);
+}
+
+// A host's script may go on after such a refusal.
+TEST(Stages, ThatAreRefusedAsTheyBeginLeaveTheRunAsItWas) {
+    const StageEnd open{};
+    const auto told = [](Runner& runner, const std::string& stage, int blows) {
+        try {
+            runner.begin(stage, [blows](const StagePlan& planned) {
+                StagePlan out = planned;
+                out.local_damping = 0.7;
+                out.end.blows = blows;
+                return out;
+            });
+        } catch (const std::invalid_argument& error) {
+            return std::string(error.what());
+        }
+        return std::string("accepted");
+    };
+    Runner runner(blow_case({pulses("", 0.02, 0.0, 3)}, {open, open, open}));
+    runner.step();
+    for (const std::string stage : {"a", "b"})
+        for (const int blows : {4, 100}) {
+            EXPECT_NE(told(runner, stage, blows).find("of a train of 3"), std::string::npos);
+            EXPECT_EQ(runner.state().stage, 0);
+            for (const StagePlan& plan : runner.description().stages) {
+                EXPECT_EQ(plan.end.blows, 0) << plan.name;
+                EXPECT_EQ(plan.local_damping, 0.0) << plan.name;
+            }
+            runner.step();
+        }
+    EXPECT_EQ(told(runner, "b", 3), "accepted");
+    EXPECT_EQ(runner.state().stage, 1);
+    EXPECT_EQ(runner.description().stages[2].local_damping, 0.7);
 }
 
 }  // namespace

@@ -17,17 +17,27 @@ struct DoubleSums {
     }
 };
 
+// The largest of many sizes; no number if one of them is none: no comparison sees that, a sum keeps it.
+struct LargestSizes {
+    Vec8 size{}, sum{};
+
+    MPM_INLINE void add(const Vec8& x) {
+        size = x > size ? x : size;
+        sum += x;
+    }
+    MPM_INLINE double operator[](int c) const { return sum[c] == sum[c] ? size[c] : sum[c]; }
+};
+
 // x scale, rounded to an integer by the addition of 1.5 2^52, which leaves the integer in the last bits.
 struct FixedSums {
     static constexpr double magic = 0x1.8p52;
     NodeIntegers* nodes;
     Vec8 scale;
-    Vec8 largest;
+    LargestSizes largest;
 
     MPM_INLINE void add(std::ptrdiff_t node, const Vec8& x) {
         const Vec8 scaled = x * scale;
-        const Vec8 size = scaled < 0.0 ? -scaled : scaled;
-        largest = size > largest ? size : largest;
+        largest.add(scaled < 0.0 ? -scaled : scaled);
         const Vec8 shifted = scaled + magic, zero = Vec8{} + magic;
         *reinterpret_cast<Integers*>(nodes + node) +=
             reinterpret_cast<const Integers&>(shifted) - reinterpret_cast<const Integers&>(zero);

@@ -56,8 +56,9 @@ inline Meeting meet(const MeetingBars& bars, Simulation& simulation,
     const double touch = bars.gap / (2.0 * v), unit = MeetingBars::rho * c * v;
     double first = NAN, last = NAN, impulse = 0.0, middle = 0.0, middle_time = 0.0;
     while (simulation.time() < touch + 4.0 * L / c) {
-        const double t = simulation.time(), dt = simulation.next_step();
+        const double t = simulation.time();
         simulation.step();
+        const double dt = simulation.time() - t;
         const auto [on_a, on_b] = forces();
         EXPECT_NEAR(on_a, -on_b, 1e-12 * (1.0 + on_b));
         const double force = on_b / MeetingBars::width;
