@@ -5,7 +5,7 @@ cmake_minimum_required(VERSION 3.25)
 string(CONCAT markers "(TO" "DO|FIX" "ME|GTEST_" "SKIP|DISABLED" "_)")
 
 set(files)
-foreach(folder include support umat contact adapters cli verification examples tests cmake script docs)
+foreach(folder include support umat contact adapters element cli verification examples tests cmake script docs)
   file(GLOB_RECURSE found ${SOURCE}/${folder}/*)
   list(APPEND files ${found})
 endforeach()

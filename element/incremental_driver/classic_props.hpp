@@ -8,7 +8,7 @@
 #include <grit/classic_layout.h>
 
 #include "element/grit_law.hpp"
-#include "incremental_driver/parameters.hpp"
+#include "element/incremental_driver/parameters.hpp"
 
 namespace incremental_driver {
 

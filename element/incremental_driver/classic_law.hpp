@@ -3,7 +3,7 @@
 // conditions and columns mean what they mean with the UMAT.
 #pragma once
 
-#include "incremental_driver/classic_props.hpp"
+#include "element/incremental_driver/classic_props.hpp"
 
 namespace incremental_driver {
 

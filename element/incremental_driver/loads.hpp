@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
+#include "element/incremental_driver/step_commons.hpp"
 #include "element/step.hpp"
-#include "incremental_driver/step_commons.hpp"
 
 namespace incremental_driver {
 

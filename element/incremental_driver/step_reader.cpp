@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "incremental_driver/step_reader.hpp"
+#include "element/incremental_driver/step_reader.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,10 +7,10 @@
 
 #include "element/check.hpp"
 #include "element/errors.hpp"
+#include "element/incremental_driver/loads.hpp"
 #include "element/nearest.hpp"
 #include "element/schedule.hpp"
 #include "element/simulate.hpp"
-#include "incremental_driver/loads.hpp"
 
 namespace incremental_driver {
 namespace {

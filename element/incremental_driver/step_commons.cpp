@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "incremental_driver/step_commons.hpp"
+#include "element/incremental_driver/step_commons.hpp"
 
 #include <algorithm>
 

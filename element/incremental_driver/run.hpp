@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "element/incremental_driver/lines.hpp"
 #include "element/record.hpp"
-#include "incremental_driver/lines.hpp"
 
 namespace incremental_driver {
 

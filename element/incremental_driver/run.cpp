@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "incremental_driver/run.hpp"
+#include "element/incremental_driver/run.hpp"
 
 #include <memory>
 #include <system_error>
 
 #include "element/errors.hpp"
+#include "element/incremental_driver/classic_law.hpp"
+#include "element/incremental_driver/initial_conditions.hpp"
+#include "element/incremental_driver/output_file.hpp"
+#include "element/incremental_driver/test_file.hpp"
 #include "element/library_law.hpp"
 #include "element/output_lock.hpp"
 #include "element/simulate.hpp"
 #include "element/text.hpp"
-#include "incremental_driver/classic_law.hpp"
-#include "incremental_driver/initial_conditions.hpp"
-#include "incremental_driver/output_file.hpp"
-#include "incremental_driver/test_file.hpp"
 
 namespace incremental_driver {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "incremental_driver/classic_law.hpp"
+#include "element/incremental_driver/classic_law.hpp"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "incremental_driver/loads.hpp"
+#include "element/incremental_driver/loads.hpp"
 
+#include "element/incremental_driver/components.hpp"
+#include "element/incremental_driver/restriction.hpp"
 #include "element/text.hpp"
-#include "incremental_driver/components.hpp"
-#include "incremental_driver/restriction.hpp"
 
 namespace incremental_driver {
 namespace {

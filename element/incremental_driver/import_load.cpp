@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "element/incremental_driver/components.hpp"
+#include "element/incremental_driver/import_table.hpp"
+#include "element/incremental_driver/loads.hpp"
 #include "element/text.hpp"
-#include "incremental_driver/components.hpp"
-#include "incremental_driver/import_table.hpp"
-#include "incremental_driver/loads.hpp"
 
 namespace incremental_driver {
 namespace {

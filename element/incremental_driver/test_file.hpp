@@ -2,8 +2,8 @@
 // test.inp: the name of the output file, then steps up to *End or the end of the file.
 #pragma once
 
+#include "element/incremental_driver/step_reader.hpp"
 #include "element/step.hpp"
-#include "incremental_driver/step_reader.hpp"
 
 namespace incremental_driver {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "element/incremental_driver/step_commons.hpp"
 #include "element/step.hpp"
-#include "incremental_driver/step_commons.hpp"
 
 namespace incremental_driver {
 

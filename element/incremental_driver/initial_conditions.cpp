@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "incremental_driver/initial_conditions.hpp"
+#include "element/incremental_driver/initial_conditions.hpp"
 
+#include "element/incremental_driver/lines.hpp"
 #include "element/text.hpp"
-#include "incremental_driver/lines.hpp"
 
 namespace incremental_driver {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "element/control.hpp"
-#include "incremental_driver/lines.hpp"
+#include "element/incremental_driver/lines.hpp"
 
 namespace incremental_driver {
 

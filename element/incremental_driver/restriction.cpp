@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "incremental_driver/restriction.hpp"
+#include "element/incremental_driver/restriction.hpp"
 
 #include "element/errors.hpp"
 #include "element/linear_sum.hpp"

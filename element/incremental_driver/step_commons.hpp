@@ -5,8 +5,8 @@
 
 #include <string>
 
+#include "element/incremental_driver/lines.hpp"
 #include "element/step.hpp"
-#include "incremental_driver/lines.hpp"
 
 namespace incremental_driver {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "incremental_driver/classic_props.hpp"
+#include "element/incremental_driver/classic_props.hpp"
 
 #include <cmath>
 
 #include "element/errors.hpp"
+#include "element/incremental_driver/lines.hpp"
 #include "element/text.hpp"
-#include "incremental_driver/lines.hpp"
 
 namespace incremental_driver {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "incremental_driver/output_file.hpp"
+#include "element/incremental_driver/output_file.hpp"
 
 #include <cmath>
 

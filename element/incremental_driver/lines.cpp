@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "incremental_driver/lines.hpp"
+#include "element/incremental_driver/lines.hpp"
 
 #include <algorithm>
 #include <cmath>

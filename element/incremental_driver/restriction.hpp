@@ -4,8 +4,8 @@
 // whole step.
 #pragma once
 
+#include "element/incremental_driver/lines.hpp"
 #include "element/vectors.hpp"
-#include "incremental_driver/lines.hpp"
 
 namespace incremental_driver {
 
