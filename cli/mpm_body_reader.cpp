@@ -15,7 +15,7 @@ namespace {
 
 using namespace grit::mpm;
 
-constexpr double kPa = words::kilo;  // [Pa]
+constexpr double kPa = words::kilopascal.si;  // [Pa]
 
 void check_place(const TomlTable& table, const std::string& key, const std::vector<double>& places,
                  const AxisPlan& axis, bool is_radius) {

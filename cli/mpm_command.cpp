@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include <adapters/mpm/case_words.hpp>
+#include <adapters/mpm/case/case_words.hpp>
 #include <fmt/format.h>
 
 #include "cli/abnormal_end.hpp"

@@ -2,7 +2,7 @@
 // [grid], [boundary] and [numerics] of a material-point case.
 #pragma once
 
-#include <adapters/mpm/case.hpp>
+#include <adapters/mpm/case/case.hpp>
 
 #include "cli/toml_table.hpp"
 

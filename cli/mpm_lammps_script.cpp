@@ -4,8 +4,8 @@
 #include <cmath>
 #include <iterator>
 
-#include <adapters/mpm/case_words.hpp>
-#include <adapters/mpm/history.hpp>
+#include <adapters/mpm/case/case_words.hpp>
+#include <adapters/mpm/run/history.hpp>
 #include <fmt/format.h>
 #include <grit/contact.h>
 

@@ -14,7 +14,7 @@ namespace {
 
 using namespace grit::mpm;
 
-constexpr double kPa = words::kilo;  // [Pa]
+constexpr double kPa = words::kilopascal.si;  // [Pa]
 
 template <class Plans> std::vector<std::string> names_of(const Plans& plans) {
     std::vector<std::string> out;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include <adapters/mpm/case_words.hpp>
+#include <adapters/mpm/case/case_words.hpp>
 
 #include "cli/toml_table.hpp"
 

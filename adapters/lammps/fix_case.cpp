@@ -11,9 +11,9 @@
 #include "adapters/lammps/read_body.hpp"
 #include "adapters/lammps/read_function.hpp"
 #include "adapters/lammps/words.hpp"
-#include "adapters/mpm/case_words.hpp"
-#include "adapters/mpm/checksum.hpp"
-#include "adapters/mpm/contact_pair.hpp"
+#include "adapters/mpm/case/case_words.hpp"
+#include "adapters/mpm/io/checksum.hpp"
+#include "adapters/mpm/step/contact_pair.hpp"
 
 namespace grit::lammps {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "adapters/mpm/text.hpp"
+#include "adapters/mpm/io/text.hpp"
 
 namespace grit::lammps {
 namespace {

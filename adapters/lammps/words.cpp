@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "adapters/mpm/text.hpp"
+#include "adapters/mpm/io/text.hpp"
 
 namespace grit::lammps {
 

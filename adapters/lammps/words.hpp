@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "adapters/mpm/case_words.hpp"
+#include "adapters/mpm/case/case_words.hpp"
 
 namespace grit::lammps {
 

@@ -70,7 +70,7 @@ void check(grit_status status, const char* what) {
 }
 
 StrainPath start_of(const Test& test, const std::string& name, const grit_sand& sand, bool off) {
-    StrainPath path{test.kind, name, sand, off, {}, {}, {}};
+    StrainPath path{test.kind, name, sand, off, opening_pressure(sand), {}, {}, {}};
     for (std::size_t c = 0; c < 3; ++c) path.stress[c] = -test.pressure;
     double limits[3];  // e_d, e_c, e_i
     check(grit_sand_void_ratios(&sand, test.pressure, limits), "grit_sand_void_ratios");

@@ -38,12 +38,6 @@ struct Tally {
     }
 };
 
-struct Measured {
-    const StrainPath* path;
-    std::string group;
-    Course exact;
-};
-
 void tables(const std::vector<double>& tolerances) {
     std::vector<std::pair<std::string, std::vector<StrainPath>>> groups;
     groups.push_back({"reference, their rows", reference_paths(GRIT_REFERENCE, 0)});
@@ -69,7 +63,7 @@ void tables(const std::vector<double>& tolerances) {
             Tally tally;
             for (const StrainPath& path : list) {
                 const Course course = run(path, tolerance);
-                const double off = error(course, exact[&path]);
+                const double off = error(path, course, exact[&path]);
                 tally.add(path, course, off);
                 all.add(path, course, off);
             }

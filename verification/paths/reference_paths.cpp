@@ -38,11 +38,12 @@ std::vector<Row> rows_of(const std::filesystem::path& file) {
 
 StrainPath path_of(const std::filesystem::path& file, int calls) {
     const std::string name = file.stem().string();
-    StrainPath path{name, "lausitz", {}, name.find("noIGS") != std::string::npos, {}, {}, {}};
+    StrainPath path{name, "lausitz", {}, name.find("noIGS") != std::string::npos, 0.0, {}, {}, {}};
     grit_sand_parameters p;
     grit_sand_parameters_init(&p, sizeof p);
     grit_sand_record_parameters(grit_sand_record_find("lausitz"), 1.0, &p);
     grit_sand_prepare(&p, &path.sand, nullptr);
+    path.opening_pressure = opening_pressure(path.sand);
     const std::vector<Row> rows = rows_of(file);
     for (std::size_t c = 0; c < 6; ++c) {
         path.stress[c] = rows[0][stress + c];

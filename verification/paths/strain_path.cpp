@@ -30,7 +30,23 @@ Six difference(const Six& A, const Six& B) {
     return r;
 }
 
+// One of them carries no stress, the other little more than where points open (docs/adr/0002): opening a call
+// sooner or later is a jump, and no error of the integration.
+bool about_to_open(const StrainPath& path, const Six& A, const Six& B) {
+    const double most = 4.0 * path.opening_pressure;
+    const double a = norm(A), b = norm(B);
+    return (a == 0.0 || b == 0.0) && std::max(a, b) <= std::sqrt(3.0) * most;
+}
+
 }  // namespace
+
+double opening_pressure(const grit_sand& sand) {
+    grit_sand_parameters p;
+    grit_sand_parameters_init(&p, sizeof p);
+    if (grit_sand_parameters_of(&sand, &p) != GRIT_OK)
+        throw std::runtime_error("a sand that was not prepared");
+    return 2e-8 * p.granulate_hardness;
+}
 
 Course run(const StrainPath& path, double tolerance) {
     const grit_sand_options options = options_of(path, tolerance);
@@ -54,12 +70,13 @@ Course run(const StrainPath& path, double tolerance) {
     return course;
 }
 
-double error(const Course& course, const Course& exact) {
+double error(const StrainPath& path, const Course& course, const Course& exact) {
     double off = 0.0, largest = 0.0;
     for (std::size_t i = 0; i < exact.stress.size(); ++i) {
+        largest = std::max(largest, norm(exact.stress[i]));
+        if (about_to_open(path, course.stress[i], exact.stress[i])) continue;
         const double here = norm(difference(course.stress[i], exact.stress[i]));
         off = here <= off ? off : here;  // what is not a number stays
-        largest = std::max(largest, norm(exact.stress[i]));
     }
     return off / largest;
 }

@@ -18,6 +18,7 @@ struct StrainPath {
     std::string sand_name;
     grit_sand sand;
     int intergranular_off;
+    double opening_pressure;
     Six stress;  // at the start
     std::array<double, GRIT_SAND_STATE_SIZE> state;
     std::vector<Six> increments;
@@ -34,7 +35,10 @@ Course run(const StrainPath& path, double tolerance);
 constexpr double exact_tolerance = 1e-10;
 
 // The largest error of the stress on the way over the largest stress on the way.
-double error(const Course& course, const Course& exact);
+double error(const StrainPath& path, const Course& course, const Course& exact);
+
+// Where points open, 2e-8 h_s.
+double opening_pressure(const grit_sand& sand);
 
 // Laboratory tests of every sand of the catalogue that has h, and of those with h switched off: oedometer and
 // isotropic compression with unloading and reloading, undrained, drained, simple shear, cycles of three sizes.
