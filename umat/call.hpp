@@ -6,7 +6,7 @@
 
 #include "support/require.hpp"
 #include "support/versioned.hpp"
-#include "umat/material.hpp"
+#include "umat/model/material.hpp"
 
 namespace grit {
 

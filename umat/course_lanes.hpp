@@ -2,8 +2,8 @@
 // Places of one point's course as lanes. Of a dual only the directions that a course depends on are carried.
 #pragma once
 
-#include "umat/intergranular_strain.hpp"
-#include "umat/strain_directions.hpp"
+#include "umat/model/intergranular_strain.hpp"
+#include "umat/model/strain_directions.hpp"
 
 GRIT_KERNEL_BEGIN
 

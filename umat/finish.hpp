@@ -2,7 +2,7 @@
 // A point's results on their way back to the host's arrays.
 #pragma once
 
-#include "umat/dense_operators.hpp"
+#include "umat/model/dense_operators.hpp"
 #include "umat/low_stress.hpp"
 
 GRIT_KERNEL_BEGIN

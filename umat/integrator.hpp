@@ -3,7 +3,7 @@
 // carried through differentiates the ends of the steps and replays those that were accepted.
 #pragma once
 
-#include "umat/cone.hpp"
+#include "umat/model/cone.hpp"
 #include "umat/course_search.hpp"
 #include "umat/runge_kutta.hpp"
 #include "umat/segment.hpp"

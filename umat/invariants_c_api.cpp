@@ -7,7 +7,7 @@
 #include <grit/sand_operators.h>
 
 #include "support/versioned.hpp"
-#include "umat/deviatoric_plane.hpp"
+#include "umat/model/deviatoric_plane.hpp"
 #include "umat/point.hpp"
 
 using namespace grit;

@@ -7,9 +7,9 @@
 #include <grit/sand_operators.h>
 
 #include "support/versioned.hpp"
-#include "umat/dense_operators.hpp"
+#include "umat/model/dense_operators.hpp"
 #include "umat/low_stress.hpp"
-#include "umat/wave_modulus.hpp"
+#include "umat/model/wave_modulus.hpp"
 
 using namespace grit;
 using namespace grit::c_api;

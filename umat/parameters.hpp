@@ -3,7 +3,7 @@
 
 #include <grit/sand.h>
 
-#include "umat/material.hpp"
+#include "umat/model/material.hpp"
 
 namespace grit {
 

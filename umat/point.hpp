@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "umat/notation.hpp"
+#include "umat/model/notation.hpp"
 #include "umat/request.hpp"
 
 GRIT_KERNEL_BEGIN

@@ -3,7 +3,7 @@
 // end here. What these do not accept is integrated: integrate.hpp.
 #pragma once
 
-#include "umat/cone.hpp"
+#include "umat/model/cone.hpp"
 #include "umat/course_search.hpp"
 #include "umat/runge_kutta.hpp"
 #include "umat/segment.hpp"

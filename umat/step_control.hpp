@@ -3,7 +3,7 @@
 #pragma once
 
 #include "umat/arc_length.hpp"
-#include "umat/stress_rate.hpp"
+#include "umat/model/stress_rate.hpp"
 
 GRIT_KERNEL_BEGIN
 

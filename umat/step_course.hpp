@@ -4,7 +4,7 @@
 
 #include "umat/arc_length.hpp"
 #include "umat/course_nodes.hpp"
-#include "umat/stress_rate.hpp"
+#include "umat/model/stress_rate.hpp"
 
 GRIT_KERNEL_BEGIN
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "umat/batch.hpp"
-#include "umat/wave_modulus.hpp"
+#include "umat/model/wave_modulus.hpp"
 
 GRIT_KERNEL_BEGIN
 

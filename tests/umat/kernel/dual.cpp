@@ -7,8 +7,8 @@
 #include <unsupported/Eigen/AutoDiff>
 
 #include "support/dual.hpp"
-#include "umat/strain_directions.hpp"
-#include "umat/stress_rate.hpp"
+#include "umat/model/strain_directions.hpp"
+#include "umat/model/stress_rate.hpp"
 
 #include "tests/umat/support/paper.hpp"
 #include "tests/umat/support/states.hpp"

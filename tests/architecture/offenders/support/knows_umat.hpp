@@ -1,2 +1,2 @@
 // What all share knows one of them.
-#include "umat/material.hpp"
+#include "umat/model/material.hpp"

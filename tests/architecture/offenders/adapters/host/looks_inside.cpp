@@ -1,2 +1,2 @@
 // A host that looks inside.
-#include "umat/material.hpp"
+#include "umat/model/material.hpp"

@@ -1,2 +1,2 @@
 // An element test that goes around the ABI.
-#include <umat/material.hpp>
+#include <umat/model/material.hpp>

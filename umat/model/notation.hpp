@@ -3,7 +3,7 @@
 // the one file that knows the square root of two of the notation.
 #pragma once
 
-#include "umat/tensor.hpp"
+#include "umat/model/tensor.hpp"
 
 GRIT_KERNEL_BEGIN
 

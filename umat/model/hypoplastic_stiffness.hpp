@@ -2,8 +2,8 @@
 // L and N of von Wolffersdorff (1996) applied to a direction, without ever forming a 6 x 6 matrix.
 #pragma once
 
-#include "umat/dual_tensor.hpp"
-#include "umat/scalar_factors.hpp"
+#include "umat/model/dual_tensor.hpp"
+#include "umat/model/scalar_factors.hpp"
 
 GRIT_KERNEL_BEGIN
 

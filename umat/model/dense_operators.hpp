@@ -3,7 +3,7 @@
 // derivatives. Plain doubles only.
 #pragma once
 
-#include "umat/stress_rate.hpp"
+#include "umat/model/stress_rate.hpp"
 
 GRIT_KERNEL_BEGIN
 

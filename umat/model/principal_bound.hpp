@@ -2,7 +2,7 @@
 // Largest principal value of a deviator without its eigenvectors.
 #pragma once
 
-#include "umat/tensor.hpp"
+#include "umat/model/tensor.hpp"
 
 GRIT_KERNEL_BEGIN
 

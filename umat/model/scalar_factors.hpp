@@ -2,8 +2,8 @@
 // Void ratios and scalar factors of von Wolffersdorff (1996): what depends on p and e only.
 #pragma once
 
-#include "umat/power.hpp"
-#include "umat/tensor.hpp"
+#include "umat/model/power.hpp"
+#include "umat/model/tensor.hpp"
 
 GRIT_KERNEL_BEGIN
 

@@ -11,8 +11,8 @@
 // functions of q. Everything is written with E = exp(-z), so that z may be as large as it likes.
 #pragma once
 
-#include "umat/power.hpp"
-#include "umat/tensor.hpp"
+#include "umat/model/power.hpp"
+#include "umat/model/tensor.hpp"
 
 GRIT_KERNEL_BEGIN
 

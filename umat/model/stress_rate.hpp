@@ -2,8 +2,8 @@
 // The rate that is integrated: stress along a straight strain path, (H1) and (G2) per step of its course.
 #pragma once
 
-#include "umat/hypoplastic_stiffness.hpp"
-#include "umat/intergranular_strain.hpp"
+#include "umat/model/hypoplastic_stiffness.hpp"
+#include "umat/model/intergranular_strain.hpp"
 
 GRIT_KERNEL_BEGIN
 

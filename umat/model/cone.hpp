@@ -2,7 +2,7 @@
 // The cone tan psi < sqrt 2, outside of which F of (H5) is not positive: docs/adr/0002-low-stress.md.
 #pragma once
 
-#include "umat/hypoplastic_stiffness.hpp"
+#include "umat/model/hypoplastic_stiffness.hpp"
 
 GRIT_KERNEL_BEGIN
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "support/dual.hpp"
-#include "umat/notation.hpp"
+#include "umat/model/notation.hpp"
 
 GRIT_KERNEL_BEGIN
 

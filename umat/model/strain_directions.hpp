@@ -3,7 +3,7 @@
 // increment and h, on which the course of a path depends. Its scalars do not change along the others.
 #pragma once
 
-#include "umat/dual_tensor.hpp"
+#include "umat/model/dual_tensor.hpp"
 
 GRIT_KERNEL_BEGIN
 

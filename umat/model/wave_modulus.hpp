@@ -2,9 +2,9 @@
 // Upper bound of the P-wave modulus, for explicit time steps: of one point or of a pack.
 #pragma once
 
-#include "umat/cone.hpp"
-#include "umat/principal_bound.hpp"
-#include "umat/scalar_factors.hpp"
+#include "umat/model/cone.hpp"
+#include "umat/model/principal_bound.hpp"
+#include "umat/model/scalar_factors.hpp"
 
 GRIT_KERNEL_BEGIN
 

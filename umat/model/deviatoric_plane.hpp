@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "umat/notation.hpp"
+#include "umat/model/notation.hpp"
 
 GRIT_KERNEL_BEGIN
 

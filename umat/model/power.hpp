@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "support/elementary.hpp"
-#include "umat/material.hpp"
+#include "umat/model/material.hpp"
 
 GRIT_KERNEL_BEGIN
 
