@@ -6,7 +6,7 @@
 // returns when, and only when, w has been closed again; it starts from the floor.
 #pragma once
 
-#include "umat/integrate.hpp"
+#include "umat/integrate/integrate.hpp"
 #include "umat/point.hpp"
 
 GRIT_KERNEL_BEGIN

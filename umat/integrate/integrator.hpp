@@ -4,9 +4,9 @@
 #pragma once
 
 #include "umat/model/cone.hpp"
-#include "umat/course_search.hpp"
-#include "umat/runge_kutta.hpp"
-#include "umat/segment.hpp"
+#include "umat/integrate/course_search.hpp"
+#include "umat/integrate/runge_kutta.hpp"
+#include "umat/integrate/segment.hpp"
 
 GRIT_KERNEL_BEGIN
 

@@ -2,7 +2,7 @@
 // What an integration is asked, what it answers, and the constants that steer its steps.
 #pragma once
 
-#include "umat/arc_length.hpp"
+#include "umat/integrate/arc_length.hpp"
 #include "umat/model/stress_rate.hpp"
 
 GRIT_KERNEL_BEGIN

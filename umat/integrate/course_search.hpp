@@ -3,7 +3,7 @@
 // length is next to flat in places, and Newton's method alone leaves the course at either end.
 #pragma once
 
-#include "umat/step_control.hpp"
+#include "umat/integrate/step_control.hpp"
 
 GRIT_KERNEL_BEGIN
 

@@ -2,8 +2,8 @@
 // A whole path: each of its segments by the short increment or step by step.
 #pragma once
 
-#include "umat/integrator.hpp"
-#include "umat/short_increment.hpp"
+#include "umat/integrate/integrator.hpp"
+#include "umat/integrate/short_increment.hpp"
 
 GRIT_KERNEL_BEGIN
 

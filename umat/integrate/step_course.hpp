@@ -2,8 +2,8 @@
 // The course of a step before any stress is known: how far h is mobilised on the way, and its arc length.
 #pragma once
 
-#include "umat/arc_length.hpp"
-#include "umat/course_nodes.hpp"
+#include "umat/integrate/arc_length.hpp"
+#include "umat/integrate/course_nodes.hpp"
 #include "umat/model/stress_rate.hpp"
 
 GRIT_KERNEL_BEGIN

@@ -3,7 +3,7 @@
 // waypoints about R, Dormand & Prince 5(4) (1980, J. Comput. Appl. Math. 6:19) beyond.
 #pragma once
 
-#include "umat/averaged_course.hpp"
+#include "umat/integrate/averaged_course.hpp"
 
 GRIT_KERNEL_BEGIN
 

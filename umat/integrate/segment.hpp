@@ -3,7 +3,7 @@
 // are at most two: unloading until h:D_hat = 0, then loading.
 #pragma once
 
-#include "umat/step_control.hpp"
+#include "umat/integrate/step_control.hpp"
 
 GRIT_KERNEL_BEGIN
 

@@ -2,7 +2,7 @@
 // The arc length that a course of the intergranular strain takes, ds = R J dq, and back.
 #pragma once
 
-#include "umat/course_lanes.hpp"
+#include "umat/integrate/course_lanes.hpp"
 
 GRIT_KERNEL_BEGIN
 

@@ -2,8 +2,8 @@
 // Waypoints of a step averaged, so that a method need resolve the stress alone: AverageWeights.
 #pragma once
 
-#include "umat/segment.hpp"
-#include "umat/step_course.hpp"
+#include "umat/integrate/segment.hpp"
+#include "umat/integrate/step_course.hpp"
 
 GRIT_KERNEL_BEGIN
 
