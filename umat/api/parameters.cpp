@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "umat/parameters.hpp"
+#include "umat/api/parameters.hpp"
 
 #include <cmath>
 #include <cstring>

@@ -7,7 +7,7 @@
 #include "support/require.hpp"
 #include "support/versioned.hpp"
 #include "support/views.hpp"
-#include "umat/call.hpp"
+#include "umat/api/call.hpp"
 #include "umat/point.hpp"
 
 namespace grit {

@@ -6,7 +6,7 @@
 #include "support/instruction_set.hpp"
 #include "support/require.hpp"
 #include "support/views.hpp"
-#include "umat/call.hpp"
+#include "umat/api/call.hpp"
 #include "umat/point.hpp"
 
 using namespace grit;
