@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #define GRIT_TARGET avx2
-#include "umat/batch.hpp"
-#include "umat/wave_moduli.hpp"
+#include "umat/batch/batch.hpp"
+#include "umat/batch/wave_moduli.hpp"

@@ -8,7 +8,7 @@
 
 #include "support/versioned.hpp"
 #include "umat/model/deviatoric_plane.hpp"
-#include "umat/point.hpp"
+#include "umat/batch/point.hpp"
 
 using namespace grit;
 using namespace grit::c_api;

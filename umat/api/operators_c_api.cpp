@@ -8,7 +8,7 @@
 
 #include "support/versioned.hpp"
 #include "umat/model/dense_operators.hpp"
-#include "umat/low_stress.hpp"
+#include "umat/batch/low_stress.hpp"
 #include "umat/model/wave_modulus.hpp"
 
 using namespace grit;

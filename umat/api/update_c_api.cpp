@@ -8,7 +8,7 @@
 #include "support/versioned.hpp"
 #include "support/views.hpp"
 #include "umat/api/call.hpp"
-#include "umat/point.hpp"
+#include "umat/batch/point.hpp"
 
 namespace grit {
 namespace {

@@ -7,7 +7,7 @@
 #include "support/require.hpp"
 #include "support/views.hpp"
 #include "umat/api/call.hpp"
-#include "umat/point.hpp"
+#include "umat/batch/point.hpp"
 
 using namespace grit;
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/umat/support/random.hpp"
-#include "umat/finish.hpp"
+#include "umat/batch/finish.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "umat/model/dense_operators.hpp"
-#include "umat/low_stress.hpp"
+#include "umat/batch/low_stress.hpp"
 
 GRIT_KERNEL_BEGIN
 

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "umat/integrate/integrate.hpp"
-#include "umat/point.hpp"
+#include "umat/batch/point.hpp"
 
 GRIT_KERNEL_BEGIN
 

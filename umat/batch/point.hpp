@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "umat/model/notation.hpp"
-#include "umat/request.hpp"
+#include "umat/batch/request.hpp"
 
 GRIT_KERNEL_BEGIN
 

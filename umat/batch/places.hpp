@@ -4,7 +4,7 @@
 #pragma once
 
 #include "support/pack.hpp"
-#include "umat/point.hpp"
+#include "umat/batch/point.hpp"
 
 GRIT_KERNEL_BEGIN
 

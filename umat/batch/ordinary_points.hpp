@@ -3,8 +3,8 @@
 // so that they are read, checked and written as packs; every other point goes through point.hpp.
 #pragma once
 
-#include "umat/finish.hpp"
-#include "umat/places.hpp"
+#include "umat/batch/finish.hpp"
+#include "umat/batch/places.hpp"
 
 GRIT_KERNEL_BEGIN
 

@@ -3,7 +3,7 @@
 // full; the others alone. A lane never looks at its neighbours: the result of a point does not depend on n.
 #pragma once
 
-#include "umat/ordinary_points.hpp"
+#include "umat/batch/ordinary_points.hpp"
 
 GRIT_KERNEL_BEGIN
 

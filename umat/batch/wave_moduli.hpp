@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "umat/batch.hpp"
+#include "umat/batch/batch.hpp"
 #include "umat/model/wave_modulus.hpp"
 
 GRIT_KERNEL_BEGIN
