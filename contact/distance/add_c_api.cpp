@@ -135,12 +135,15 @@ grit_status check_domains(const grit_contact_surfaces& s, const grit_contact_dom
                  most_sides, d.sides);
     GRIT_REQUIRE(d.offset || d.nodes_each >= 0, "nodes_each must be >= 0, got %td", d.nodes_each);
     GRIT_REQUIRE(d.node, "node is null");
-    GRIT_REQUIRE(usable(s.position, s.components),
-                 "position of the nodes needs a base pointer and a component_stride");
-    GRIT_REQUIRE(usable(s.normal, s.components),
-                 "normal needs a base pointer and a component_stride");
-    GRIT_REQUIRE(usable(d.position, s.components),
-                 "position of the particles needs a base pointer and a component_stride");
+    const struct {
+        const grit_view& view;
+        const char* name;
+    } inputs[] = {{s.position, "position of the nodes"},
+                  {s.normal, "normal"},
+                  {d.position, "position of the particles"}};
+    for (const auto& input : inputs)
+        if (const grit_status bad = check_usable(input.view, s.components, input.name, error))
+            return bad;
     GRIT_REQUIRE(d.sides == 0 ||
                      (d.side.base && d.side.row_stride != 0 && d.side.column_stride != 0),
                  "side needs a base pointer, a row_stride and a column_stride");

@@ -23,15 +23,12 @@ inline grit_status read_surfaces(const grit_contact_surfaces* caller, grit_conta
                  ours.reserved);
     GRIT_REQUIRE(ours.nodes >= 0, "nodes must be >= 0, got %td", ours.nodes);
     if (ours.nodes == 0) return GRIT_OK;  // an empty array may have no base pointer
-    const bool several = ours.nodes > 1;
-    GRIT_REQUIRE(usable(ours.surface, 2), "surface needs a base pointer and a component_stride");
-    GRIT_REQUIRE(!several || ours.surface.point_stride != 0,
-                 "surface is written: point_stride must not be 0 for %td nodes", ours.nodes);
+    if (const grit_status s = check_usable(ours.surface, 2, "surface", error)) return s;
+    if (const grit_status s = check_written(ours.surface, ours.nodes, "surface", "nodes", error))
+        return s;
     GRIT_REQUIRE(!ours.centre.base || ours.centre.component_stride != 0,
                  "component_stride of centre must not be 0");
-    GRIT_REQUIRE(!ours.centre.base || !several || ours.centre.point_stride != 0,
-                 "centre is written: point_stride must not be 0 for %td nodes", ours.nodes);
-    return GRIT_OK;
+    return check_written(ours.centre, ours.nodes, "centre", "nodes", error);
 }
 
 }  // namespace grit

@@ -56,11 +56,9 @@ grit_status finish_node(const grit_contact_surfaces& s, const grit_contact_dista
 grit_status check_distances(const grit_contact_surfaces& s, const grit_contact_distances& q,
                             std::ptrdiff_t n, grit_error* error) {
     GRIT_REQUIRE(q.distance.base || q.gap.base, "neither distance nor gap has a base pointer");
-    const bool several = n > 1;
-    GRIT_REQUIRE(!q.distance.base || !several || q.distance.point_stride != 0,
-                 "distance is written: point_stride must not be 0 for %td nodes", n);
-    GRIT_REQUIRE(!q.gap.base || !several || q.gap.point_stride != 0,
-                 "gap is written: point_stride must not be 0 for %td nodes", n);
+    if (const grit_status bad = check_written(q.distance, n, "distance", "nodes", error))
+        return bad;
+    if (const grit_status bad = check_written(q.gap, n, "gap", "nodes", error)) return bad;
     if (!q.distance.base) return GRIT_OK;
     GRIT_REQUIRE(q.stiffer == GRIT_CONTACT_BODY_A || q.stiffer == GRIT_CONTACT_BODY_B,
                  "stiffer must be 0 (A) or 1 (B), got %d", q.stiffer);

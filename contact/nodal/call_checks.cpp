@@ -75,7 +75,7 @@ grit_status check_nodes(const grit_contact_nodes& q, const grit_contact_options&
                   {"position", false, q.position, o.components}};
     for (const auto& input : inputs) {
         GRIT_REQUIRE(input.view.base || !input.needed, "%s has no base pointer", input.name);
-        GRIT_REQUIRE(!input.view.base || input.components == 1 || input.view.component_stride != 0,
+        GRIT_REQUIRE(!input.view.base || usable(input.view, input.components),
                      "%s has %d components: component_stride must not be 0", input.name,
                      input.components);
     }

@@ -107,11 +107,8 @@ grit_status check_call(const grit_contact_gradients& q, std::ptrdiff_t n, grit_e
                  "gradient_b needs a base pointer and a component_stride for source %d", q.source);
     GRIT_REQUIRE(q.source != GRIT_CONTACT_NORMAL_GIVEN || usable(q.given, q.components),
                  "given needs a base pointer and a component_stride for source %d", q.source);
-    GRIT_REQUIRE(usable(q.normal, q.components),
-                 "normal needs a base pointer and a component_stride");
-    GRIT_REQUIRE(n == 1 || q.normal.point_stride != 0,
-                 "normal is written: point_stride must not be 0 for %td nodes", n);
-    return GRIT_OK;
+    if (const grit_status bad = check_usable(q.normal, q.components, "normal", error)) return bad;
+    return check_written(q.normal, n, "normal", "nodes", error);
 }
 
 }  // namespace

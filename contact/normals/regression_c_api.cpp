@@ -46,14 +46,12 @@ grit_status check_options(const grit_contact_clouds& q, grit_error* error) {
 
 grit_status check_views(const grit_contact_clouds& q, std::ptrdiff_t n, grit_error* error) {
     GRIT_REQUIRE(q.offset, "offset is null");
-    GRIT_REQUIRE(q.particles == 0 || usable(q.position, q.components),
-                 "position needs a base pointer and a component_stride");
+    if (q.particles > 0)
+        if (const grit_status bad = check_usable(q.position, q.components, "position", error))
+            return bad;
     GRIT_REQUIRE(q.particles == 0 || q.body, "body is null");
-    GRIT_REQUIRE(usable(q.normal, q.components),
-                 "normal needs a base pointer and a component_stride");
-    GRIT_REQUIRE(n == 1 || q.normal.point_stride != 0,
-                 "normal is written: point_stride must not be 0 for %td nodes", n);
-    return GRIT_OK;
+    if (const grit_status bad = check_usable(q.normal, q.components, "normal", error)) return bad;
+    return check_written(q.normal, n, "normal", "nodes", error);
 }
 
 grit_status check_workspace(const grit_contact_clouds& q, std::ptrdiff_t n, std::ptrdiff_t capacity,
