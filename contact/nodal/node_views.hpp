@@ -7,8 +7,8 @@
 
 #include <grit/view.h>
 
-#include "contact/nodal/interleaved.hpp"
 #include "contact/nodal/pair_law.hpp"
+#include "support/interleaved.hpp"
 
 GRIT_KERNEL_BEGIN
 
