@@ -42,7 +42,7 @@ endfunction()
 check_folder(include ${grit} ${c_standard})
 check_folder(support ${grit} ${cpp_standard} "\"support/[a-z_]+\\.hpp\"")
 foreach(module umat contact)
-  check_folder(${module} ${grit} ${cpp_standard} "\"(support|${module})/[a-z_0-9]+\\.hpp\"")
+  check_folder(${module} ${grit} ${cpp_standard} "\"(support|${module})/[a-z_0-9/]+\\.hpp\"")
 endforeach()
 check_folder(examples ${grit} ${c_standard} ${cpp_standard})
 file(GLOB adapters RELATIVE ${SOURCE}/adapters ${SOURCE}/adapters/*)
@@ -52,6 +52,9 @@ foreach(adapter IN LISTS adapters)
     set(beside "(adapters/python|element)")
   elseif(adapter STREQUAL lammps) # the driver's kernels and its loop are for the other host too
     set(beside "adapters/(lammps|mpm)")
+  endif()
+  if(adapter STREQUAL mpm) # kernels per instruction set, as those of libgrit
+    set(beside "(adapters/mpm|support)")
   endif()
   check_folder(adapters/${adapter} ${third_party} "\"${beside}/[a-z_0-9/]+\\.hpp\"")
 endforeach()
@@ -72,7 +75,8 @@ foreach(part IN LISTS parts)
 endforeach()
 
 # What the kernels of the instruction sets reach, directly or not, is their own and the standard's.
-file(GLOB_RECURSE reached ${SOURCE}/umat/kernel_*.cpp ${SOURCE}/contact/kernel_*.cpp)
+file(GLOB_RECURSE reached ${SOURCE}/umat/kernel_*.cpp ${SOURCE}/contact/kernel_*.cpp
+     ${SOURCE}/adapters/mpm/kernel/kernel_*.cpp)
 set(seen ${reached})
 while(reached)
   list(POP_FRONT reached file)
