@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One source, one kernel per instruction set: a translation unit defines MPM_TARGET and what it includes
-// lives in a namespace of its own, so that no template of one set is merged with that of another.
+// A node's record, its integers and half of one are a vector each, read and added to where they lie.
 #pragma once
 
-#ifndef MPM_TARGET
-#define MPM_TARGET baseline
-#endif
+#include "support/vectors.hpp"
 
-namespace grit::mpm {
-typedef double Vec4 __attribute__((vector_size(32), may_alias));
-typedef double Vec8 __attribute__((vector_size(64), may_alias));
-}  // namespace grit::mpm
+GRIT_KERNEL_BEGIN_OF(mpm)
 
-#define MPM_KERNEL_BEGIN                                                                           \
-    namespace grit::mpm::MPM_TARGET {                                                              \
-    namespace {
-#define MPM_KERNEL_END                                                                             \
-    }                                                                                              \
-    }
+using Vec4 = grit::GRIT_TARGET::VectorTypes<4>::RealInPlace;
+using Vec8 = grit::GRIT_TARGET::VectorTypes<8>::RealInPlace;
+using Integers = grit::GRIT_TARGET::VectorTypes<8>::UnsignedInPlace;
 
-#define MPM_INLINE __attribute__((always_inline, unused)) inline
+GRIT_KERNEL_END
