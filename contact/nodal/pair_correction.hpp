@@ -82,7 +82,7 @@ template <int C, bool geo> class Correction {
     template <class Real>
     GRIT_INLINE MaskOf<Real> good_companions(const auto& only,
                                              const NodeIndices<lanes_of<Real>>& indices) const {
-        const auto good_if = [&](bool asked, const auto& view) {
+        const auto good_if = [&](bool asked, const auto& view) __attribute__((always_inline)) {
             if (!asked || !view.base) return MaskOf<Real>(true);
             return MaskOf<Real>(good_vector(only(load_vector<C, Real>(view, indices))));
         };
