@@ -64,16 +64,18 @@ void read_numerics(TomlTable table, CaseFile& file) {
     if (!(file.options.tolerance >= 1e-12 && file.options.tolerance <= 0.1))
         table.fail("tolerance", fmt::format("{} must be in [1e-12, 0.1], got {:g}",
                                             table.full("tolerance"), file.options.tolerance));
-    file.stress_tolerance = table.positive_or("stress_tolerance", file.stress_tolerance);
-    if (!(file.stress_tolerance >= 1e-14 && file.stress_tolerance <= 1e-2))
+    file.settings.tolerance = table.positive_or("stress_tolerance", file.settings.tolerance);
+    if (!(file.settings.tolerance >= 1e-14 && file.settings.tolerance <= 1e-2))
         table.fail("stress_tolerance",
                    fmt::format("{} must be in [1e-14, 0.01], got {:g}",
-                               table.full("stress_tolerance"), file.stress_tolerance));
-    file.smallest_part = table.positive_or("smallest_part", file.smallest_part);
-    if (!(file.smallest_part <= 1.0))
-        table.fail("smallest_part", fmt::format("{} must be in (0, 1], got {:g}",
-                                                table.full("smallest_part"), file.smallest_part));
-    file.iteration_limit = table.integer_or("iteration_limit", file.iteration_limit, 1, 1000);
+                               table.full("stress_tolerance"), file.settings.tolerance));
+    file.settings.smallest_part = table.positive_or("smallest_part", file.settings.smallest_part);
+    if (!(file.settings.smallest_part <= 1.0))
+        table.fail("smallest_part",
+                   fmt::format("{} must be in (0, 1], got {:g}", table.full("smallest_part"),
+                               file.settings.smallest_part));
+    file.settings.iteration_limit =
+        table.integer_or("iteration_limit", file.settings.iteration_limit, 1, 1000);
     file.options.evaluation_limit =
         table.integer_or("evaluation_limit", file.options.evaluation_limit, 2, 1000000);
     table.finish();
@@ -148,7 +150,6 @@ CaseFile read_case(const std::filesystem::path& path, TomlTable& root, const std
     CaseFile out;
     out.path = path;
     out.inputs = {path};
-    out.options.tolerance = 1e-6;
     out.sample = sample;
     out.name = root.string_if("name").value_or(path.stem().string());
     check_name(root, "name", out.name);

@@ -14,23 +14,11 @@
 #include "cli/stage_reader.hpp"
 #include "element/grit_law.hpp"
 #include "element/library_law.hpp"
+#include "element/simulate.hpp"
+#include "element/start.hpp"
 #include "element/step.hpp"
 
 namespace cli {
-
-enum class IntergranularStrain {
-    off,       // basic hypoplasticity
-    zero,      // h = 0: no memory
-    mobilised  // h = rho R along a direction, |h| = R as left by isotropic compression by default
-};
-
-struct Start {
-    element::Vector6 stress = element::Vector6::Zero();  // effective [kPa]
-    double void_ratio = 0.0;                             // e [-]
-    IntergranularStrain intergranular_strain = IntergranularStrain::mobilised;
-    element::Vector6 direction = -element::unit_tensor();  // of h
-    double rho = 1.0;                                      // |h|/R [-]
-};
 
 struct Limits {
     std::optional<int> increments;
@@ -53,14 +41,12 @@ struct CaseFile {
     element::GritLawOptions options;  // evaluation_limit, tolerance
     std::optional<element::UmatSource> umat;
     std::vector<double> umat_state;
-    Start start;
+    element::Start start;  // [kPa]
     std::shared_ptr<const element::Law> law;
     const element::GritLaw* own_law = nullptr;  // if law is Grit's
     element::MaterialPoint point;               // to start from
     std::vector<CaseStage> stages;
-    double stress_tolerance = 1e-9;  // of the prescribed stress, relative
-    double smallest_part = 1e-6;     // of an increment that is cut back; 1: none is
-    int iteration_limit = 25;
+    element::Settings settings;
     Limits limits;
     Reference reference;
     std::string picture;                        // kind of picture, see panels.hpp

@@ -27,9 +27,7 @@ class Run {
     Run(const CaseFile& case_file, bool residuals, RunWriter* w, Progress* p)
         : file(case_file), writer(w), progress(p) {
         sample.point = file.point;
-        settings.tolerance = file.stress_tolerance;
-        settings.smallest_part = file.smallest_part;
-        settings.iteration_limit = file.iteration_limit;
+        settings = file.settings;
         settings.keep_residuals = residuals;
         for (const CaseStage& stage : file.stages) all += element::count_increments(stage.program);
     }

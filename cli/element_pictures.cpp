@@ -55,7 +55,7 @@ Picture sheet(const std::vector<const CaseFile*>& files,
     out.title_in_markup = true;
     for (std::size_t i = 0; i < files.size(); ++i) {
         Panel panel = panel_of_curves(files[i]->picture, number, curves_of(*files[i], *results[i]));
-        const Start& start = files[i]->start;
+        const element::Start& start = files[i]->start;
         panel.title = fmt::format("{}: p0 {:.0f} kPa, e {:.3f}", files[i]->sample,
                                   -start.stress.head<3>().sum() / 3.0, start.void_ratio);
         out.title = panel.y_label + " over " + panel.x_label;

@@ -9,7 +9,7 @@
 #include "cli/picture_maker.hpp"
 #include "cli/progress.hpp"
 #include "cli/standard_streams.hpp"
-#include "incremental_driver/run.hpp"
+#include "element/incremental_driver/run.hpp"
 
 namespace cli {
 namespace {

@@ -29,7 +29,10 @@ std::string version() {
 
 #ifdef GRIT_CLI_HAS_MPM
 void add_mpm_options(CLI::App& app, cli::MpmRequest& request) {
-    app.add_option("CASE", request.file, "TOML file")->required();
+    app.add_option("CASE", request.file, "TOML file");
+    app.add_option("--keys", request.keys,
+                   "Print the keys of case files or the words of fix grit/mpm, as in docs/")
+        ->check(CLI::IsMember({"cases", "fix"}));
     app.add_option("--out", request.out, "Folder for data and pictures, made if missing [.]");
     app.add_option("--threads", request.threads, "Instead of the case's; changes no result")
         ->check(CLI::Range(1, 1024));
@@ -103,7 +106,10 @@ int follow(int argc, char** argv) {
                                               "docs/material-points.md");
     cli::MpmRequest run;
     add_mpm_options(*mpm, run);
-    mpm->callback([&] { command = [&] { return cli::run_mpm(run); }; });
+    mpm->callback([&] {
+        if (run.file.empty() && run.keys.empty()) throw CLI::RequiredError("CASE or --keys");
+        command = [&] { return cli::run_mpm(run); };
+    });
 #endif
 
     CLI::App* picture = app.add_subcommand("plot", "Draw results and laboratory data together");

@@ -46,14 +46,16 @@ double start_void_ratio(TomlTable& table, const grit_sand& sand, double p) {
     const std::string key =
         table.one_of({"void_ratio", "void_ratio_at_zero_pressure", "relative_density"});
     const double value = table.number(key);
-    double e = value, limits[3];
+    double e = value;
     if (key == "void_ratio_at_zero_pressure") grit_sand_void_ratio_at_pressure(&sand, value, p, &e);
+    double limits[3];  // e_i, e_c, e_d
     grit_sand_void_ratios(&sand, p, limits);
     if (key == "relative_density") e = limits[1] - value * (limits[1] - limits[2]);
-    if (!(e >= limits[2] && e <= limits[0]))
+    const element::VoidRatioRange range = element::void_ratio_range(sand, p);
+    if (!(e >= range.lowest && e <= range.highest))
         table.fail(key, fmt::format("{}: the void ratio must be in [e_d, e_i] = [{:.4f}, {:.4f}] "
                                     "at p = {:g} kPa, got {:.6g}",
-                                    table.full(key), limits[2], limits[0], p, e));
+                                    table.full(key), range.lowest, range.highest, p, e));
     return e;
 }
 
@@ -125,32 +127,31 @@ void read_umat(TomlTable table, CaseFile& file) {
 }
 
 void read_start(TomlTable table, CaseFile& file) {
-    Start& start = file.start;
+    using element::IntergranularStrain;
+    element::Start& start = file.start;
     start.stress = start_stress(table);
     if (!file.sand.empty()) {
         grit_sand sand;
         grit_sand_prepare(&file.parameters, &sand, nullptr);
         start.void_ratio = start_void_ratio(table, sand, -start.stress.head<3>().sum() / 3.0);
-        const std::string h =
-            table.has("intergranular_strain")
-                ? table.choice("intergranular_strain", {"mobilised", "zero", "off"})
-                : "mobilised";
-        start.intergranular_strain = h == "off"    ? IntergranularStrain::off
-                                     : h == "zero" ? IntergranularStrain::zero
-                                                   : IntergranularStrain::mobilised;
-        if (std::isnan(file.parameters.elastic_strain_radius)) {
-            if (h != "off" && table.has("intergranular_strain"))
+        start.intergranular_strain = element::usual_intergranular_strain(file.parameters);
+        if (table.has("intergranular_strain")) {
+            const std::string h =
+                table.choice("intergranular_strain", {"mobilised", "zero", "off"});
+            if (start.intergranular_strain == IntergranularStrain::off && h != "off")
                 table.fail("intergranular_strain",
                            fmt::format("{} must be \"off\": the sand has no parameters for it",
                                        table.full("intergranular_strain")));
-            start.intergranular_strain = IntergranularStrain::off;
+            start.intergranular_strain = h == "off"    ? IntergranularStrain::off
+                                         : h == "zero" ? IntergranularStrain::zero
+                                                       : IntergranularStrain::mobilised;
         }
         if (const auto direction = table.numbers_if("intergranular_direction", 6))
             start.direction = Eigen::Map<const element::Vector6>(direction->data());
         if (start.direction.isZero())
             table.fail("intergranular_direction",
                        table.full("intergranular_direction") + " must not be 0");
-        start.rho = table.number_if("intergranular_rho").value_or(1.0);
+        start.rho = table.number_if("intergranular_rho").value_or(start.rho);
         if (!(start.rho >= 0.0 && start.rho <= 1.0))
             table.fail("intergranular_rho",
                        fmt::format("{} must be in [0, 1], got {:g}",
@@ -178,7 +179,7 @@ void fill_umat(CaseFile& file, bool radian) {
     source.state_names.insert(source.state_names.begin() + source.void_ratio, "void_ratio");
 
     file.umat_state.assign(6, 0.0);
-    if (file.start.intergranular_strain == IntergranularStrain::mobilised) {
+    if (file.start.intergranular_strain == element::IntergranularStrain::mobilised) {
         grit_sand sand;
         grit_sand_prepare(&p, &sand, nullptr);
         double state[GRIT_SAND_STATE_SIZE] = {};
@@ -190,7 +191,7 @@ void fill_umat(CaseFile& file, bool radian) {
 }
 
 void make_material(CaseFile& file) {
-    const Start& start = file.start;
+    const element::Start& start = file.start;
     if (file.umat) {
         const auto law = element::open_library_law(*file.umat);
         file.point = law->start(start.stress, file.umat_state);
@@ -198,9 +199,7 @@ void make_material(CaseFile& file) {
         return;
     }
     const auto law = std::make_shared<element::GritLaw>(file.parameters, file.options);
-    file.point = law->start(start.stress, start.void_ratio);
-    if (start.intergranular_strain == IntergranularStrain::mobilised)
-        law->mobilise(file.point, start.direction, start.rho);
+    file.point = element::start_point(*law, start);
     file.own_law = law.get();
     file.law = law;
 }

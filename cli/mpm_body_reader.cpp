@@ -8,14 +8,14 @@
 #include <fmt/format.h>
 
 #include "cli/material_reader.hpp"
-#include "cli/mpm_grid_reader.hpp"
+#include "cli/mpm_words.hpp"
 
 namespace cli {
 namespace {
 
 using namespace grit::mpm;
 
-constexpr double kPa = 1e3;  // [Pa]
+constexpr double kPa = words::kilopascal.si;  // [Pa]
 
 void check_place(const TomlTable& table, const std::string& key, const std::vector<double>& places,
                  const AxisPlan& axis, bool is_radius) {
@@ -28,8 +28,6 @@ void check_place(const TomlTable& table, const std::string& key, const std::vect
                                         table.full(key), axis.from, axis.to(), x));
     }
 }
-
-constexpr int most_per_cell = 16;  // particles along a direction
 
 Outline read_outline(TomlTable table, bool box, const Case& plan) {
     const std::vector<double> r = table.numbers("r_m", box ? 2 : 0);
@@ -51,9 +49,8 @@ Outline read_outline(TomlTable table, bool box, const Case& plan) {
                                           table.full("r_m"), r.size()));
         for (std::size_t i = 0; i < r.size(); ++i) out.corners.push_back({r[i], z[i]});
     }
-    for (const auto& [key, count] : {std::pair{"particles_per_cell_r", &out.particles_r},
-                                     std::pair{"particles_per_cell_z", &out.particles_z}})
-        if (table.has(key)) *count = table.integer_or(key, 1, 1, most_per_cell);
+    out.particles_r = integer_or(table, case_word("body.box", "particles_per_cell_r"), 0);
+    out.particles_z = integer_or(table, case_word("body.box", "particles_per_cell_z"), 0);
     table.finish();
     return out;
 }
@@ -61,12 +58,8 @@ Outline read_outline(TomlTable table, bool box, const Case& plan) {
 ElasticPlan read_elastic(TomlTable table, bool neo_hooke) {
     ElasticPlan out{};
     out.neo_hooke = neo_hooke;
-    table.number("youngs_modulus_kPa");
-    out.youngs_modulus = kPa * table.positive_or("youngs_modulus_kPa", 1.0);
-    out.poissons_ratio = table.number("poissons_ratio");
-    if (!(out.poissons_ratio > -1.0 && out.poissons_ratio < 0.5))
-        table.fail("poissons_ratio", fmt::format("{} must be in (-1, 0.5), got {:g}",
-                                                 table.full("poissons_ratio"), out.poissons_ratio));
+    out.youngs_modulus = number(table, case_word("body.elastic", "youngs_modulus_kPa"));
+    out.poissons_ratio = number(table, case_word("body.elastic", "poissons_ratio"));
     table.finish();
     return out;
 }
@@ -91,21 +84,24 @@ RigidPlan read_rigid(TomlTable table) {
 
 void read_intergranular_strain(TomlTable& table, SandPlan& plan) {
     const bool has_parameters = !std::isnan(plan.parameters.elastic_strain_radius);
-    const std::string word =
-        table.has("intergranular_strain")
-            ? table.choice("intergranular_strain", {"mobilised", "zero", "off"})
-            : (has_parameters ? "mobilised" : "off");
-    if (word != "off" && !has_parameters)
+    using Start = words::IntergranularStart;
+    const std::optional<int> given =
+        choice_if(table, case_word("body.sand", "intergranular_strain"));
+    const Start start = given            ? static_cast<Start>(*given)
+                        : has_parameters ? Start::mobilised
+                                         : Start::off;
+    if (start != Start::off && !has_parameters)
         table.fail("intergranular_strain",
                    fmt::format("{} must be \"off\": the sand has no parameters for it",
                                table.full("intergranular_strain")));
-    plan.options.intergranular_off = word == "off" ? 1 : 0;
-    plan.intergranular_rho = word == "mobilised" ? 1.0 : 0.0;
+    plan.options.intergranular_off = start == Start::off ? 1 : 0;
+    plan.intergranular_rho = start == Start::mobilised ? 1.0 : 0.0;
     if (const auto direction = table.numbers_if("intergranular_direction", 4)) {
-        if (word != "mobilised")
+        if (start != Start::mobilised)
             table.fail("intergranular_direction",
                        fmt::format("{} needs intergranular_strain = \"mobilised\", it is \"{}\"",
-                                   table.full("intergranular_direction"), word));
+                                   table.full("intergranular_direction"),
+                                   word_of(words::intergranular_starts, start)));
         std::copy(direction->begin(), direction->end(), plan.intergranular_direction);
         if (std::all_of(direction->begin(), direction->end(), [](double x) { return x == 0.0; }))
             table.fail("intergranular_direction",
@@ -120,11 +116,12 @@ SandPlan read_sand_body(TomlTable table) {
     out.parameters.granulate_hardness *= kPa;
     out.parameters.pressure_shift *= kPa;
     grit_sand_options_init(&out.options, sizeof out.options);
-    out.options.tolerance = number_within(table, "tolerance", 1e-3, limits::tolerance);
+    out.options.tolerance = number_if(table, case_word("body.sand", "tolerance")).value_or(1e-3);
     const std::string key = table.one_of({"void_ratio", "void_ratio_at_zero_pressure"});
-    out.void_ratio = table.number(key);
-    table.positive_or(key, 1.0);
     out.at_zero_pressure = key == "void_ratio_at_zero_pressure";
+    out.void_ratio =
+        number(table, out.at_zero_pressure ? case_word("body.sand", "void_ratio_at_zero_pressure")
+                                           : case_word("body.sand", "void_ratio"));
     read_intergranular_strain(table, out);
     table.finish();
     grit_sand sand;
@@ -136,9 +133,10 @@ SandPlan read_sand_body(TomlTable table) {
 
 Geostatic read_stress_at_rest(TomlTable table) {
     Geostatic out;
-    out.surface = table.number("surface_m");
-    out.surcharge = kPa * number_within(table, "surcharge_kPa", 0.0, {0.0, 1e9});
-    if (table.has("K0")) out.K0 = number_within(table, "K0", 1.0, {0.0, 10.0});
+    out.surface = number(table, case_word("body.stress_at_rest", "surface_m"));
+    out.surcharge =
+        number_if(table, case_word("body.stress_at_rest", "surcharge_kPa")).value_or(0.0);
+    out.K0 = number_if(table, case_word("body.stress_at_rest", "K0"));
     table.finish();
     return out;
 }
@@ -160,7 +158,9 @@ void read_density(TomlTable& table, BodyPlan& body) {
         body.density = 1000.0;  // a rigid body's mass moves nothing
         return;
     }
-    body.density = table.positive_or(*key, 1.0);
+    body.density =
+        number(table, *key == "density_kg_per_m3" ? case_word("body", "density_kg_per_m3")
+                                                  : case_word("body", "grain_density_kg_per_m3"));
     if (*key == "density_kg_per_m3") return;
     if (!sand || sand->at_zero_pressure)
         table.fail(*key, fmt::format("{} needs sand with a constant void_ratio", table.full(*key)));
@@ -196,8 +196,8 @@ BodyPlan read_body(TomlTable table, const Case& plan) {
     if (out.outlines.empty())
         table.fail("",
                    fmt::format("{0} needs a [[body.box]] or a [[body.polygon]]", table.full("")));
-    out.particles_r = table.integer_or("particles_per_cell_r", 2, 1, most_per_cell);
-    out.particles_z = table.integer_or("particles_per_cell_z", 2, 1, most_per_cell);
+    out.particles_r = integer_or(table, case_word("body", "particles_per_cell_r"), 2);
+    out.particles_z = integer_or(table, case_word("body", "particles_per_cell_z"), 2);
     read_material(table, out);
     read_density(table, out);
     if (auto rest = table.table_if("stress_at_rest"))

@@ -2,7 +2,7 @@
 // [[body]] of a material-point case.
 #pragma once
 
-#include <adapters/mpm/case.hpp>
+#include <adapters/mpm/case/case.hpp>
 
 #include "cli/toml_table.hpp"
 

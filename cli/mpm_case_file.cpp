@@ -11,6 +11,7 @@
 #include "cli/mpm_body_reader.hpp"
 #include "cli/mpm_grid_reader.hpp"
 #include "cli/mpm_load_reader.hpp"
+#include "cli/mpm_words.hpp"
 
 namespace cli {
 namespace {
@@ -34,11 +35,7 @@ bool has_pulses(const Case& plan) {
 
 StageEnd read_until(TomlTable table, const Case& plan) {
     StageEnd out;
-    out.time = table.positive_or("time_s", out.time);
-    out.depth = table.positive_or("depth_m", out.depth);
-    out.blows = integer_within(table, "blows", 0, limits::blows);
-    out.unbalanced_share = number_within(table, "unbalanced_share", 0.0, limits::share);
-    out.kinetic_share = number_within(table, "kinetic_share", 0.0, limits::share);
+    read_members(table, "stage.until", end_members(), out);
     if (table.given().empty())
         table.fail("", fmt::format("{} must say what ends the stage", table.full("")));
     if (table.has("kinetic_share") && !table.has("unbalanced_share"))
@@ -74,12 +71,10 @@ void read_stages(TomlTable& root, Case& plan) {
     for (TomlTable& table : root.tables_if("stage")) {
         StagePlan& stage = plan.stages[i++];
         table.has("name");
-        stage.gravity = table.boolean_or("gravity", true);
-        stage.local_damping = number_within(table, "local_damping", plan.settings.local_damping,
-                                            limits::local_damping);
-        stage.pic_rate =
-            number_within(table, "pic_rate_per_s", plan.settings.pic_rate, limits::pic_rate);
-        stage.cfl = number_within(table, "cfl", plan.settings.cfl, limits::cfl);
+        stage.local_damping = plan.settings.local_damping;
+        stage.pic_rate = plan.settings.pic_rate;
+        stage.cfl = plan.settings.cfl;
+        read_members(table, "stage", stage_members(), stage);
         stage.end = read_until(table.table("until"), plan);
         table.finish();
     }
@@ -123,10 +118,10 @@ double kind_interval(const Case& plan) {
 
 void read_history(TomlTable table, Case& plan) {
     if (table.has("body")) plan.history.body = body_name(table, "body", plan);
-    if (table.has("depth_of") &&
-        table.choice("depth_of", {"lowest_point", "centre_of_mass"}) == "centre_of_mass")
-        plan.history.depth_of = DepthOf::centre_of_mass;
-    plan.history.interval = number_within(table, "interval_s", kind_interval(plan), {0.0, 1e9});
+    if (const auto depth = choice_if(table, case_word("history", "depth_of")))
+        plan.history.depth_of = static_cast<DepthOf>(*depth);
+    plan.history.interval =
+        number_if(table, case_word("history", "interval_s")).value_or(kind_interval(plan));
     if (!table.has("interval_s") && plan.history.interval == 0.0)
         table.fail("", fmt::format("{} is missing: no stage has a time_s to take a thousandth of; "
                                    "0 is a row after every step",
@@ -136,7 +131,7 @@ void read_history(TomlTable table, Case& plan) {
 
 FieldsPlan read_fields(TomlTable table) {
     FieldsPlan out;
-    out.interval = number_within(table, "interval_s", 0.0, {0.0, 1e9});
+    out.interval = number_if(table, case_word("fields", "interval_s")).value_or(0.0);
     std::vector<std::string> names = table.strings_or_none("variables");
     if (!table.has("variables")) names = mpm_field_names();
     for (const std::string& name : names) {
@@ -159,7 +154,7 @@ MpmCaseFile read_mpm_case(const std::filesystem::path& path) {
     plan.name = root.string_if("name").value_or(path.stem().string());
     check_name(root, "name", plan.name);
     plan.title = root.string_if("title").value_or(plan.name);
-    plan.gravity = number_within(root, "gravity_m_per_s2", plan.gravity, limits::gravity);
+    read_members(root, "", numerics_members(), plan);
     read_grid(root.table("grid"), plan);
     if (auto numerics = root.table_if("numerics")) read_mpm_numerics(std::move(*numerics), plan);
     if (auto boundary = root.table_if("boundary")) read_boundary(std::move(*boundary), plan);

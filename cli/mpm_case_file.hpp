@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include <adapters/mpm/case.hpp>
+#include <adapters/mpm/case/case.hpp>
 
 #include "cli/mpm_fields.hpp"
 

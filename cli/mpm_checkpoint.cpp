@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include <adapters/mpm/checksum.hpp>
+#include <adapters/mpm/io/checksum.hpp>
 #include <fmt/format.h>
 
 #include "element/aside_file.hpp"

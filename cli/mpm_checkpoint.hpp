@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include <adapters/mpm/checkpoint.hpp>
+#include <adapters/mpm/io/checkpoint.hpp>
 
 namespace cli {
 

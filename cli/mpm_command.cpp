@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include <adapters/mpm/case/case_words.hpp>
 #include <fmt/format.h>
 
 #include "cli/abnormal_end.hpp"
@@ -75,6 +76,10 @@ ExitCode convert(const MpmRequest& request, const Case& plan) {
 }  // namespace
 
 ExitCode run_mpm(const MpmRequest& request) {
+    if (!request.keys.empty()) {
+        fmt::print("{}", request.keys == "fix" ? keys_of_fix() : keys_of_cases());
+        return ok;
+    }
     MpmCaseFile file = read_mpm_case(request.file);
     const Case& plan = file.plan;
     if (!request.to_lammps.empty()) return convert(request, plan);

@@ -3,12 +3,14 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "cli/exit_code.hpp"
 
 namespace cli {
 
 struct MpmRequest {
+    std::string keys;  // "cases" or "fix": print their table, and no more
     std::filesystem::path file;
     std::filesystem::path out = ".";
     std::optional<int> threads;  // instead of the case's

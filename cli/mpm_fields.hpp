@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <adapters/mpm/simulation.hpp>
+#include <adapters/mpm/step/simulation.hpp>
 
 namespace cli {
 

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/mpm_words.hpp"
+
 namespace cli {
 namespace {
 
@@ -14,16 +16,16 @@ constexpr double most_nodes = 2e7;  // of the grid
 
 AxisSegment read_segment(TomlTable table, double from) {
     AxisSegment out{};
-    out.to = table.number("to_m");
+    out.to = number(table, case_word("grid.r", "to_m"));
     if (!(out.to > from))
         table.fail("to_m",
                    fmt::format("{} must be above {:g} m, where the segment begins, got {:g}",
                                table.full("to_m"), from, out.to));
-    out.growth = number_within(table, "growth", 1.0, limits::growth);
+    out.growth = number_if(table, case_word("grid.r", "growth")).value_or(1.0);
     if (table.one_of({"cell_m", "cells"}) == "cells") {
-        out.cells = integer_within(table, "cells", 1, limits::cells);
+        out.cells = integer_or(table, case_word("grid.r", "cells"), 1);
     } else {
-        const double cell = table.positive_or("cell_m", 1.0);
+        const double cell = number(table, case_word("grid.r", "cell_m"));
         if (!(cell <= out.to - from))
             table.fail("cell_m",
                        fmt::format("{} must be no longer than its segment, {:g} m, got {:g}",
@@ -55,23 +57,8 @@ double nodes_of(const AxisPlan& plan) {
 
 }  // namespace
 
-double number_within(TomlTable& table, const std::string& key, double otherwise,
-                     limits::Range range) {
-    const double value = table.number_if(key).value_or(otherwise);
-    if (!(value >= range.low && value <= range.high))
-        table.fail(key, fmt::format("{} must be in [{:g}, {:g}], got {:g}", table.full(key),
-                                    range.low, range.high, value));
-    return value;
-}
-
-int integer_within(TomlTable& table, const std::string& key, int otherwise, limits::Range range) {
-    return table.integer_or(key, otherwise, static_cast<int>(range.low),
-                            static_cast<int>(range.high));
-}
-
 void read_grid(TomlTable table, Case& plan) {
-    plan.settings.axisymmetric =
-        table.choice("geometry", {"axisymmetric", "plane_strain"}) == "axisymmetric";
+    plan.settings.axisymmetric = choice(table, case_word("grid", "geometry")) != 0;
     plan.r = read_axis(table, "r");
     plan.z = read_axis(table, "z");
     if (plan.settings.axisymmetric && plan.r.from < 0.0)
@@ -85,29 +72,28 @@ void read_grid(TomlTable table, Case& plan) {
 }
 
 void read_boundary(TomlTable table, Case& plan) {
-    constexpr const char* sides[] = {"left", "right", "bottom", "top"};
-    for (std::size_t i = 0; i < 4; ++i) {
-        if (!table.has(sides[i])) continue;
-        const std::string word = table.choice(sides[i], {"free", "roller", "fixed", "absorbing"});
-        plan.boundary[i] = word == "fixed"       ? Boundary::fixed
-                           : word == "roller"    ? Boundary::roller
-                           : word == "absorbing" ? Boundary::absorbing
-                                                 : Boundary::free;
+    for (const Spelling& side : words::sides) {
+        CaseWord word = case_word("boundary", "left");
+        word.key = side.word;
+        if (const auto kind = choice_if(table, word))
+            plan.boundary[side.value] = static_cast<Boundary>(*kind);
     }
     if (plan.settings.axisymmetric && plan.r.from == 0.0 && table.has("left") &&
         plan.boundary[0] != Boundary::roller)
         table.fail("left", table.full("left") + " is the axis r = 0: roller");
     const bool absorbs =
         std::find(plan.boundary, plan.boundary + 4, Boundary::absorbing) != plan.boundary + 4;
-    const auto speed = [&](const char* key) {
-        const double value = table.positive_or(key, 0.0);
+    const auto speed = [&](const CaseWord& word) {
+        const std::string key(word.key);
+        const double value = number_if(table, word).value_or(0.0);
         if (absorbs && value == 0.0)
             table.fail("", fmt::format("{} is missing: a side is absorbing", table.full(key)));
         if (!absorbs && value != 0.0)
             table.fail(key, fmt::format("{} needs a side that is absorbing", table.full(key)));
         return value;
     };
-    plan.absorbing = {speed("p_wave_m_per_s"), speed("s_wave_m_per_s")};
+    plan.absorbing = {speed(case_word("boundary", "p_wave_m_per_s")),
+                      speed(case_word("boundary", "s_wave_m_per_s"))};
     if (absorbs && !(plan.absorbing.p > plan.absorbing.s))
         table.fail("p_wave_m_per_s",
                    fmt::format("{} must be above s_wave_m_per_s, {:g}, got {:g}",
@@ -116,33 +102,7 @@ void read_boundary(TomlTable table, Case& plan) {
 }
 
 void read_mpm_numerics(TomlTable table, Case& plan) {
-    Settings& out = plan.settings;
-    if (table.has("shape_function")) {
-        const std::string word =
-            table.choice("shape_function", {"cpdi", "cpdi_published", "ugimp", "linear"});
-        out.shape = word == "cpdi"             ? Shape::cpdi
-                    : word == "cpdi_published" ? Shape::cpdi_published
-                    : word == "ugimp"          ? Shape::ugimp
-                                               : Shape::point;
-    }
-    if (table.has("scheme")) {
-        const std::string word = table.choice("scheme", {"usl", "musl", "usf"});
-        out.scheme = word == "usl" ? Scheme::usl : word == "musl" ? Scheme::musl : Scheme::usf;
-    }
-    out.cfl = number_within(table, "cfl", out.cfl, limits::cfl);
-    out.largest_step = table.positive_or("largest_step_s", out.largest_step);
-    out.pic_rate = number_within(table, "pic_rate_per_s", out.pic_rate, limits::pic_rate);
-    out.local_damping =
-        number_within(table, "local_damping", out.local_damping, limits::local_damping);
-    out.linear_viscosity =
-        number_within(table, "bulk_viscosity_linear", out.linear_viscosity, limits::bulk_viscosity);
-    out.quadratic_viscosity = number_within(table, "bulk_viscosity_quadratic",
-                                            out.quadratic_viscosity, limits::bulk_viscosity);
-    out.cell_mean = table.boolean_or("cell_averaged_volume", out.cell_mean);
-    out.fixed_point = table.boolean_or("fixed_point", out.fixed_point);
-    out.threads = integer_within(table, "threads", out.threads, limits::threads);
-    plan.residual_limit = number_within(table, "energy_residual_limit", plan.residual_limit,
-                                        limits::energy_residual_limit);
+    read_members(table, "numerics", numerics_members(), plan);
     table.finish();
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/mpm_history.hpp"
 
-#include <adapters/mpm/history.hpp>
+#include <adapters/mpm/run/history.hpp>
 #include <fmt/format.h>
 
 #include "cli/version.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <adapters/mpm/run.hpp>
+#include <adapters/mpm/run/run.hpp>
 
 #include "cli/table.hpp"
 

@@ -4,11 +4,10 @@
 #include <cmath>
 #include <iterator>
 
-#include <adapters/mpm/history.hpp>
+#include <adapters/mpm/case/case_words.hpp>
+#include <adapters/mpm/run/history.hpp>
 #include <fmt/format.h>
 #include <grit/contact.h>
-#include <grit/contact_distance.h>
-#include <grit/contact_normals.h>
 
 #include "cli/exit_code.hpp"
 #include "cli/version.hpp"
@@ -31,10 +30,9 @@ std::string of_table(const TimeTable& table) {
 }
 
 std::string of_pulses(const PulseTrain& p) {
-    return fmt::format("pulses {} {} {} {} {} {} {}",
-                       p.form == PulseForm::half_sine ? "half_sine" : "triangle", exact(p.peak),
-                       exact(p.duration), exact(p.peak_time), exact(p.interval), exact(p.start),
-                       p.count);
+    return fmt::format("pulses {} {} {} {} {} {} {}", word_of(words::pulse_forms, p.form),
+                       exact(p.peak), exact(p.duration), exact(p.peak_time), exact(p.interval),
+                       exact(p.start), p.count);
 }
 
 std::string of_function(const TimeFunction& function) {
@@ -60,29 +58,36 @@ void add_grid(const Case& plan, FixWords& fix) {
         for (const AxisSegment& segment : (direction == 'r' ? plan.r : plan.z).segments)
             fix.add("grid {} {} {} {}", direction, exact(segment.to), segment.cells,
                     exact(segment.growth));
-    constexpr const char* sides[] = {"left", "right", "bottom", "top"};
-    constexpr const char* kinds[] = {"free", "roller", "fixed"};
-    for (int side = 0; side < 4; ++side) {
-        const Boundary kind = plan.boundary[side];
-        if (kind == Boundary::absorbing)
-            throw BadInput("fix grit/mpm of LAMMPS has no absorbing sides");
+    for (const Spelling& side : words::sides) {
+        const Boundary kind = plan.boundary[side.value];
+        for (const Spelling& word : words::boundaries)
+            if (word.value == static_cast<int>(kind) && !word.in_fix)
+                throw BadInput(fmt::format("fix grit/mpm of LAMMPS has no {} sides", word.word));
         if (kind != Boundary::free)
-            fix.add("boundary {} {}", sides[side], kinds[static_cast<int>(kind)]);
+            fix.add("boundary {} {}", side.word, word_of(words::boundaries, kind));
     }
 }
 
+// As the fix reads it; empty: nothing that it could read.
+template <class Plan> std::string value_of(const Member<Plan>& member, const Plan& plan) {
+    const double value = member.get(plan);
+    switch (member.word->kind) {
+        case Kind::yes_or_no: return word(value != 0.0);
+        case Kind::choice: return std::string(word_of(member.word->words, static_cast<int>(value)));
+        default: return std::isfinite(value) ? exact(value) : std::string();
+    }
+}
+
+// The number of threads is the host's.
 void add_numerics(const Case& plan, FixWords& fix) {
-    constexpr const char* shapes[] = {"cpdi", "cpdi_published", "ugimp", "linear"};
-    constexpr const char* schemes[] = {"usl", "musl", "usf"};
-    const Settings& s = plan.settings;
-    fix.add("shape_function {} scheme {}", shapes[static_cast<int>(s.shape)],
-            schemes[static_cast<int>(s.scheme)]);
-    fix.add("cfl {} pic_rate {} local_damping {}", exact(s.cfl), exact(s.pic_rate),
-            exact(s.local_damping));
-    if (std::isfinite(s.largest_step)) fix.add("largest_step {}", exact(s.largest_step));
-    fix.add("bulk_viscosity {} {}", exact(s.linear_viscosity), exact(s.quadratic_viscosity));
-    fix.add("cell_mean {} fixed_point {}", word(s.cell_mean), word(s.fixed_point));
-    fix.add("gravity {} energy_residual_limit {}", exact(plan.gravity), exact(plan.residual_limit));
+    std::string_view before;
+    for (const Member<Case>& member : numerics_members()) {
+        const std::string value = value_of(member, plan);
+        if (value.empty() || member.fix == "threads") continue;
+        if (member.fix == before) fix.out += ' ' + value;
+        else fix.add("{} {}", member.fix, value);
+        before = member.fix;
+    }
 }
 
 std::string of_sand(const SandPlan& plan) {
@@ -96,7 +101,7 @@ std::string of_sand(const SandPlan& plan) {
     }
     return out + fmt::format(" &\n        tolerance {} evaluation_limit {} intergranular {}",
                              exact(plan.options.tolerance), plan.options.evaluation_limit,
-                             plan.options.intergranular_off ? "off" : "on");
+                             word_of(words::on_off, plan.options.intergranular_off));
 }
 
 void add_bodies(const Case& plan, const std::string& stem, FixWords& fix) {
@@ -118,43 +123,36 @@ void add_bodies(const Case& plan, const std::string& stem, FixWords& fix) {
 void add_contacts(const Case& plan, FixWords& fix) {
     for (const ContactPlan& contact : plan.contacts) {
         if (contact.penalty) throw BadInput("fix grit/mpm of LAMMPS has no penalty contact");
-        const char* normal = contact.normal == GRIT_CONTACT_NORMAL_OF_A   ? "stiff"
-                             : contact.normal == GRIT_CONTACT_NORMAL_OF_B ? "soft"
-                                                                          : "average";
-        const char* distance = contact.measure == GRIT_CONTACT_SUPPORT ? "support"
-                               : contact.measure == GRIT_CONTACT_EDGE  ? "edge"
-                                                                       : "nearest_centre";
         const bool geo = contact.law == GRIT_CONTACT_GEO;
-        fix.add("contact {} {} {} {}{} normal {}{} gated {}", contact.stiff, contact.soft,
-                geo ? "geo" : "frictional", exact(contact.friction_coefficient),
-                geo ? " power " + exact(contact.penalty_power) : "", normal,
-                geo || contact.gated ? std::string(" distance ") + distance : "",
-                word(contact.gated));
+        std::string more;
+        for (const Member<ContactPlan>& member : contact_members()) {
+            if (member.fix.empty() || (member.fix == "power" && !geo) ||
+                (member.fix == "distance" && !geo && !contact.gated))
+                continue;
+            more += fmt::format(" {} {}", member.fix, value_of(member, contact));
+        }
+        fix.add("contact {} {} {} {}{}", contact.stiff, contact.soft,
+                word_of(words::contact_laws, contact.law), exact(contact.friction_coefficient),
+                more);
     }
 }
 
 void add_tractions(const Case& plan, FixWords& fix) {
-    constexpr const char* edges[] = {"bottom", "right", "top", "left"};
     for (std::size_t i = 0; i < plan.tractions.size(); ++i) {
         const TractionPlan& t = plan.tractions[i];
         fix.add("traction {} traction_{} {} {} {} {}{}", t.body, i + 1,
-                edges[static_cast<int>(t.edge)], exact(t.direction.r), exact(t.direction.z),
+                word_of(words::edges, t.edge), exact(t.direction.r), exact(t.direction.z),
                 of_function(t.stress), from(t.from_stage));
     }
 }
 
 std::string of_stage(const StagePlan& stage) {
-    std::string out = fmt::format("fix_modify mpm stage {} gravity {} local_damping {} pic_rate {} "
-                                  "cfl {}",
-                                  stage.name, word(stage.gravity), exact(stage.local_damping),
-                                  exact(stage.pic_rate), exact(stage.cfl));
-    const StageEnd& end = stage.end;
-    if (end.time < unlimited) out += fmt::format(" until_time {}", exact(end.time));
-    if (end.depth < unlimited) out += fmt::format(" until_depth {}", exact(end.depth));
-    if (end.blows > 0) out += fmt::format(" until_blows {}", end.blows);
-    if (end.unbalanced_share > 0.0)
-        out += fmt::format(" until_unbalanced {}", exact(end.unbalanced_share));
-    if (end.kinetic_share > 0.0) out += fmt::format(" until_kinetic {}", exact(end.kinetic_share));
+    std::string out = fmt::format("fix_modify mpm stage {}", stage.name);
+    for (const Member<StagePlan>& member : stage_members())
+        out += fmt::format(" {} {}", member.fix, value_of(member, stage));
+    for (const Member<StageEnd>& member : end_members())
+        if (member.get(stage.end) != member.get(StageEnd()))
+            out += fmt::format(" {} {}", member.fix, value_of(member, stage.end));
     out += fmt::format("\nrun ${{most_steps}}\n"
                        "print \"stage {}: depth $(f_mpm[5]) m at $(f_mpm[3]) s\"\n",
                        stage.name);
@@ -190,7 +188,7 @@ std::string columns_comment() {
 std::string lammps_fix(const Case& plan, const std::string& stem) {
     FixWords fix;
     fix.out = fmt::format("fix mpm all grit/mpm {}",
-                          plan.settings.axisymmetric ? "axisymmetric" : "plane_strain");
+                          word_of(words::geometries, plan.settings.axisymmetric));
     add_grid(plan, fix);
     add_numerics(plan, fix);
     std::string stages = fmt::format("stages {}", plan.stages.size());
@@ -199,8 +197,7 @@ std::string lammps_fix(const Case& plan, const std::string& stem) {
     add_bodies(plan, stem, fix);
     add_tractions(plan, fix);
     add_contacts(plan, fix);
-    fix.add("driven {} {}", plan.history.body,
-            plan.history.depth_of == DepthOf::lowest_point ? "lowest_point" : "centre_of_mass");
+    fix.add("driven {} {}", plan.history.body, word_of(words::depths, plan.history.depth_of));
     return fmt::format("neigh_modify once yes\n{}\n\n{}"
                        "thermo_style custom step f_mpm[*]\n"
                        "thermo_modify format float %.17g line one\n",

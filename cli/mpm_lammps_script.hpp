@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <adapters/mpm/case.hpp>
+#include <adapters/mpm/case/case.hpp>
 
 namespace cli {
 

@@ -5,18 +5,16 @@
 
 #include <fmt/format.h>
 #include <grit/contact.h>
-#include <grit/contact_distance.h>
-#include <grit/contact_normals.h>
 
 #include "cli/mpm_body_reader.hpp"
-#include "cli/mpm_grid_reader.hpp"
+#include "cli/mpm_words.hpp"
 
 namespace cli {
 namespace {
 
 using namespace grit::mpm;
 
-constexpr double kPa = 1e3;  // [Pa]
+constexpr double kPa = words::kilopascal.si;  // [Pa]
 
 template <class Plans> std::vector<std::string> names_of(const Plans& plans) {
     std::vector<std::string> out;
@@ -36,12 +34,12 @@ void read_range(TomlTable& table, const std::string& key, double (&range)[2]) {
 
 PulseTrain read_pulses(TomlTable table) {
     PulseTrain out;
-    out.peak = kPa * table.number("peak_kPa");
-    if (table.has("form") && table.choice("form", {"half_sine", "triangle"}) == "triangle")
-        out.form = PulseForm::triangle;
-    table.number("duration_s");
-    out.duration = table.positive_or("duration_s", 1.0);
-    out.peak_time = table.positive_or("peak_time_s", 0.5 * out.duration);
+    out.peak = number(table, case_word("traction.pulses", "peak_kPa"));
+    if (const auto form = choice_if(table, case_word("traction.pulses", "form")))
+        out.form = static_cast<PulseForm>(*form);
+    out.duration = number(table, case_word("traction.pulses", "duration_s"));
+    out.peak_time =
+        number_if(table, case_word("traction.pulses", "peak_time_s")).value_or(0.5 * out.duration);
     if (out.form == PulseForm::half_sine && table.has("peak_time_s") &&
         out.peak_time != 0.5 * out.duration)
         table.fail("peak_time_s",
@@ -51,13 +49,14 @@ PulseTrain read_pulses(TomlTable table) {
         table.fail("peak_time_s",
                    fmt::format("{} must be below duration_s, {:g}, got {:g}",
                                table.full("peak_time_s"), out.duration, out.peak_time));
-    out.interval = table.positive_or("interval_s", out.duration);
+    out.interval =
+        number_if(table, case_word("traction.pulses", "interval_s")).value_or(out.duration);
     if (!(out.interval >= out.duration))
         table.fail("interval_s",
                    fmt::format("{} must be no shorter than duration_s, {:g}, got {:g}",
                                table.full("interval_s"), out.duration, out.interval));
-    out.count = integer_within(table, "count", 1, limits::pulses);
-    out.start = number_within(table, "start_s", 0.0, limits::pulse_start);
+    out.count = integer_or(table, case_word("traction.pulses", "count"), 1);
+    out.start = number_if(table, case_word("traction.pulses", "start_s")).value_or(0.0);
     table.finish();
     return out;
 }
@@ -100,7 +99,8 @@ PenaltyPlan read_penalty(TomlTable& table, const Case& plan) {
     if (!(out.modulus > 0.0))
         table.fail("modulus_kPa", fmt::format("{} must be positive, got {:g}",
                                               table.full("modulus_kPa"), out.modulus / kPa));
-    out.stiffness_multiple = number_within(table, "stiffness_multiple", 1.0, {1e-6, 1e6});
+    out.stiffness_multiple =
+        number_if(table, case_word("contact", "stiffness_multiple")).value_or(1.0);
     out.stiff_line = read_line(table.table("stiff_line"), plan);
     out.soft_line = read_line(table.table("soft_line"), plan);
     return out;
@@ -122,11 +122,7 @@ TractionPlan read_traction(TomlTable table, const Case& plan) {
     if (plan.bodies[plan.body(out.body)].rigid())
         table.fail("body", fmt::format("{}: \"{}\" is rigid, no load moves it", table.full("body"),
                                        out.body));
-    const std::string edge = table.choice("edge", {"bottom", "right", "top", "left"});
-    out.edge = edge == "bottom"  ? Edge::bottom
-               : edge == "right" ? Edge::right
-               : edge == "top"   ? Edge::top
-                                 : Edge::left;
+    out.edge = static_cast<Edge>(choice(table, case_word("traction", "edge")));
     read_range(table, "r_m", out.r);
     read_range(table, "z_m", out.z);
     out.direction = direction_of(table, out.edge);
@@ -150,30 +146,18 @@ ContactPlan read_contact(TomlTable table, const Case& plan) {
         table.fail("soft", fmt::format("{} must be another body than stiff", table.full("soft")));
     if (plan.bodies[plan.body(out.stiff)].rigid() && plan.bodies[plan.body(out.soft)].rigid())
         table.fail("soft", fmt::format("{}: both bodies are rigid", table.full("soft")));
-    const std::string law = table.choice("law", {"geo", "frictional", "penalty"});
-    out.law = law == "geo" ? GRIT_CONTACT_GEO : GRIT_CONTACT_FRICTIONAL;
-    out.friction_coefficient =
-        number_within(table, "friction_coefficient", 0.0, limits::friction_coefficient);
-    if (law == "penalty") {
+    const int law = choice(table, case_word("contact", "law"));
+    if (law == words::penalty_law_word) {
+        out.law = GRIT_CONTACT_FRICTIONAL;
+        out.friction_coefficient =
+            number_if(table, case_word("contact", "friction_coefficient")).value_or(0.0);
         out.penalty = read_penalty(table, plan);
         table.finish();
         return out;
     }
-    out.penalty_power = number_within(table, "penalty_power", 6.0, limits::penalty_power);
-    if (table.has("normal")) {
-        const std::string word = table.choice("normal", {"stiff", "soft", "average"});
-        out.normal = word == "stiff"  ? GRIT_CONTACT_NORMAL_OF_A
-                     : word == "soft" ? GRIT_CONTACT_NORMAL_OF_B
-                                      : GRIT_CONTACT_NORMAL_AVERAGE;
-    }
-    if (table.has("distance")) {
-        const std::string word = table.choice("distance", {"support", "edge", "nearest_centre"});
-        out.measure = word == "support" ? GRIT_CONTACT_SUPPORT
-                      : word == "edge"  ? GRIT_CONTACT_EDGE
-                                        : GRIT_CONTACT_NEAREST_CENTRE;
-    }
-    out.gated = table.boolean_or("gated", true);
-    if (law == "frictional") {
+    out.law = law;
+    read_members(table, "contact", contact_members(), out);
+    if (law == GRIT_CONTACT_FRICTIONAL) {
         if (table.has("penalty_power"))
             table.fail("penalty_power",
                        fmt::format("{} belongs to the geo law, not to the frictional one",

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <string>
 
-#include <adapters/mpm/run.hpp>
+#include <adapters/mpm/run/run.hpp>
 
 namespace cli {
 

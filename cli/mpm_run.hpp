@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <adapters/mpm/kernel/material_failure.hpp>
-#include <adapters/mpm/run.hpp>
+#include <adapters/mpm/run/run.hpp>
 
 #include "cli/mpm_case_file.hpp"
 #include "cli/mpm_field_files.hpp"

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include <adapters/mpm/run.hpp>
+#include <adapters/mpm/run/run.hpp>
 
 namespace cli {
 

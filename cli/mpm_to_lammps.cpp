@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <memory>
 
-#include <adapters/mpm/build_case.hpp>
-#include <adapters/mpm/column_names.hpp>
-#include <adapters/mpm/fill.hpp>
+#include <adapters/mpm/case/build_case.hpp>
+#include <adapters/mpm/case/fill.hpp>
+#include <adapters/mpm/io/column_names.hpp>
 #include <fmt/format.h>
 
 #include "cli/exit_code.hpp"

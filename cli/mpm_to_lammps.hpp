@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include <adapters/mpm/case.hpp>
+#include <adapters/mpm/case/case.hpp>
 
 namespace cli {
 

@@ -7,7 +7,7 @@
 
 #include <adapters/mpm/kernel/material_failure.hpp>
 #include <adapters/mpm/kernel/sand.hpp>
-#include <adapters/mpm/simulation.hpp>
+#include <adapters/mpm/step/simulation.hpp>
 
 namespace cli {
 

@@ -32,6 +32,10 @@ endfunction()
 grit_flags_of_this_compiler(GRIT_VECTOR_FLAGS -Wno-psabi -Wno-ignored-attributes -Wno-bitwise-instead-of-logical)
 # Instrumented kernels take minutes to optimise, a fifth of it for where pointers point to.
 grit_flags_of_this_compiler(GRIT_QUICK_FLAGS -fno-tree-pta)
+# Every load of an unrolled kernel would be checked in place, in several ways: the address sanitizer is called
+# instead, and sees what the checks of pointers would see.
+grit_flags_of_this_compiler(GRIT_SANITIZED_KERNEL_FLAGS --param=asan-instrumentation-with-call-threshold=0
+                            -fno-sanitize=null,alignment,object-size)
 # Structs are copied in whole registers: half of one that was just stored whole, or the reverse, waits for
 # the cache. GCC's default is 16 bytes.
 grit_flags_of_this_compiler(GRIT_AVX2_FLAGS -mmove-max=256 -mstore-max=256)
@@ -68,17 +72,30 @@ function(grit_library_part target)
                       -fno-math-errno -fno-trapping-math ${GRIT_VECTOR_FLAGS})
   grit_hidden(${target})
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
-  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  if(GRIT_X86_KERNELS)
     target_compile_definitions(${target} PRIVATE GRIT_HAS_X86_KERNELS)
   endif()
   set_property(GLOBAL APPEND PROPERTY GRIT_PARTS ${target})
 endfunction()
 
 # One source per instruction set that this processor family has: kernel_baseline.cpp and so on, in
-# the calling folder, into the list RESULT.
+# the calling folder, into the list RESULT. Or one kernel for the machine that builds, which takes less than half the
+# time to compile: it counts as the baseline, and there is no other.
+set(GRIT_X86_KERNELS OFF)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT GRIT_NATIVE)
+  set(GRIT_X86_KERNELS ON)
+endif()
 macro(grit_kernels result)
   set(${result} kernel_baseline.cpp)
-  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  set(of_baseline)
+  if(GRIT_NATIVE)
+    list(APPEND of_baseline -march=native ${GRIT_AVX512_FLAGS})
+  endif()
+  if(GRIT_SANITIZE)
+    list(APPEND of_baseline ${GRIT_SANITIZED_KERNEL_FLAGS})
+  endif()
+  set_source_files_properties(kernel_baseline.cpp PROPERTIES COMPILE_OPTIONS "${of_baseline}")
+  if(GRIT_X86_KERNELS)
     list(APPEND ${result} kernel_avx2.cpp kernel_avx512.cpp)
     set_source_files_properties(kernel_avx2.cpp PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma;${GRIT_AVX2_FLAGS}")
     set_source_files_properties(

@@ -44,28 +44,40 @@ GRIT_INLINE Real mean_J(const Material& m, const Course<Real>& course, const Rea
     else return mean_J_one_by_one(m, course, q, dq);
 }
 
-template <class Plain>
-GRIT_INLINE MaskOf<Plain> needs_panels(const Plain& rho, const Plain& size, double finest) {
-    return (rho < 0.25 * size) & (size > Plain(finest));
-}
+// Near h = 0, J changes as rho^beta_r: panels that shrink towards the start of the step, down to the finest length, or
+// until one more changes the arc length by no more than a share. Where beta_r is small no length is short: J changes
+// by as much in every octave.
+struct Panels {
+    double finest, settled;
 
-// Near h = 0, J changes as rho^beta_r: panels that shrink towards the start of the step, down to the finest
-// length that is asked for.
+    Panels(const Material& m, double longest_smooth, double tolerated_share)
+        : finest(m.beta_r < 0.25 ? 0.0 : longest_smooth),
+          settled(m.beta_r < 0.25 ? 0.1 * tolerated_share : 0.0) {}
+
+    template <class Plain> MaskOf<Plain> needed(const Plain& rho, const Plain& size) const {
+        return (rho < 0.25 * size) & (size > Plain(finest));
+    }
+};
+
+constexpr int most_panels = 60;  // 4^-60
+
 template <class Real>
 GRIT_INLINE Real arc_length(const Material& m, const Course<Real>& course, const Real& q,
-                            const Real& dq, const PlainOf<Real>& rho, double finest) {
+                            const Real& dq, const PlainOf<Real>& rho, const Panels& panels) {
     if (!any(course.loading)) return m.R * dq;
     using Plain = PlainOf<Real>;
     Real panel = dq, coarse = dq * mean_J(m, course, q, dq), length = coarse;
-    for (;;) {
-        const Plain size = value(panel);
-        const MaskOf<Real> sharp = course.loading & needs_panels(rho, size, finest);
+    MaskOf<Real> open = course.loading;
+    for (int i = 0; i < most_panels; ++i) {
+        const MaskOf<Real> sharp = open & panels.needed<Plain>(rho, value(panel));
         if (!any(sharp)) break;
         const Real first = 0.25 * panel;
         const Real rest = panel - first;
         const Real near = first * mean_J(m, course, q, first);
         const Real fine = fma(rest, mean_J(m, course, q + first, rest), near);
-        length = select(sharp, length + (fine - coarse), length);
+        const Real change = fine - coarse;
+        length = select(sharp, length + change, length);
+        open = sharp & (fabs(value(change)) > panels.settled * value(length));
         panel = first;
         coarse = near;
     }

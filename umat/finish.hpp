@@ -26,8 +26,12 @@ GRIT_INLINE Tensor<Real> h_at_end(const Material& m, const StraightPath<Real>& p
                                   const Mobilisation<Real>& h, const PlainOf<Real>& late) {
     const Real length = m.R * min(h.rho, Real(1.0));
     const Real along_h = length - late * h.rho_beta * h.c;  // (G3)
-    return scaled_sum(fma(along_h, h.c, Real(late)), path.D_hat,
-                      scaled(path.tau, along_h * h.across));
+    Tensor<Real> end =
+        scaled_sum(fma(along_h, h.c, Real(late)), path.D_hat, scaled(path.tau, along_h * h.across));
+    const Real length_sq = contract(end, end) * square(m.inverse_R);
+    const MaskOf<Real> beyond = length_sq > Real(1.0 + 1e-12);
+    if (any(beyond)) assign(beyond, end, scaled(end, 1.0 / sqrt(length_sq)));
+    return end;
 }
 
 // The end of an integrated path: h, e and, if it separated on the way, w.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "umat/cone.hpp"
+#include "umat/course_search.hpp"
 #include "umat/runge_kutta.hpp"
 #include "umat/segment.hpp"
 
@@ -115,21 +116,26 @@ template <class Real, bool igs> class Integrator {
         return max(start_reach * smooth, 3.0 * value(out.h.rho));
     }
 
-    // A step to the end of the segment ends there by Newton's method from the prediction; but no farther
-    // than the step that was meant.
+    // A step to the end of the segment ends there, and none goes beyond; but no farther than the step that was meant.
     void meet_end_of_segment() {
-        Mask open = active & to_end & seg.course.loading;
-        for (int i = 0; i < 8; ++i) {
+        const Mask loading = active & seg.course.loading;
+        to_end = to_end | (loading & (value(course.arc) > value(left)));
+        Mask open = loading & to_end;
+        CourseSearch<Real> search(m, value(left));
+        for (int i = 0; i < longest_search; ++i) {
             const Real excess = course.arc - left;
-            open = open & (fabs(value(excess)) > control.tolerated_excess() * value(left));
+            open = open & !(fabs(value(excess)) <= control.tolerated_excess() * value(left));
             if (!any(open)) break;
-            dq = select(open, dq - excess / (m.R * course.end.J), dq);
+            dq = select(open, search.next(open, dq, excess, m.R * course.end.J), dq);
             find_course();
+            open = open & (search.lowest() <= 1.1 * step);
         }
-        const Mask beyond = active & to_end & !(value(dq) <= 1.1 * step);
-        if (any(beyond)) {
-            dq = select(beyond, Real(step), dq);
-            to_end = to_end & !beyond;
+        const Mask beyond =
+            active & to_end & !((value(dq) <= 1.1 * step) & (search.lowest() <= 1.1 * step));
+        open = open & !beyond;
+        if (any(beyond | open)) {
+            dq = select(beyond, Real(step), select(open, Real(search.lowest()), dq));
+            to_end = to_end & !(beyond | open);
             find_course();
         }
     }
@@ -141,12 +147,11 @@ template <class Real, bool igs> class Integrator {
         }
         step_course(m, path, seg.course, from, out.h.J, dq, course);
         const Plain rho = value(out.h.rho);
-        const double finest = control.finest_panel();
-        const Mask sharp =
-            active & seg.course.loading & needs_panels<Plain>(rho, value(dq), finest);
+        const Panels panels = control.panels(m);
+        const Mask sharp = active & seg.course.loading & panels.needed<Plain>(rho, value(dq));
         if (any(sharp))
             course.arc =
-                select(sharp, arc_length(m, seg.course, from.q, dq, rho, finest), course.arc);
+                select(sharp, arc_length(m, seg.course, from.q, dq, rho, panels), course.arc);
     }
 
     void attempt() {
@@ -205,7 +210,7 @@ template <class Real, bool igs> class Integrator {
         const Mask ended = accepted & to_end;
         out.h_late = select(ended, value(left) - value(course.arc), out.h_late);
         if (control.next_step_wanted || any(active & !(ended | separating))) adapt_step();
-        give_up(rejected & (step * value(here.ds) < smallest_fraction * value(path.length)));
+        give_up(rejected & (step * m.R < smallest_fraction * value(path.length)));
         active = active & !(separating | ended);
         needs_rate = projected;
     }

@@ -64,6 +64,19 @@ template <class Real> struct Course {
     Real u_0, tau_sq;  // u at q = 0 while unloading; tau:tau
 };
 
+// exp(-q) is held above this.
+constexpr double least_decay = 1e-300, longest_decay = 690.77552789821368;
+
+// y^beta_r, whose y has this decay in it: where beta_r is small it falls on beyond longest_decay.
+template <class Real>
+GRIT_INLINE Real evolution_power(const Material& m, const Real& y, const Real& q) {
+    Real r = power(m.beta_r_power, y);
+    if (m.beta_r > 0.06) return r;  // 1e-18 is left
+    const MaskOf<Real> far = value(q) > PlainOf<Real>(longest_decay);
+    if (any(far)) r = select(far, r * exp(m.beta_r * (longest_decay - q)), r);
+    return r;
+}
+
 // decay = exp(-q)
 template <class Real>
 GRIT_INLINE Mobilisation<Real> mobilisation(const Material& m, const Course<Real>& course,
@@ -81,7 +94,7 @@ GRIT_INLINE Mobilisation<Real> mobilisation(const Material& m, const Course<Real
                          Real(0.0),           PlainOf<Real>(1.0)};
     if (any(course.loading)) {
         const Real y = course.curve.y * decay * inverse;
-        const Real rho_beta = 1.0 / fma(course.curve.kappa, power(m.beta_r_power, y), 1.0);
+        const Real rho_beta = 1.0 / fma(course.curve.kappa, evolution_power(m, y, q), 1.0);
         const Real rho = power(m.inverse_beta_r_power, rho_beta);
         const Real stretch = (1.0 + E_sq) * inverse;
         r.rho = select(course.loading, rho, r.rho);
@@ -96,7 +109,8 @@ GRIT_INLINE Mobilisation<Real> mobilisation(const Material& m, const Course<Real
 template <class Real>
 GRIT_INLINE Mobilisation<Real> mobilisation(const Material& m, const Course<Real>& course,
                                             const Real& q) {
-    return mobilisation(m, course, q, any(course.loading) ? exp(-q) : Real(1.0));
+    return mobilisation(m, course, q,
+                        any(course.loading) ? max(exp(-q), Real(least_decay)) : Real(1.0));
 }
 
 template <class Real>

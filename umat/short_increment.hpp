@@ -4,6 +4,7 @@
 #pragma once
 
 #include "umat/cone.hpp"
+#include "umat/course_search.hpp"
 #include "umat/runge_kutta.hpp"
 #include "umat/segment.hpp"
 
@@ -74,36 +75,37 @@ template <class Real, bool igs> class ShortSegment {
         Waypoint<Real> end;
         Mobilisation<Real> h = start.h;
         Real dq_here = dq;
+        Mask met = where;
         if constexpr (igs) {
-            dq_here = course_of_segment(where);
+            met = find_course_of_segment(where, dq_here);
             h = mobilisation(m, start.course, dq_here);
             end = waypoint(m, start.course.loading, h, start.e_end);
         } else {
             end = basic_waypoint(m, start.e_end);
         }
         const StepContext<Real> c{m, path, dq_here, arc, start.stress_scale};
-        judge(where, heun_step<Real, igs>(c, start.y, start.at.ds, end, start.rate, change), h,
+        judge(met, heun_step<Real, igs>(c, start.y, start.at.ds, end, start.rate, change), h,
               Plain(0.0));
         r.evaluations = r.evaluations + select(where, Plain(1.0), Plain(0.0));
     }
 
-    // Newton's method from the prediction, which is good enough where J hardly changes.
-    Real course_of_segment(const Mask& where) const {
+    // From the prediction, which is good enough where J hardly changes; says where it was met.
+    Mask find_course_of_segment(const Mask& where, Real& dq_here) const {
         constexpr double tolerated_bend = 0.02, tolerated_length = 0.05;
-        Real dq_here = dq;
         const Plain bend = fabs(value(start.h.J_growth)) * value(dq);
         const Plain rho = value(start.h.rho);
         Mask open = where & start.course.loading &
                     ((bend > Plain(tolerated_bend)) | (value(dq) > Plain(tolerated_length)) |
                      (rho < 4.0 * value(dq)));
-        for (int i = 0; i < 8 && any(open); ++i) {
+        CourseSearch<Real> search(m, value(arc));
+        for (int i = 0; i < longest_search && any(open); ++i) {
             const Real excess =
-                arc_length(m, start.course, dq * 0.0, dq_here, rho, control.finest_panel()) - arc;
+                arc_length(m, start.course, dq * 0.0, dq_here, rho, control.panels(m)) - arc;
             const Real slope = m.R * mobilisation(m, start.course, dq_here).J;
-            dq_here = select(open, dq_here - excess / slope, dq_here);
-            open = open & (fabs(value(excess)) > control.tolerated_excess() * value(arc));
+            dq_here = select(open, search.next(open, dq_here, excess, slope), dq_here);
+            open = open & !(fabs(value(excess)) <= control.tolerated_excess() * value(arc));
         }
-        return dq_here;
+        return where & !open;
     }
 
     void try_third_order(const Mask& where) {

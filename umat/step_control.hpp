@@ -2,6 +2,7 @@
 // What an integration is asked, what it answers, and the constants that steer its steps.
 #pragma once
 
+#include "umat/arc_length.hpp"
 #include "umat/stress_rate.hpp"
 
 GRIT_KERNEL_BEGIN
@@ -28,7 +29,9 @@ struct Control {
 
     // Arc lengths are met to this share of them, and resolved near h = 0 to this panel.
     double tolerated_excess() const { return 0.1 * square(reach); }
-    double finest_panel() const { return reach * reach * reach; }
+    Panels panels(const Material& m) const {
+        return {m, reach * reach * reach, tolerated_excess()};
+    }
 };
 
 template <class Real> struct Integrated {

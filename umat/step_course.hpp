@@ -8,8 +8,6 @@
 
 GRIT_KERNEL_BEGIN
 
-constexpr double least_decay = 1e-300;
-
 // Of a step's start.
 template <class Real> struct Position {
     Real q, decay;  // of the course; exp(-q)

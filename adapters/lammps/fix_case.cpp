@@ -4,48 +4,57 @@
 #include <cmath>
 #include <functional>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
 #include "adapters/lammps/read_body.hpp"
 #include "adapters/lammps/read_function.hpp"
 #include "adapters/lammps/words.hpp"
-#include "adapters/mpm/checksum.hpp"
-#include "adapters/mpm/contact_pair.hpp"
+#include "adapters/mpm/case/case_words.hpp"
+#include "adapters/mpm/io/checksum.hpp"
+#include "adapters/mpm/step/contact_pair.hpp"
 
 namespace grit::lammps {
 namespace {
 
 using mpm::Case;
+using mpm::case_word;
+
+// The first one with this word.
+template <class Plan>
+const mpm::Member<Plan>* member_called(std::span<const mpm::Member<Plan>> members,
+                                       const std::string& word) {
+    for (const mpm::Member<Plan>& member : members)
+        if (!member.fix.empty() && member.fix == word) return &member;
+    return nullptr;
+}
 
 void read_segment(Words& words, Case& plan) {
-    const int direction = words.choice("the direction of a grid segment", {"r", "z"});
+    static constexpr mpm::Spelling axes[] = {mpm::spelling("r", 0, ""), mpm::spelling("z", 1, "")};
+    const int direction = words.choice("the direction of a grid segment", axes);
     mpm::AxisPlan& axis = direction == 0 ? plan.r : plan.z;
     mpm::AxisSegment segment{};
     segment.to = words.number("the end of a grid segment");
-    segment.cells = words.integer("the number of its cells", mpm::limits::cells);
-    segment.growth = words.number("their growth", mpm::limits::growth);
+    segment.cells = words.integer("the number of its cells", case_word("grid.r", "cells").range);
+    segment.growth = words.number("their growth", case_word("grid.r", "growth"));
     const double before = axis.segments.empty() ? axis.from : axis.to();
     if (!(segment.to > before)) throw std::invalid_argument("the segments of a grid must ascend");
     axis.segments.push_back(segment);
 }
 
 void read_boundary(Words& words, Case& plan) {
-    const int side = words.choice("a side of the grid", {"left", "right", "bottom", "top"});
-    constexpr mpm::Boundary kinds[] = {mpm::Boundary::free, mpm::Boundary::roller,
-                                       mpm::Boundary::fixed};
+    const int side = words.choice("a side of the grid", mpm::words::sides);
     plan.boundary[side] =
-        kinds[words.choice("the boundary of a side", {"free", "roller", "fixed"})];
+        static_cast<mpm::Boundary>(words.choice("the boundary of a side", mpm::words::boundaries));
 }
 
 void read_traction(Words& words, FixCase& out) {
     mpm::TractionPlan traction;
     traction.body = words.word("the body of a traction");
     out.traction_groups.push_back(words.word("the group of a traction"));
-    constexpr mpm::Edge edges[] = {mpm::Edge::bottom, mpm::Edge::right, mpm::Edge::top,
-                                   mpm::Edge::left};
     traction.edge =
-        edges[words.choice("the edge of a traction", {"bottom", "right", "top", "left"})];
+        static_cast<mpm::Edge>(words.choice("the edge of a traction", mpm::words::edges));
     traction.direction.r = words.number("the direction of a traction along r");
     traction.direction.z = words.number("... and along z");
     if (traction.direction.r == 0.0 && traction.direction.z == 0.0)
@@ -61,35 +70,14 @@ void read_contact(Words& words, Case& plan) {
     mpm::ContactPlan contact;
     contact.stiff = words.word("the stiffer body of a contact");
     contact.soft = words.word("the softer body of a contact");
-    contact.law = words.choice("the law of a contact", {"geo", "frictional"}) == 0
-                      ? GRIT_CONTACT_GEO
-                      : GRIT_CONTACT_FRICTIONAL;
+    contact.law = words.choice("the law of a contact", mpm::words::contact_laws);
     contact.friction_coefficient =
-        words.number("a friction coefficient", mpm::limits::friction_coefficient);
-    contact.normal = GRIT_CONTACT_NORMAL_OF_A;
-    contact.measure = GRIT_CONTACT_SUPPORT;
-    constexpr int normals[] = {GRIT_CONTACT_NORMAL_OF_A, GRIT_CONTACT_NORMAL_OF_B,
-                               GRIT_CONTACT_NORMAL_AVERAGE};
-    constexpr int measures[] = {GRIT_CONTACT_SUPPORT, GRIT_CONTACT_EDGE,
-                                GRIT_CONTACT_NEAREST_CENTRE};
+        words.number("a friction coefficient", case_word("contact", "friction_coefficient"));
+    std::set<std::string> given;
+    while (const auto* member = member_called(mpm::contact_members(), words.peek()))
+        words.read(*given.insert(words.word("a keyword")).first, *member, contact);
     const bool frictional = contact.law == GRIT_CONTACT_FRICTIONAL;
-    bool has_power = false, has_distance = false;
-    for (;;) {
-        if (words.take("power")) {
-            has_power = true;
-            contact.penalty_power = words.number("the penalty power", mpm::limits::penalty_power);
-        } else if (words.take("normal")) {
-            contact.normal = normals[words.choice("the normal", {"stiff", "soft", "average"})];
-        } else if (words.take("distance")) {
-            has_distance = true;
-            contact.measure =
-                measures[words.choice("the distance", {"support", "edge", "nearest_centre"})];
-        } else if (words.take("gated")) {
-            contact.gated = words.yes_or_no("gated");
-        } else {
-            break;
-        }
-    }
+    const bool has_power = given.contains("power"), has_distance = given.contains("distance");
     if (frictional && has_power)
         throw std::invalid_argument("power belongs to the geo law, not to the frictional one");
     if (frictional && has_distance && !contact.gated)
@@ -134,59 +122,21 @@ const std::map<std::string, Reader>& readers() {
          [](Words& w, FixCase& c) {
              c.plan.history.body = w.word("the driven body");
              c.plan.history.depth_of =
-                 w.choice("its depth", {"lowest_point", "centre_of_mass"}) == 0
-                     ? mpm::DepthOf::lowest_point
-                     : mpm::DepthOf::centre_of_mass;
-         }},
-        {"shape_function",
-         [](Words& w, FixCase& c) {
-             constexpr mpm::Shape shapes[] = {mpm::Shape::cpdi, mpm::Shape::cpdi_published,
-                                              mpm::Shape::ugimp, mpm::Shape::point};
-             c.plan.settings.shape = shapes[w.choice(
-                 "the shape function", {"cpdi", "cpdi_published", "ugimp", "linear"})];
-         }},
-        {"scheme",
-         [](Words& w, FixCase& c) {
-             constexpr mpm::Scheme schemes[] = {mpm::Scheme::usl, mpm::Scheme::musl,
-                                                mpm::Scheme::usf};
-             c.plan.settings.scheme = schemes[w.choice("the scheme", {"usl", "musl", "usf"})];
-         }},
-        {"gravity",
-         [](Words& w, FixCase& c) { c.plan.gravity = w.number("gravity", mpm::limits::gravity); }},
-        {"cfl",
-         [](Words& w, FixCase& c) { c.plan.settings.cfl = w.number("cfl", mpm::limits::cfl); }},
-        {"largest_step",
-         [](Words& w, FixCase& c) { c.plan.settings.largest_step = w.positive("largest_step"); }},
-        {"pic_rate",
-         [](Words& w, FixCase& c) {
-             c.plan.settings.pic_rate = w.number("pic_rate", mpm::limits::pic_rate);
-         }},
-        {"local_damping",
-         [](Words& w, FixCase& c) {
-             c.plan.settings.local_damping = w.number("local_damping", mpm::limits::local_damping);
-         }},
-        {"bulk_viscosity",
-         [](Words& w, FixCase& c) {
-             c.plan.settings.linear_viscosity =
-                 w.number("the linear bulk viscosity", mpm::limits::bulk_viscosity);
-             c.plan.settings.quadratic_viscosity =
-                 w.number("the quadratic bulk viscosity", mpm::limits::bulk_viscosity);
-         }},
-        {"cell_mean",
-         [](Words& w, FixCase& c) { c.plan.settings.cell_mean = w.yes_or_no("cell_mean"); }},
-        {"fixed_point",
-         [](Words& w, FixCase& c) { c.plan.settings.fixed_point = w.yes_or_no("fixed_point"); }},
-        {"threads",
-         [](Words& w, FixCase& c) {
-             c.plan.settings.threads = w.integer("threads", mpm::limits::threads);
-         }},
-        {"energy_residual_limit",
-         [](Words& w, FixCase& c) {
-             c.plan.residual_limit =
-                 w.number("energy_residual_limit", mpm::limits::energy_residual_limit);
+                 static_cast<mpm::DepthOf>(w.choice("its depth", mpm::words::depths));
          }},
     };
     return all;
+}
+
+// A keyword of numerics, or false. Two members may share one, and have both their numbers behind it.
+bool read_numerics(const std::string& keyword, Words& words, Case& plan) {
+    int count = 0;
+    for (const mpm::Member<Case>& member : mpm::numerics_members())
+        count += member.fix == keyword ? 1 : 0;
+    for (const mpm::Member<Case>& member : mpm::numerics_members())
+        if (member.fix == keyword)
+            words.read(count > 1 ? std::string(member.word->key) : keyword, member, plan);
+    return count > 0;
 }
 
 void check_grid(const mpm::AxisPlan& axis, double end, const char* name) {
@@ -233,18 +183,17 @@ FixCase read_fix(const std::vector<std::string>& given, const double (&box)[2][2
     FixCase out;
     Words words(given);
     Case& plan = out.plan;
-    plan.settings.axisymmetric =
-        words.choice("the geometry", {"axisymmetric", "plane_strain"}) == 0;
+    plan.settings.axisymmetric = words.choice("the geometry", mpm::words::geometries) != 0;
     plan.r.from = box[0][0];
     plan.z.from = box[1][0];
     std::string matters = words.taken_since(0);
     while (!words.done()) {
         const std::size_t first = words.taken();
         const std::string keyword = words.word("a keyword");
-        const auto reader = readers().find(keyword);
-        if (reader == readers().end())
+        if (const auto reader = readers().find(keyword); reader != readers().end())
+            reader->second(words, out);
+        else if (!read_numerics(keyword, words, plan))
             throw std::invalid_argument("unknown keyword \"" + keyword + '"');
-        reader->second(words, out);
         if (keyword != "points" && keyword != "threads") matters += words.taken_since(first);
     }
     out.fingerprint = mpm::checksum(matters.data(), matters.size());
@@ -264,18 +213,10 @@ mpm::StagePlan read_stage(const std::vector<std::string>& given, const mpm::Stag
     out.end = {};
     while (!words.done()) {
         const std::string key = words.word("a keyword");
-        if (key == "gravity") out.gravity = words.yes_or_no("gravity");
-        else if (key == "local_damping")
-            out.local_damping = words.number(key, mpm::limits::local_damping);
-        else if (key == "pic_rate") out.pic_rate = words.number(key, mpm::limits::pic_rate);
-        else if (key == "cfl") out.cfl = words.number(key, mpm::limits::cfl);
-        else if (key == "until_time") out.end.time = words.positive(key);
-        else if (key == "until_depth") out.end.depth = words.positive(key);
-        else if (key == "until_blows") out.end.blows = words.integer(key, mpm::limits::blows);
-        else if (key == "until_unbalanced")
-            out.end.unbalanced_share = words.number(key, mpm::limits::share);
-        else if (key == "until_kinetic")
-            out.end.kinetic_share = words.number(key, mpm::limits::share);
+        if (const auto* member = member_called(mpm::stage_members(), key))
+            words.read(key, *member, out);
+        else if (const auto* end = member_called(mpm::end_members(), key))
+            words.read(key, *end, out.end);
         else throw std::invalid_argument("unknown keyword \"" + key + "\" of a stage");
     }
     if (out.end.kinetic_share > 0.0 && out.end.unbalanced_share == 0.0)

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "adapters/mpm/case.hpp"
+#include "adapters/mpm/case/case.hpp"
 
 namespace grit::lammps {
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "adapters/lammps/guarded.hpp"
-#include "adapters/mpm/history.hpp"
+#include "adapters/mpm/run/history.hpp"
 
 namespace grit::lammps {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "adapters/lammps/guarded.hpp"
-#include "adapters/mpm/history.hpp"
+#include "adapters/mpm/run/history.hpp"
 
 namespace grit::lammps {
 

@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "adapters/mpm/column_names.hpp"
-#include "adapters/mpm/initial_state.hpp"
-#include "adapters/mpm/shared_state.hpp"
+#include "adapters/mpm/case/initial_state.hpp"
+#include "adapters/mpm/io/column_names.hpp"
+#include "adapters/mpm/io/shared_state.hpp"
 
 namespace grit::lammps {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "adapters/lammps/fix_case.hpp"
 #include "adapters/lammps/halo.hpp"
-#include "adapters/mpm/run.hpp"
+#include "adapters/mpm/run/run.hpp"
 
 namespace grit::lammps {
 

@@ -12,14 +12,20 @@
 namespace grit::lammps {
 namespace {
 
+using mpm::case_word;
+using mpm::spelling;
+
+constexpr mpm::Spelling member_kinds[] = {spelling("type", 0, ""), spelling("group", 1, "")};
+constexpr mpm::Spelling materials[] = {spelling("rigid", 0, ""), spelling("elastic", 1, ""),
+                                       spelling("neo_hooke", 2, ""), spelling("sand", 3, "")};
+
 mpm::ElasticPlan read_elastic(Words& words, bool neo_hooke) {
     mpm::ElasticPlan out{};
     out.neo_hooke = neo_hooke;
-    out.youngs_modulus = words.positive("Young's modulus");
-    const double nu = out.poissons_ratio = words.number("Poisson's ratio");
-    if (!(nu > -1.0 && nu < 0.5))
-        throw std::invalid_argument("Poisson's ratio must be in (-1, 0.5), got " +
-                                    std::to_string(nu));
+    out.youngs_modulus =
+        words.number("Young's modulus", case_word("body.elastic", "youngs_modulus_kPa"));
+    out.poissons_ratio =
+        words.number("Poisson's ratio", case_word("body.elastic", "poissons_ratio"));
     return out;
 }
 
@@ -46,11 +52,11 @@ mpm::SandPlan read_sand(Words& words) {
             const std::string parameter = words.word("a parameter");
             grit_sand_parameter_set(&out.parameters, index, words.number(parameter));
         } else if (words.take("tolerance")) {
-            out.options.tolerance = words.number("tolerance", mpm::limits::tolerance);
+            out.options.tolerance = words.number("tolerance", case_word("body.sand", "tolerance"));
         } else if (words.take("evaluation_limit")) {
             out.options.evaluation_limit = words.integer("evaluation_limit", {2, 1000000});
         } else if (words.take("intergranular")) {
-            out.options.intergranular_off = words.choice("intergranular", {"on", "off"});
+            out.options.intergranular_off = words.choice("intergranular", mpm::words::on_off);
         } else {
             break;
         }
@@ -71,10 +77,10 @@ void read_body(Words& words, FixCase& out) {
         if (other.name == body.name)
             throw std::invalid_argument("two bodies are called \"" + body.name + '"');
     Members members;
-    if (words.choice("what a body is made of", {"type", "group"}) == 0)
+    if (words.choice("what a body is made of", member_kinds) == 0)
         members.type = words.integer("an atom type", {1, 1000000});
     else members.group = words.word("the group of a body");
-    switch (words.choice("the material of a body", {"rigid", "elastic", "neo_hooke", "sand"})) {
+    switch (words.choice("the material of a body", materials)) {
         case 0: body.material = mpm::RigidPlan{{{0.0}, {0.0}}, {{0.0}, {0.0}}}; break;
         case 1: body.material = read_elastic(words, false); break;
         case 2: body.material = read_elastic(words, true); break;

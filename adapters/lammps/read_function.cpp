@@ -3,10 +3,12 @@
 
 #include <stdexcept>
 
-#include "adapters/mpm/text.hpp"
+#include "adapters/mpm/io/text.hpp"
 
 namespace grit::lammps {
 namespace {
+
+using mpm::case_word;
 
 mpm::TimeTable read_table(Words& words, const std::string& what) {
     mpm::TimeTable out;
@@ -21,12 +23,13 @@ mpm::TimeTable read_table(Words& words, const std::string& what) {
 
 mpm::PulseTrain read_pulses(Words& words) {
     mpm::PulseTrain out;
-    out.form = words.choice("the form of a pulse", {"half_sine", "triangle"}) == 0
-                   ? mpm::PulseForm::half_sine
-                   : mpm::PulseForm::triangle;
+    out.form =
+        static_cast<mpm::PulseForm>(words.choice("the form of a pulse", mpm::words::pulse_forms));
     out.peak = words.number("the peak of a pulse");
-    out.duration = words.positive("the duration of a pulse");
-    out.peak_time = words.positive("the time of its peak");
+    out.duration =
+        words.number("the duration of a pulse", case_word("traction.pulses", "duration_s"));
+    out.peak_time =
+        words.number("the time of its peak", case_word("traction.pulses", "peak_time_s"));
     if (out.form == mpm::PulseForm::half_sine && out.peak_time != 0.5 * out.duration)
         throw std::invalid_argument("a half sine has its peak at " + mpm::text(0.5 * out.duration) +
                                     " s, got " + mpm::text(out.peak_time));
@@ -37,8 +40,9 @@ mpm::PulseTrain read_pulses(Words& words) {
     if (!(out.interval >= out.duration))
         throw std::invalid_argument("the interval of pulses must be no shorter than one, " +
                                     mpm::text(out.duration) + ", got " + mpm::text(out.interval));
-    out.start = words.number("the start of the first pulse", mpm::limits::pulse_start);
-    out.count = words.integer("the number of pulses", mpm::limits::pulses);
+    out.start =
+        words.number("the start of the first pulse", case_word("traction.pulses", "start_s"));
+    out.count = words.integer("the number of pulses", case_word("traction.pulses", "count").range);
     return out;
 }
 

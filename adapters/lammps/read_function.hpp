@@ -4,7 +4,7 @@
 #include <string>
 
 #include "adapters/lammps/words.hpp"
-#include "adapters/mpm/time_function.hpp"
+#include "adapters/mpm/case/time_function.hpp"
 
 namespace grit::lammps {
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "adapters/mpm/text.hpp"
+#include "adapters/mpm/io/text.hpp"
 
 namespace grit::lammps {
 
@@ -41,37 +41,44 @@ double Words::number(const std::string& what) {
     return value;
 }
 
-double Words::number(const std::string& what, mpm::limits::Range range) {
+double Words::number(const std::string& what, mpm::Interval range) {
     const double value = number(what);
-    if (!(value >= range.low && value <= range.high))
-        throw std::invalid_argument(what + " must be in [" + mpm::text(range.low) + ", " +
-                                    mpm::text(range.high) + "], got " + mpm::text(value));
+    if (!range.has(value))
+        throw std::invalid_argument(what + " must be " + range.text() + ", got " +
+                                    mpm::text(value));
     return value;
 }
 
-double Words::positive(const std::string& what) {
-    const double value = number(what);
-    if (!(value > 0.0)) throw std::invalid_argument(what + " must be > 0, got " + mpm::text(value));
-    return value;
-}
-
-int Words::integer(const std::string& what, mpm::limits::Range range) {
+int Words::integer(const std::string& what, mpm::Interval range) {
     const double value = number(what, range);
     if (value != std::floor(value)) throw std::invalid_argument(what + " must be an integer");
     return static_cast<int>(value);
 }
 
-bool Words::yes_or_no(const std::string& what) { return choice(what, {"no", "yes"}) == 1; }
+bool Words::yes_or_no(const std::string& what) {
+    static constexpr mpm::Spelling words_for_it[] = {mpm::spelling("no", 0, ""),
+                                                     mpm::spelling("yes", 1, "")};
+    return choice(what, words_for_it) == 1;
+}
 
-int Words::choice(const std::string& what, std::initializer_list<const char*> names) {
+int Words::choice(const std::string& what, mpm::Spellings known) {
     const std::string text = word(what);
     std::string all;
-    int i = 0;
-    for (const char* name : names) {
-        if (text == name) return i;
-        all += (i++ == 0 ? "" : ", ") + std::string(name);
+    for (const mpm::Spelling& spelling : known) {
+        if (!spelling.in_fix) continue;
+        if (text == spelling.word) return spelling.value;
+        all += (all.empty() ? "" : ", ") + std::string(spelling.word);
     }
     throw std::invalid_argument(what + " must be one of " + all + ", got \"" + text + '"');
+}
+
+double Words::value(const std::string& what, const mpm::CaseWord& of) {
+    switch (of.kind) {
+        case mpm::Kind::yes_or_no: return yes_or_no(what) ? 1.0 : 0.0;
+        case mpm::Kind::choice: return choice(what, of.words);
+        case mpm::Kind::integer: return integer(what, of.range);
+        default: return number(what, of);
+    }
 }
 
 }  // namespace grit::lammps

@@ -2,12 +2,11 @@
 // The words of a command, one after the other.
 #pragma once
 
-#include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "adapters/mpm/case_words.hpp"
+#include "adapters/mpm/case/case_words.hpp"
 
 namespace grit::lammps {
 
@@ -26,14 +25,24 @@ class Words {
     std::string word(const std::string& what);
     double number(const std::string& what);
     // A number within limits.
-    double number(const std::string& what, mpm::limits::Range range);
-    double positive(const std::string& what);
-    int integer(const std::string& what, mpm::limits::Range range);
+    double number(const std::string& what, mpm::Interval range);
+    // ... of a key of cases, in SI units.
+    double number(const std::string& what, const mpm::CaseWord& word) {
+        return number(what, word.si_range());
+    }
+    int integer(const std::string& what, mpm::Interval range);
     bool yes_or_no(const std::string& what);
-    // Which of these it is.
-    int choice(const std::string& what, std::initializer_list<const char*> names);
+    // The value of one of these words.
+    int choice(const std::string& what, mpm::Spellings known);
+    // What the word of a member says.
+    template <class Plan>
+    void read(const std::string& what, const mpm::Member<Plan>& member, Plan& plan) {
+        member.set(plan, value(what, *member.word));
+    }
 
   private:
+    double value(const std::string& what, const mpm::CaseWord& word);
+
     std::vector<std::string> words;
     std::size_t at = 0;
 };

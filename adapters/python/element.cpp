@@ -13,6 +13,7 @@
 #include "element/grit_law.hpp"
 #include "element/laboratory.hpp"
 #include "element/simulate.hpp"
+#include "element/start.hpp"
 
 namespace grit_python {
 namespace {
@@ -23,8 +24,11 @@ constexpr const char* element_doc = R"(Run stages of a laboratory test on one sa
     stress       (6,) [stress] effective at the start, tension +
     void_ratio   e [-] at the start
     direction    (6,) strain that the sample remembers: h = rho R along it; None: h = 0
-    tolerance    of the stress, relative
-    intergranular_strain  False: basic hypoplasticity
+    tolerance    of the stress, relative; that of Sand.update
+    intergranular_strain  False: basic hypoplasticity; None: as the sand has parameters for it
+
+Without more than stress and void ratio it is the sample of a case file of grit element that gives no
+more: h as isotropic compression leaves it.
 
 Returns a dict of arrays with a row for the start and one per increment: stage, increment (m,), strain
 (m, 6) logarithmic, extension +, stress (m, 6) effective, total_stress (m, 6), state (m, 8), void_ratio,
@@ -69,19 +73,26 @@ py::dict arrays_of(const std::vector<element::Record>& records) {
 py::dict element_test(const Sand& sand, const std::vector<element::Step>& stages,
                       const element::Vector6& stress, double void_ratio,
                       const std::optional<element::Vector6>& direction, double rho,
-                      double tolerance, bool intergranular_strain) {
+                      double tolerance, std::optional<bool> intergranular_strain) {
     grit_sand_parameters parameters{};
     check(grit_sand_parameters_init(&parameters, sizeof parameters), "grit_sand_parameters_init");
     check(grit_sand_parameters_of(&sand.prepared, &parameters), "grit_sand_parameters_of");
     element::GritLawOptions options;
     options.tolerance = tolerance;
-    options.intergranular_strain = intergranular_strain;
+    using element::IntergranularStrain;
+    element::Start start{stress, void_ratio, element::usual_intergranular_strain(parameters)};
+    start.rho = rho;
+    if (intergranular_strain)
+        start.intergranular_strain =
+            *intergranular_strain ? IntergranularStrain::mobilised : IntergranularStrain::off;
+    options.intergranular_strain = start.intergranular_strain != IntergranularStrain::off;
+    if (direction) start.direction = *direction;
+    else if (options.intergranular_strain) start.intergranular_strain = IntergranularStrain::zero;
     element::History history;
     try {
         const element::GritLaw law(parameters, options);
         element::Sample sample;
-        sample.point = law.start(stress, void_ratio);
-        if (direction) law.mobilise(sample.point, *direction, rho);
+        sample.point = element::start_point(law, start);
         const py::gil_scoped_release others_may_run;
         history = element::simulate(law, sample, stages);
     } catch (const element::BadCase& bad) {
@@ -151,8 +162,10 @@ void add_element(py::module_& module) {
     add_stage(stage, "simple_shear_constant_volume", &simple_shear_constant_volume, "gamma",
               "All strains but 12 zero.");
     module.def("element_test", &element_test, arg("sand"), arg("stages"), arg("stress"),
-               arg("void_ratio"), arg("direction") = py::none(), arg("rho") = 1.0,
-               arg("tolerance") = 1e-5, arg("intergranular_strain") = true, element_doc);
+               arg("void_ratio"),
+               py::arg_v("direction", std::optional(Start{}.direction), "compression"),
+               arg("rho") = Start{}.rho, arg("tolerance") = GritLawOptions{}.tolerance,
+               arg("intergranular_strain") = py::none(), element_doc);
 }
 
 }  // namespace grit_python

@@ -43,7 +43,7 @@ class BuildWithCMake(build_ext):
         off = [f"-DGRIT_BUILD_{part}=OFF" for part in ("TESTS", "CLI", "MPM", "FORTRAN")]
         subprocess.check_call(["cmake", "-S", root, "-B", build, *generator, *off,
                                "-DCMAKE_BUILD_TYPE=Release", "-DGRIT_BUILD_PYTHON=ON",
-                               f"-DPython_EXECUTABLE={sys.executable}"])
+                               "-DGRIT_UNITY=ON", f"-DPython_EXECUTABLE={sys.executable}"])
         jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", str(os.cpu_count() or 1))
         subprocess.check_call(["cmake", "--build", build, "--target", "grit_python",
                                "--parallel", jobs])

@@ -1,5 +1,5 @@
 # Every key that the readers of case files ask for stands in every_key.toml: of element tests or, with
-# MPM, of material-point cases. SOURCE: root of the tree.
+# MPM, of material-point cases, of which GRIT has a table. SOURCE: root of the tree.
 cmake_minimum_required(VERSION 3.25)
 if(MPM)
   set(folder mpm)
@@ -14,7 +14,7 @@ set(keys)
 foreach(reader IN LISTS readers)
   file(READ ${SOURCE}/cli/${reader}.cpp text)
   if(MPM)  # words of choices too
-    string(REGEX REPLACE "#include \"[^\n]*" "" text "${text}")
+    string(REGEX REPLACE "#include \"[^\n]*|case_word\\(\"[^)]*\\)" "" text "${text}")
     string(REGEX MATCHALL "\"[A-Za-z][A-Za-z_0-9]+\"" asked "${text}")
   else()
     string(REGEX MATCHALL "${asks}\\((table, |root, )?\"[A-Za-z_0-9]+\"" asked "${text}")
@@ -24,7 +24,19 @@ foreach(reader IN LISTS readers)
     list(APPEND keys ${key})
   endforeach()
 endforeach()
-if(NOT MPM)
+list(REMOVE_DUPLICATES keys)
+if(MPM)  # what the readers ask for by name is in the table, and the table in the example
+  execute_process(COMMAND ${GRIT} mpm --keys cases OUTPUT_VARIABLE table COMMAND_ERROR_IS_FATAL ANY)
+  string(REGEX REPLACE "[;[]|]" "," table "${table}")  # characters of CMake's lists
+  foreach(key IN LISTS keys)
+    if(NOT table MATCHES "(`|,|\\.)${key}(`|,|\\.)")
+      message(SEND_ERROR "grit mpm --keys cases does not have ${key}")
+    endif()
+  endforeach()
+  string(REGEX MATCHALL "[|,] `[a-zA-Z_0-9]+`" words "${table}")
+  list(TRANSFORM words REPLACE "[|,` ]" "")
+  list(APPEND keys ${words})
+else()
   file(READ ${SOURCE}/cli/laboratory_words.cpp text)
   string(REGEX MATCHALL "{\"[a-z_0-9A-Z]+\"" words "${text}")
   list(TRANSFORM words REPLACE "[{\"]" "")

@@ -2,14 +2,14 @@
 #include <element/aside_file.hpp>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <set>
 #include <string>
-
-#include "../cli/support/no_room.hpp"
 
 namespace {
 
@@ -99,8 +99,14 @@ TEST_F(AsideFiles, LeaveNothingWhereTheirPlaceIsTaken) {
 TEST_F(AsideFiles, SayWhenTheDiskIsFull) {
     AsideFile file(folder / "a.csv");
     file.write("1,2\n");
-    const cli_test::NoRoom full(0);
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit none{0, before.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &none);
     EXPECT_THROW(file.complete(), CannotWrite);
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
 }
 
 }  // namespace

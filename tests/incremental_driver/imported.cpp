@@ -2,7 +2,7 @@
 // *ImportFile: a history from a table.
 #include <gtest/gtest.h>
 
-#include <incremental_driver/run.hpp>
+#include <element/incremental_driver/run.hpp>
 
 #include "support/folder.hpp"
 

@@ -2,8 +2,8 @@
 // parameters.inp and initialconditions.inp.
 #include <gtest/gtest.h>
 
-#include <incremental_driver/initial_conditions.hpp>
-#include <incremental_driver/parameters.hpp>
+#include <element/incremental_driver/initial_conditions.hpp>
+#include <element/incremental_driver/parameters.hpp>
 
 #include "support/folder.hpp"
 

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <numbers>
 
-#include <incremental_driver/run.hpp>
+#include <element/incremental_driver/run.hpp>
 
 #include "support/folder.hpp"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include <adapters/mpm/measures.hpp>
-#include <adapters/mpm/run.hpp>
+#include <adapters/mpm/run/measures.hpp>
+#include <adapters/mpm/run/run.hpp>
 
 #include "support/box.hpp"
 #include "support/plans.hpp"

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include <adapters/mpm/build_case.hpp>
-#include <adapters/mpm/fill.hpp>
-#include <adapters/mpm/initial_state.hpp>
+#include <adapters/mpm/case/build_case.hpp>
+#include <adapters/mpm/case/fill.hpp>
+#include <adapters/mpm/case/initial_state.hpp>
 #include <adapters/mpm/kernel/sand.hpp>
 #include <grit/sand_catalogue.h>
 #include <grit/sand_operators.h>

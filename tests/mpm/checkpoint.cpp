@@ -10,10 +10,10 @@
 #include <sstream>
 #include <string>
 
-#include <adapters/mpm/checkpoint.hpp>
-#include <adapters/mpm/checksum.hpp>
-#include <adapters/mpm/history.hpp>
-#include <adapters/mpm/measures.hpp>
+#include <adapters/mpm/io/checkpoint.hpp>
+#include <adapters/mpm/io/checksum.hpp>
+#include <adapters/mpm/run/history.hpp>
+#include <adapters/mpm/run/measures.hpp>
 #include <grit/version.h>
 
 #include "support/plans.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <adapters/mpm/run.hpp>
+#include <adapters/mpm/run/run.hpp>
 
 #include "support/plans.hpp"
 

@@ -7,7 +7,7 @@
 #include <functional>
 #include <random>
 
-#include <adapters/mpm/time_function.hpp>
+#include <adapters/mpm/case/time_function.hpp>
 
 #include "support/shapes.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <adapters/mpm/run.hpp>
+#include <adapters/mpm/run/run.hpp>
 #include <grit/contact.h>
 
 #include "support/plans.hpp"

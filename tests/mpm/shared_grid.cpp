@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include <adapters/mpm/measures.hpp>
+#include <adapters/mpm/run/measures.hpp>
 
 #include "support/neighbour.hpp"
 #include "support/pressed_sand.hpp"

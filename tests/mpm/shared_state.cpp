@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include <adapters/mpm/shared_state.hpp>
+#include <adapters/mpm/io/shared_state.hpp>
 
 #include "support/pressed_sand.hpp"
 

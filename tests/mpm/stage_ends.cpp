@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include <adapters/mpm/measures.hpp>
-#include <adapters/mpm/run.hpp>
+#include <adapters/mpm/run/measures.hpp>
+#include <adapters/mpm/run/run.hpp>
 
 #include "support/plans.hpp"
 

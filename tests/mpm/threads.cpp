@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include <adapters/mpm/thread_pool.hpp>
+#include <adapters/mpm/step/thread_pool.hpp>
 
 #include "support/box.hpp"
 

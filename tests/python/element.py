@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 import inspect
+import os
+import pathlib
+import subprocess
+import tempfile
 import unittest
 
 import numpy as np
@@ -17,9 +21,52 @@ def run(*stages, pressure=100.0, void_ratio=0.6, **options):
 
 
 class ElementTest(unittest.TestCase):
+    def test_takes_the_sample_of_a_case_file(self):
+        """Not a digit of the file differs, however little is said, for any sand and state."""
+        random = np.random.default_rng(21)
+        for trial in range(12):
+            names = list(grit.sands())
+            name = names[trial % len(names)]
+            p = float(np.round(10 ** random.uniform(1, 3), 3))
+            e_i, e_c, e_d = grit.Sand(name).void_ratios(p)
+            e = float(np.round(e_d + random.uniform(0.2, 0.8) * (e_i - e_d), 4))
+            with tempfile.TemporaryDirectory() as folder:
+                case = pathlib.Path(folder) / "x.toml"
+                case.write_text(
+                    f'[sand]\nname = "{name}"\n[start]\npressure_kPa = {p!r}\nvoid_ratio = {e!r}\n'
+                    '[[stage]]\ntest = "triaxial_drained"\naxial_strain = -0.01\nincrements = 40\n'
+                    'first_share = 1e-3\n'
+                    '[[stage]]\ntest = "triaxial_undrained"\naxial_strain = 0.004\nincrements = 20\n'
+                    'first_share = 1e-3\n')
+                subprocess.run([os.environ["GRIT_CLI"], "element", "--quiet", "--no-plot", "--out", folder,
+                                str(case)], check=True)
+                lines = [line for line in case.with_suffix(".csv").read_text().splitlines()
+                         if not line.startswith("#")]
+            head = [word.split(" ")[0] for word in lines[0].split(",")]
+            rows = [dict(zip(head, line.split(","))) for line in lines[1:]]
+            test = grit.element_test(
+                grit.Sand(name),
+                [stage.triaxial_drained(-0.01, 40, 1e-3), stage.triaxial_undrained(0.004, 20, 1e-3)],
+                p * np.array(isotropic), e)
+            self.assertEqual(len(rows), len(test["stage"]))
+            for i, row in enumerate(rows):
+                for key, value in [("stress_11", test["stress"][i, 0]), ("stress_22", test["stress"][i, 1]),
+                                   ("h_11", test["state"][i, 0]), ("void_ratio", test["void_ratio"][i]),
+                                   ("pore_pressure", test["pore_pressure"][i])]:
+                    self.assertEqual(row[key], f"{value:.12g}" if row[key] != "nan" else "nan", (name, i, key))
+
+    def test_refuses_a_sample_that_there_cannot_be(self):
+        e_i, e_c, e_d = sand.void_ratios(100.0)
+        for wrong in (e_d - 1e-3, e_i + 1e-3, 2.0):
+            with self.assertRaises(grit.BadCall) as caught:
+                run(stage.triaxial_drained(-0.2), void_ratio=wrong)
+            self.assertIn("the void ratio must be in [e_d, e_i] = [", str(caught.exception))
+        with self.assertRaises(grit.BadCall):
+            run(stage.triaxial_drained(-0.2), pressure=-100.0)
+
     def test_ends_at_the_reference_of_dense_lausitz_sand(self):
         """Reference: verification/cases/lausitz_dense.toml, integrated with DOP853."""
-        dense = run(stage.triaxial_drained(-0.2, 400), void_ratio=0.55)
+        dense = run(stage.triaxial_drained(-0.2, 400), void_ratio=0.55, tolerance=1e-6)
         self.assertAlmostEqual(dense["stress"][-1, 0] / -398.912, 1, delta=5e-5)
         self.assertAlmostEqual(dense["void_ratio"][-1], 0.612734, delta=5e-6)
         self.assertEqual(dense["strain"].shape, (401, 6))

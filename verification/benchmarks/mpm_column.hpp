@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <adapters/mpm/build_case.hpp>
+#include <adapters/mpm/case/build_case.hpp>
 #include <grit/sand_catalogue.h>
 
 namespace benchmarks {

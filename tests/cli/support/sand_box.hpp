@@ -7,7 +7,7 @@
 
 #include <adapters/mpm/kernel/elastic.hpp>
 #include <adapters/mpm/kernel/sand.hpp>
-#include <adapters/mpm/simulation.hpp>
+#include <adapters/mpm/step/simulation.hpp>
 #include <grit/sand_catalogue.h>
 
 namespace cli_test {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <incremental_driver/run.hpp>
+#include <element/incremental_driver/run.hpp>
 
 double difference(const Table& a, const Table& b) {
     double worst = a.size() == b.size() ? 0.0 : INFINITY;

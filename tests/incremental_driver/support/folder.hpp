@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <incremental_driver/test_file.hpp>
+#include <element/incremental_driver/test_file.hpp>
 
 class Folder {
   public:

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <sstream>
 
-#include <adapters/mpm/history.hpp>
+#include <adapters/mpm/run/history.hpp>
 #include <cli/mpm_case_file.hpp>
 #include <cli/mpm_to_lammps.hpp>
 

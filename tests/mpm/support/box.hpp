@@ -6,7 +6,7 @@
 #include <utility>
 
 #include <adapters/mpm/kernel/elastic.hpp>
-#include <adapters/mpm/simulation.hpp>
+#include <adapters/mpm/step/simulation.hpp>
 
 namespace mpm_test {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include <adapters/mpm/case.hpp>
+#include <adapters/mpm/case/case.hpp>
 #include <grit/sand_catalogue.h>
 
 namespace mpm_test {

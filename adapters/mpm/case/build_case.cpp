@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/mpm/case/build_case.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "adapters/mpm/case/fill.hpp"
+#include "adapters/mpm/case/initial_state.hpp"
+
+namespace grit::mpm {
+namespace {
+
+template <class Plans>
+std::size_t find_name(const Plans& plans, const std::string& name, const char* kind) {
+    for (std::size_t i = 0; i < plans.size(); ++i)
+        if (plans[i].name == name) return i;
+    throw std::invalid_argument(std::string("no ") + kind + " is called \"" + name + "\"");
+}
+
+// Time since the stage began; the run's if none is named.
+class Since {
+  public:
+    Since(const Case& plan, std::shared_ptr<Clock> clock_of_run, const std::string& stage)
+        : clock(std::move(clock_of_run)), always(stage.empty()),
+          number(always ? 0 : plan.stage(stage)) {}
+    // Negative: not yet.
+    double operator()(double t) const { return always ? t : t - clock->began[number]; }
+
+  private:
+    std::shared_ptr<Clock> clock;
+    bool always;
+    std::size_t number;
+};
+
+void check_inside(const BodyPlan& body, const Case& plan) {
+    for (const Outline& outline : body.outlines)
+        for (const Vector& x : outline.corners)
+            if (!(x.r >= plan.r.from && x.r <= plan.r.to() && x.z >= plan.z.from &&
+                  x.z <= plan.z.to()))
+                throw std::invalid_argument("body " + body.name + " reaches out of the grid at (" +
+                                            std::to_string(x.r) + ", " + std::to_string(x.z) +
+                                            ") m");
+}
+
+void add_bodies(const Case& plan, const Axis& r, const Axis& z, const BuiltCase& built) {
+    for (const BodyPlan& body_plan : plan.bodies) {
+        check_inside(body_plan, plan);
+        Body body;
+        body.name = body_plan.name;
+        body.material = make_material(body_plan);
+        body.particles = fill(body_plan, r, z, plan.settings.axisymmetric,
+                              body.material ? body.material->own_columns() : 0);
+        set_initial_state(body_plan, plan.gravity, body.particles);
+        if (body_plan.rigid())
+            body.prescribed_velocity = rigid_velocity(plan, body_plan, built.clock);
+        for (std::size_t i = 0; i < built.simulation->bodies(); ++i) {
+            Body& other = built.simulation->body(i);
+            const std::string names = other.name + " and " + body.name;
+            check_apart(other.particles, body.particles, r, z, names);
+            check_apart(body.particles, other.particles, r, z, names);
+            check_boxes_apart(plan.bodies[i], body_plan);
+        }
+        built.simulation->add_body(std::move(body));
+    }
+}
+
+void add_tractions(const Case& plan, const Axis& r, const Axis& z, const BuiltCase& built) {
+    for (const TractionPlan& traction : plan.tractions) {
+        const std::size_t body = plan.body(traction.body);
+        const auto stress = edge_stress(plan, traction, built.clock);
+        for (const int id : outermost(built.simulation->body(body).particles, r, z, traction))
+            built.simulation->add_traction({body, id, traction.edge, stress});
+    }
+}
+
+void add_penalty_contact(const Case& plan, const ContactPlan& contact, Simulation& simulation) {
+    const PenaltyPlan& given = *contact.penalty;
+    const double cell = simulation.shortest_cell();
+    PenaltyLaw law =
+        penalty_law(contact.friction_coefficient, given.stiffness_multiple, given.modulus, cell);
+    law.a = plan.body(contact.stiff);
+    law.b = plan.body(contact.soft);
+    law.line_a = given.stiff_line;
+    law.line_b = given.soft_line;
+    simulation.add_contact(law);
+}
+
+// A side of the grid: across r (0) or z (1), its first or its last nodes.
+struct SideOfGrid {
+    int direction;
+    bool first;
+    double at;  // [m]
+};
+
+SideOfGrid place_of(const Case& plan, Side side) {
+    switch (side) {
+        case Side::left: return {0, true, plan.r.from};
+        case Side::right: return {0, false, plan.r.to()};
+        case Side::bottom: return {1, true, plan.z.from};
+        default: return {1, false, plan.z.to()};
+    }
+}
+
+// Absorbing sides hold what the first step finds: weight that no stress carries yet would fall through.
+void check_rest(const Case& plan, const SideOfGrid& edge) {
+    if (plan.gravity == 0.0 || plan.stages.empty() || !plan.stages[0].gravity) return;
+    for (const BodyPlan& body : plan.bodies) {
+        if (body.rigid() || body.geostatic) continue;
+        for (const Outline& outline : body.outlines)
+            for (const Vector& x : outline.corners)
+                if (std::abs((edge.direction == 0 ? x.r : x.z) - edge.at) <
+                    1e-9 * (1.0 + std::abs(edge.at)))
+                    throw std::invalid_argument("body " + body.name +
+                                                " has weight and reaches an absorbing side, which "
+                                                "holds what rests on it at "
+                                                "the first step: it needs stress_at_rest, or the "
+                                                "first stage gravity = false");
+    }
+}
+
+}  // namespace
+
+std::size_t Case::body(const std::string& wanted) const {
+    return find_name(bodies, wanted, "body");
+}
+
+std::size_t Case::stage(const std::string& wanted) const {
+    return find_name(stages, wanted, "stage");
+}
+
+std::function<Vector(double)> rigid_velocity(const Case& plan, const BodyPlan& body,
+                                             const std::shared_ptr<Clock>& clock) {
+    const auto& motion = std::get<RigidPlan>(body.material);
+    return [since = Since(plan, clock, motion.from_stage), motion](double t) {
+        const double s = since(t);
+        return s < 0.0 ? Vector{0.0, 0.0}
+                       : Vector{motion.velocity_r.at(s), motion.velocity_z.at(s)};
+    };
+}
+
+std::function<Vector(double)> edge_stress(const Case& plan, const TractionPlan& traction,
+                                          const std::shared_ptr<Clock>& clock) {
+    return [since = Since(plan, clock, traction.from_stage), traction](double t) {
+        const double s = since(t), size = s < 0.0 ? 0.0 : value_at(traction.stress, s);
+        return Vector{size * traction.direction.r, size * traction.direction.z};
+    };
+}
+
+void add_contacts(const Case& plan, Simulation& simulation) {
+    for (const ContactPlan& contact : plan.contacts) {
+        if (contact.penalty) {
+            add_penalty_contact(plan, contact, simulation);
+            continue;
+        }
+        ContactLaw law =
+            contact_law(contact.law, contact.friction_coefficient, contact.penalty_power);
+        law.a = plan.body(contact.stiff);
+        law.b = plan.body(contact.soft);
+        law.normal = contact.normal;
+        law.measure = contact.measure;
+        law.gated = contact.gated;
+        simulation.add_contact(law);
+    }
+}
+
+void add_boundary(const Case& plan, Simulation& simulation) {
+    for (const Side side : {Side::left, Side::right, Side::bottom, Side::top}) {
+        const Boundary boundary = plan.boundary[static_cast<int>(side)];
+        if (boundary == Boundary::free) continue;
+        const SideOfGrid edge = place_of(plan, side);
+        if (boundary == Boundary::absorbing) {
+            check_rest(plan, edge);
+            if (edge.first) simulation.absorb_first(edge.direction, plan.absorbing);
+            else simulation.absorb_last(edge.direction, plan.absorbing);
+            continue;
+        }
+        const Hold hold = boundary == Boundary::fixed ? Hold::both : Hold::across;
+        if (edge.first) simulation.fix_below(edge.direction, edge.at, hold);
+        else simulation.fix_above(edge.direction, edge.at, hold);
+    }
+}
+
+BuiltCase build_case(const Case& plan) {
+    const Axis r = make_axis(plan.r), z = make_axis(plan.z);
+    BuiltCase out{std::make_shared<Clock>(), std::make_unique<Simulation>(r, z, plan.settings)};
+    out.clock->began.assign(plan.stages.size(), unlimited);
+    add_bodies(plan, r, z, out);
+    add_tractions(plan, r, z, out);
+    // Fixed nodes are known to a contact when it is made.
+    add_boundary(plan, *out.simulation);
+    add_contacts(plan, *out.simulation);
+    return out;
+}
+
+void apply_stage(const Case& plan, const StagePlan& stage, Simulation& simulation) {
+    simulation.set_gravity({0.0, stage.gravity ? -plan.gravity : 0.0});
+    simulation.set_local_damping(stage.local_damping);
+    simulation.set_pic_rate(stage.pic_rate);
+    simulation.set_cfl(stage.cfl);
+}
+
+}  // namespace grit::mpm

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From a case to a simulation that is ready for its first step.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "adapters/mpm/case/case.hpp"
+#include "adapters/mpm/step/simulation.hpp"
+
+namespace grit::mpm {
+
+// When stages began [s]; infinite: not yet. Loads and motions that start with a stage look here.
+struct Clock {
+    std::vector<double> began;
+};
+
+struct BuiltCase {
+    std::shared_ptr<Clock> clock;
+    std::unique_ptr<Simulation> simulation;
+};
+
+// Throws std::invalid_argument naming body, traction or contact and the limit.
+BuiltCase build_case(const Case& plan);
+
+// The parts of build_case that need no outlines, for hosts with particles of their own.
+std::function<Vector(double)> rigid_velocity(const Case& plan, const BodyPlan& body,
+                                             const std::shared_ptr<Clock>& clock);
+std::function<Vector(double)> edge_stress(const Case& plan, const TractionPlan& traction,
+                                          const std::shared_ptr<Clock>& clock);
+// Fixed nodes are known to a contact when it is made: after these.
+void add_boundary(const Case& plan, Simulation& simulation);
+void add_contacts(const Case& plan, Simulation& simulation);
+
+// The stage's gravity, damping, PIC rate and CFL from now on.
+void apply_stage(const Case& plan, const StagePlan& stage, Simulation& simulation);
+
+}  // namespace grit::mpm

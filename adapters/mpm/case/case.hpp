@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A run described by plain data: SI units, compression negative, z upwards.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <grit/sand.h>
+
+#include "adapters/mpm/case/time_function.hpp"
+#include "adapters/mpm/grid/graded_axis.hpp"
+#include "adapters/mpm/step/absorbing.hpp"
+#include "adapters/mpm/step/penalty_pair.hpp"
+#include "adapters/mpm/step/settings.hpp"
+#include "adapters/mpm/step/traction.hpp"
+
+namespace grit::mpm {
+
+inline constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+// A polygon; its corners may go round either way. A box is one of four corners.
+struct Outline {
+    std::vector<Vector> corners;           // [m]
+    int particles_r = 0, particles_z = 0;  // per cell along r and z; 0: as many as in the body
+};
+
+struct ElasticPlan {
+    double youngs_modulus, poissons_ratio;  // [Pa], [-]
+    bool neo_hooke = false;
+};
+
+// Moves as a table says.
+struct RigidPlan {
+    TimeTable velocity_r, velocity_z;  // [m/s]
+    std::string from_stage = {};       // at rest before, and time counts from there; empty: always
+};
+
+struct SandPlan {
+    grit_sand_parameters parameters;  // Pa
+    grit_sand_options options;
+    double void_ratio;              // e, or e_0 ...
+    bool at_zero_pressure = false;  // ... (H6)
+    // |h|/R along a strain direction rr zz tt rz.
+    double intergranular_rho = 0.0;
+    double intergranular_direction[4] = {0.0, -1.0, 0.0, 0.0};
+};
+
+using MaterialPlan = std::variant<ElasticPlan, RigidPlan, SandPlan>;
+
+// Vertical stress of the weight above, the horizontal ones K0 times that.
+struct Geostatic {
+    double surface = 0.0;           // level [m]
+    double surcharge = 0.0;         // [Pa], presses
+    std::optional<double> K0 = {};  // sand: 1 - sin phi_c, elastic: nu / (1 - nu)
+};
+
+struct BodyPlan {
+    std::string name;
+    std::vector<Outline> outlines;
+    int particles_r = 2, particles_z = 2;  // per cell along r and z
+    double density;                        // [kg/m3]
+    MaterialPlan material;
+    std::optional<Geostatic> geostatic;
+    Vector velocity{0.0, 0.0};  // at the start [m/s]
+    bool rigid() const { return std::holds_alternative<RigidPlan>(material); }
+};
+
+// Sides of the grid.
+enum class Side { left, right, bottom, top };
+enum class Boundary {
+    free,      // nothing: particles that reach it are lost
+    roller,    // no velocity across
+    fixed,     // none at all
+    absorbing  // dashpots, besides what holds the bodies at the start
+};
+
+struct TractionPlan {
+    std::string body;
+    Edge edge = Edge::top;
+    double r[2] = {-unlimited, unlimited}, z[2] = {-unlimited, unlimited};  // of centres [m]
+    Vector direction{0.0, -1.0};                                            // unit
+    TimeFunction stress = TimeTable{{0.0}, {0.0}};                          // [Pa]
+    std::string from_stage = {};  // nothing before, and time counts from there; empty: always
+};
+
+// Penalty contact: the lines that may touch, with their bodies on the left.
+struct PenaltyPlan {
+    double modulus;                   // P-wave modulus of the softer body [Pa]
+    double stiffness_multiple = 1.0;  // of modulus / shortest cell
+    PenaltyLine stiff_line, soft_line;
+};
+
+struct ContactPlan {
+    std::string stiff, soft;  // bodies
+    int law = 0;              // GRIT_CONTACT_...
+    double friction_coefficient = 0.0, penalty_power = 6.0;
+    int normal = 0, measure = 0;  // GRIT_CONTACT_...
+    bool gated = true;
+    std::optional<PenaltyPlan> penalty = {};  // in place of a nodal law
+};
+
+// What ends a stage: whichever comes first.
+struct StageEnd {
+    double time = unlimited;   // since it began [s]
+    double depth = unlimited;  // of the driven body since it began [m]
+    // Intervals of pulses that are over since it began, of the train that begins with the stage, else of
+    // the one that began last. 0: any number.
+    int blows = 0;
+    // At rest: both shares at once, see Measures. 0: never.
+    double unbalanced_share = 0.0, kinetic_share = 0.0;
+};
+
+struct StagePlan {
+    std::string name = {};
+    bool gravity = true;
+    double local_damping = 0.0, pic_rate = 0.0, cfl = 0.4;  // as in Settings
+    StageEnd end = {};
+};
+
+enum class DepthOf { lowest_point, centre_of_mass };
+
+struct HistoryPlan {
+    std::string body;  // the driven one
+    DepthOf depth_of = DepthOf::lowest_point;
+    double interval = 0.0;  // between rows [s]; 0: every step
+};
+
+struct Case {
+    std::string name, title;
+    AxisPlan r, z;
+    Settings settings;             // stages override what they name
+    double gravity = 9.81;         // downwards [m/s2]
+    double residual_limit = 0.05;  // share of the energy turned over
+    Boundary boundary[4] = {};     // by Side
+    WaveSpeeds absorbing;          // of sides that are
+    std::vector<BodyPlan> bodies;
+    std::vector<TractionPlan> tractions;
+    std::vector<ContactPlan> contacts;
+    std::vector<StagePlan> stages;
+    HistoryPlan history;
+
+    // Throws std::invalid_argument for a name that is not there.
+    std::size_t body(const std::string& wanted) const;
+    std::size_t stage(const std::string& wanted) const;
+};
+
+}  // namespace grit::mpm

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Names of the columns of particles, for files and error messages.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "adapters/mpm/step/settings.hpp"
+
+namespace grit::mpm {
+
+// As many as the particles of a body of this material have; null: rigid.
+std::vector<std::string> column_names(const Material* material);
+
+}  // namespace grit::mpm

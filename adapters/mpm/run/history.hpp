@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The columns of a history.
+#pragma once
+
+#include <span>
+
+#include "adapters/mpm/run/run.hpp"
+
+namespace grit::mpm {
+
+struct HistoryColumn {
+    const char* name;
+    const char* unit;  // "" for numbers
+    double (*value)(const HistoryRow&);
+};
+
+std::span<const HistoryColumn> history_columns();
+
+}  // namespace grit::mpm

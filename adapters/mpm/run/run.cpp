@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/mpm/run/run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "adapters/mpm/io/text.hpp"
+#include "adapters/mpm/run/measures.hpp"
+
+namespace grit::mpm {
+namespace {
+
+// Steps between looks at energies, which go over all particles.
+constexpr long look_every = 20;
+// Below the energy of such a strain a broken balance does not matter [-].
+constexpr double least_strain = 1e-4;
+
+// Of the time that a wave needs for a cell: no steps are that short [-].
+constexpr double least_share = 1e-6;
+
+// The traction whose pulses a stage counts: one that begins with it, else the one that began last. Null:
+// there is none.
+const TractionPlan* counted_by(const Case& plan, std::size_t stage) {
+    const TractionPlan* out = nullptr;
+    std::ptrdiff_t latest = -2;
+    for (const TractionPlan& traction : plan.tractions) {
+        if (!std::holds_alternative<PulseTrain>(traction.stress)) continue;
+        const std::ptrdiff_t from =
+            traction.from_stage.empty()
+                ? -1  // with the run
+                : static_cast<std::ptrdiff_t>(plan.stage(traction.from_stage));
+        if (from > static_cast<std::ptrdiff_t>(stage) || from <= latest) continue;
+        latest = from;
+        out = &traction;
+    }
+    return out;
+}
+
+// What can be known before: a stage has a train to count, with enough blows left.
+void check_blows(const Case& plan, const std::vector<StagePlan>& stages) {
+    std::map<const TractionPlan*, int> taken;
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        const int wanted = stages[i].end.blows;
+        if (wanted == 0) continue;
+        const std::string waits = "stage " + stages[i].name + " waits for " +
+                                  std::to_string(wanted) + (wanted == 1 ? " blow" : " blows");
+        const TractionPlan* traction = counted_by(plan, i);
+        if (!traction)
+            throw std::invalid_argument(waits + ", but no traction with pulses has begun by then");
+        const int before = taken[traction], count = std::get<PulseTrain>(traction->stress).count;
+        if (wanted > count - before)
+            throw std::invalid_argument(
+                waits + " of a train of " + std::to_string(count) +
+                (before > 0 ? ", of which earlier stages take " + std::to_string(before) : ""));
+        taken[traction] += wanted;
+    }
+}
+
+}  // namespace
+
+// The pulse train that a stage counts: its own one, else the one that began last. Times are on the clock
+// of the train: now, and when the stage began.
+struct Runner::Blows {
+    const PulseTrain* train = nullptr;
+    double since = -1.0, stage_since = -1.0;
+
+    int done() const { return train->over(since) - train->over(stage_since); }
+    int left_at_begin() const { return train->count - train->over(stage_since); }
+    double duration(int blows) const {
+        return train->start + (train->over(stage_since) + blows) * train->interval - stage_since;
+    }
+};
+
+Runner::Runner(const Case& given) : Runner(given, build_case(given)) {}
+
+Runner::Runner(Case given, BuiltCase ready) : plan(std::move(given)), built(std::move(ready)) {
+    if (plan.stages.empty()) throw std::invalid_argument("a case needs a stage");
+    driven = plan.body(plan.history.body);
+    whole = plan.settings.axisymmetric ? 2.0 * std::numbers::pi : 1.0;
+    check_blows(plan, plan.stages);
+    measure_bodies();
+    check_interval("history.interval_s", plan.history.interval);
+    state_now.stage_time = built.clock->began;
+    state_now.start_level = level();
+    begin_stage();
+}
+
+void Runner::measure_bodies() {
+    enum { weight, stiffness, mass, count };
+    const bool fixed_point = plan.settings.fixed_point;
+    std::array<Total, count> sums;
+    double fastest = 0.0;
+    for (std::size_t i = 0; i < plan.bodies.size(); ++i) {
+        Body& body = built.simulation->body(i);
+        const ParticleView q = body.particles.view();
+        particle_count += body.particles.size();
+        for (std::ptrdiff_t p = 0; p < body.particles.size() && !body.rigid(); ++p) {
+            double modulus = 0.0;
+            body.material->wave_moduli({q, p, p + 1}, &modulus);
+            sums[weight].add(plan.gravity * q[column::mass][p], fixed_point);
+            sums[stiffness].add(modulus * q[column::V0][p], fixed_point);
+            if (i == driven) sums[mass].add(q[column::mass][p], fixed_point);
+            fastest = std::max(fastest, modulus * q[column::V0][p] / q[column::mass][p]);
+        }
+    }
+    built.simulation->shared().sum(sums, fixed_point);
+    built.simulation->shared().max(&fastest, 1);
+    mass_of_driven = whole * sums[mass].value();
+    const double cell = built.simulation->shortest_cell();
+    wave_time = fastest > 0.0 ? cell / std::sqrt(fastest) : 0.0;
+    least_energy = std::max(sums[weight].value() * cell,
+                            0.5 * least_strain * least_strain * sums[stiffness].value());
+}
+
+void Runner::check_interval(const std::string& name, double interval) const {
+    const double least = least_share * wave_time;
+    if (interval == 0.0 || interval >= least) return;
+    throw std::invalid_argument(
+        name + " must be 0 or no less than " + text(least) + " s, " + text(least_share) +
+        " of the time that a wave needs for the shortest cell, got " + text(interval));
+}
+
+double Runner::level() { return level_of(*built.simulation, driven, plan.history.depth_of); }
+
+void Runner::begin_stage() {
+    const auto i = static_cast<std::size_t>(state_now.stage);
+    built.clock->began[i] = state_now.stage_time[i] = built.simulation->time();
+    state_now.stage_level = level();
+    apply_stage(plan, plan.stages[i], *built.simulation);
+}
+
+void Runner::begin(const std::string& stage,
+                   const std::function<StagePlan(const StagePlan&)>& describe) {
+    const std::size_t wanted = plan.stage(stage);
+    const auto now = static_cast<std::size_t>(state_now.stage);
+    if (wanted != now && wanted != now + 1)
+        throw std::invalid_argument("stage " + stage + " is not the next one");
+    const StagePlan given = describe(plan.stages[wanted]);
+    std::vector<StagePlan> stages = plan.stages;
+    for (std::size_t i = wanted; i < stages.size(); ++i) {
+        StagePlan next = given;
+        next.name = stages[i].name;
+        if (i > wanted) next.end = {};
+        stages[i] = next;
+    }
+    check_blows(plan, stages);
+    plan.stages = std::move(stages);
+    if (wanted != now) {
+        ++state_now.stage;
+        begin_stage();
+    } else {
+        apply_stage(plan, plan.stages[wanted], *built.simulation);
+    }
+}
+
+void Runner::resume(const RunState& state) {
+    state_now = state;
+    built.clock->began = state.stage_time;
+    due = false;
+    if (!finished())
+        apply_stage(plan, plan.stages[static_cast<std::size_t>(state.stage)], *built.simulation);
+}
+
+void Runner::step() {
+    Simulation& simulation = *built.simulation;
+    const double before = simulation.time();
+    simulation.step();
+    const double dt = state_now.last_dt = simulation.time() - before;
+    const ContactForces forces = contact_forces(simulation, driven);
+    const double now[] = {forces.tip.z, forces.shaft.z, -simulation.traction_force(driven).z,
+                          base_reaction(simulation)};
+    for (std::size_t k = 0; k < 4; ++k) state_now.impulse[k] += dt * now[k];
+    state_now.impulse[4] += simulation.damping_impulse(driven);
+    if (simulation.steps() % look_every == 0) check_energy();
+    due = simulation.time() >= state_now.next_row;
+    const Ended end = end_of_stage();
+    if (end == Ended::not_yet) return;
+    how = end;
+    due = true;
+    if (++state_now.stage < static_cast<int>(plan.stages.size())) begin_stage();
+}
+
+void Runner::check_energy() {
+    Simulation& simulation = *built.simulation;
+    const std::string words =
+        imbalance(times(simulation.energy(), whole), whole * least_energy, plan.residual_limit);
+    if (words.empty()) return;
+    throw std::runtime_error("the energy balance is broken at t = " + text(simulation.time()) +
+                             " s, step " + std::to_string(simulation.steps()) + ": " + words +
+                             "; is cfl too large?");
+}
+
+Ended Runner::end_of_stage() {
+    const auto stage = static_cast<std::size_t>(state_now.stage);
+    const StageEnd& end = plan.stages[stage].end;
+    const double since = built.simulation->time() - state_now.stage_time[stage];
+    if (since >= end.time) return Ended::by_time;
+    if (end.depth < unlimited && state_now.stage_level - level() >= end.depth)
+        return Ended::by_depth;
+    if (end.blows > 0) {
+        const Blows now = blows();
+        if (now.done() >= end.blows) return Ended::by_blows;
+        if (now.left_at_begin() < end.blows && now.train->over(now.since) == now.train->count &&
+            !(end.time < unlimited || end.depth < unlimited || end.unbalanced_share > 0.0))
+            throw std::runtime_error("stage " + plan.stages[stage].name + " waits for " +
+                                     std::to_string(end.blows) + " blows, but had " +
+                                     std::to_string(now.done()) + " of the train's " +
+                                     std::to_string(now.train->count) + " and no more follow");
+    }
+    return at_rest() ? Ended::at_rest : Ended::not_yet;
+}
+
+bool Runner::at_rest() {
+    const StageEnd& end = plan.stages[static_cast<std::size_t>(state_now.stage)].end;
+    Simulation& simulation = *built.simulation;
+    if (!(end.unbalanced_share > 0.0) || simulation.steps() % look_every != 0) return false;
+    if (!(unbalanced_share(simulation, state_now.last_dt) <= end.unbalanced_share)) return false;
+    if (!(end.kinetic_share > 0.0)) return true;
+    const Energy energy = simulation.energy();
+    return energy.kinetic <= end.kinetic_share * turned_over(energy, least_energy);
+}
+
+Runner::Blows Runner::blows() const {
+    const std::size_t stage =
+        std::min(static_cast<std::size_t>(state_now.stage), plan.stages.size() - 1);
+    const TractionPlan* traction = counted_by(plan, stage);
+    if (!traction) return {};
+    const double began =
+        traction->from_stage.empty() ? 0.0 : state_now.stage_time[plan.stage(traction->from_stage)];
+    return {&std::get<PulseTrain>(traction->stress), built.simulation->time() - began,
+            state_now.stage_time[stage] - began};
+}
+
+int Runner::blow() const {
+    const Blows now = blows();
+    return now.train && now.since >= 0.0 ? now.train->blow(now.since) : 0;
+}
+
+double Runner::share_done() {
+    if (finished()) return 1.0;
+    const auto i = static_cast<std::size_t>(state_now.stage);
+    const StageEnd& end = plan.stages[i].end;
+    double share = NAN;
+    if (end.time < unlimited)
+        share = (built.simulation->time() - state_now.stage_time[i]) / end.time;
+    if (end.depth < unlimited)
+        share = std::fmax(share, (state_now.stage_level - level()) / end.depth);
+    if (const Blows now = blows(); end.blows > 0)
+        share = std::fmax(share, (now.since - now.stage_since) / now.duration(end.blows));
+    return share < 0.0 ? 0.0 : share;
+}
+
+HistoryRow Runner::look() {
+    Simulation& simulation = *built.simulation;
+    const double since = simulation.time() - state_now.row_time;
+    const double per_time = since > 0.0 ? whole / since : 0.0;
+    HistoryRow out;
+    out.stage = std::min(state_now.stage + 1, static_cast<int>(plan.stages.size()));
+    out.step = simulation.steps();
+    out.t = simulation.time();
+    out.blow = blow();
+    out.depth = depth();
+    const bool rigid = simulation.rigid(driven);
+    const Vector v = rigid ? simulation.body(driven).prescribed_velocity(out.t)
+                           : mean_velocity(simulation, driven);
+    out.velocity = 0.0 - v.z;  // no -0
+    out.tip_force = per_time * state_now.impulse[0];
+    out.shaft_force = per_time * state_now.impulse[1];
+    out.hammer_force = per_time * state_now.impulse[2];
+    out.base_force = per_time * state_now.impulse[3];
+    out.damping_force = per_time * state_now.impulse[4];
+    const Energy energy = simulation.energy();
+    out.energy = times(energy, whole);
+    out.driven_stored = whole * stored_energy(simulation, driven);
+    const double turned = turned_over(energy, least_energy);
+    out.residual_share = turned > 0.0 ? energy.residual() / turned : 0.0;
+    out.dt = state_now.last_dt;
+    out.largest_gap = contact_forces(simulation, driven).largest_gap;
+    out.unbalanced_share =
+        state_now.last_dt > 0.0 ? unbalanced_share(simulation, state_now.last_dt) : 0.0;
+    return out;
+}
+
+HistoryRow Runner::row() {
+    const HistoryRow out = look();
+    state_now.impulse = {};
+    state_now.row_time = out.t;
+    if (plan.history.interval > 0.0)
+        state_now.next_row = next_multiple(plan.history.interval, out.t);
+    due = false;
+    return out;
+}
+
+}  // namespace grit::mpm

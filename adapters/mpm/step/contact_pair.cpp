@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/mpm/step/contact_pair.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "adapters/mpm/step/require.hpp"
+
+namespace grit::mpm {
+
+ContactLaw contact_law(int law, double friction_coefficient, double penalty_power) {
+    ContactLaw out;
+    grit_contact_options_init(&out.options, sizeof out.options);
+    out.options.components = 2;
+    out.options.law = law;
+    out.options.friction_coefficient = friction_coefficient;
+    out.options.penalty_power = penalty_power;
+    out.options.allow_zero_normal = 1;
+    return out;
+}
+
+ContactPair::ContactPair(const ContactLaw& law, const Settings& settings, const GridView& grid,
+                         const std::vector<std::uint8_t>& fixed)
+    : pair_law(law), axisymmetric(settings.axisymmetric),
+      fixed_point(settings.fixed_point), sums{}, step_totals{} {
+    const std::size_t n = fixed.size();
+    for (const std::uint8_t bits : fixed)
+        fixed_bits.push_back((bits & fixed::r ? GRIT_CONTACT_FIXED_1 : 0) |
+                             (bits & fixed::z ? GRIT_CONTACT_FIXED_2 : 0));
+    for (int j = 0; j <= grid.z.cells; ++j)
+        for (int i = 0; i <= grid.r.cells; ++i) {
+            position.insert(position.end(), {grid.r.node[i], grid.z.node[j]});
+            const auto cell = [](const AxisView& axis, int k) {
+                return axis.limit[std::min(k, axis.cells - 1)];
+            };
+            spacing.insert(spacing.end(), {cell(grid.r, i), cell(grid.z, j)});
+        }
+    normal.resize(2 * n);
+    surface.resize(2 * n);
+    near_surface.resize(2 * n);
+    centre.resize(2 * n);
+    reach.resize(n);
+    distance.resize(n);
+    gap.resize(n);
+    gate_gap.resize(n);
+    touched.resize(n);
+    is_active.resize(n);
+    is_near.resize(static_cast<std::size_t>(grid.r.cells) * static_cast<std::size_t>(grid.z.cells));
+    active.reserve(n);
+    reports.resize(n);
+    step_faces.largest_gap = NAN;
+    undefined.reserve(n);
+    step_totals.struct_size = sizeof step_totals;
+}
+
+// False where no process has a node in contact.
+bool ContactPair::find_active(const GridView& grid, const ContactBody& a, const ContactBody& b,
+                              Exchange& exchange) {
+    active.clear();
+    const std::uint8_t* mine = exchange.counted();
+    for (std::size_t i = 0; i < is_active.size(); ++i) {
+        const double m_a = a.records[i][record::m], m_b = b.records[i][record::m];
+        is_active[i] = m_a > 0.0 && m_b > 0.0;
+        if (is_active[i] && (!mine || mine[i])) active.push_back(static_cast<std::ptrdiff_t>(i));
+    }
+    counted = active.size();
+    for (std::size_t i = 0; mine && i < is_active.size(); ++i)
+        if (is_active[i] && !mine[i]) active.push_back(static_cast<std::ptrdiff_t>(i));
+    // A domain reaches into the neighbouring cells and to their nodes.
+    std::fill(is_near.begin(), is_near.end(), 0);
+    for (const std::ptrdiff_t node : active) {
+        const std::ptrdiff_t i = node % grid.nodes_r(), j = node / grid.nodes_r();
+        const auto first_r = std::max<std::ptrdiff_t>(i - 2, 0);
+        const auto last_r = std::min<std::ptrdiff_t>(i + 1, grid.r.cells - 1);
+        for (auto z = std::max<std::ptrdiff_t>(j - 2, 0);
+             z <= std::min<std::ptrdiff_t>(j + 1, grid.z.cells - 1); ++z)
+            std::fill_n(is_near.begin() + z * grid.r.cells + first_r, last_r - first_r + 1, 1);
+    }
+    double any = active.empty() ? 0.0 : 1.0;
+    exchange.max(&any, 1);
+    return any > 0.0;
+}
+
+void ContactPair::find_normals(const ContactBody& a, const ContactBody& b) {
+    find_normals(a, b, pair_law.normal, active);
+    // A node inside the one body whose surface was asked for may be at the surface of the other.
+    undefined.clear();
+    for (const std::ptrdiff_t node : active) {
+        const double* n = &normal[2 * static_cast<std::size_t>(node)];
+        if (n[0] == 0.0 && n[1] == 0.0) undefined.push_back(node);
+    }
+    const bool of_b = pair_law.normal == GRIT_CONTACT_NORMAL_OF_B;
+    find_normals(a, b, of_b ? GRIT_CONTACT_NORMAL_OF_A : GRIT_CONTACT_NORMAL_OF_B, undefined);
+}
+
+void ContactPair::find_normals(const ContactBody& a, const ContactBody& b, int source,
+                               const std::vector<std::ptrdiff_t>& nodes) {
+    const auto view = [](const ContactBody& body, int column) {
+        return grit_view_of(&reinterpret_cast<const double*>(body.records)[column], record::size,
+                            1);
+    };
+    grit_contact_gradients q{};
+    q.struct_size = sizeof q;
+    q.components = 2;
+    q.source = source;
+    q.index = nodes.data();
+    q.gradient_a = view(a, record::g_r);
+    q.gradient_b = view(b, record::g_r);
+    if (source != GRIT_CONTACT_NORMAL_AVERAGE)
+        q.scale = view(source == GRIT_CONTACT_NORMAL_OF_A ? a : b, record::g_scale);
+    q.fixed = fixed_bits.data();
+    q.normal = grit_mutable_view_of(normal.data(), 2, 1);
+    grit_error error;
+    require(grit_contact_normals_from_gradients(static_cast<std::ptrdiff_t>(nodes.size()), &q,
+                                                nullptr, &error),
+            error, "contact");
+}
+
+// How far along its normal a node has weight: the d of (C4), docs/adr/0007-reach-of-a-node.md.
+void ContactPair::find_reaches() {
+    for (const std::ptrdiff_t node : active) {
+        const auto i = static_cast<std::size_t>(node);
+        const double *n = &normal[2 * i], *cell = &spacing[2 * i];
+        reach[i] = std::abs(n[0]) * cell[0] + std::abs(n[1]) * cell[1];
+    }
+}
+
+// What is beside a node changes from one corner to the next, and with it the gap by a jump. A node that
+// pressed in the step before is therefore left to the velocities alone, unless the gap is half its reach.
+void ContactPair::find_gates() {
+    for (const std::ptrdiff_t node : active) {
+        const auto i = static_cast<std::size_t>(node);
+        const bool near = gap[i] < 0.5 * reach[i];
+        gate_gap[i] = touched[i] && near ? std::fmin(gap[i], 0.0) : gap[i];
+    }
+}
+
+void ContactPair::remember() {
+    std::fill(touched.begin(), touched.end(), 0);
+    for (std::size_t i = 0; i < active.size(); ++i)
+        touched[static_cast<std::size_t>(active[i])] = reports[i].penalty_factor > 0.0;
+}
+
+void ContactPair::correct(const GridView& grid, const ContactBody& a, const ContactBody& b,
+                          double dt, Exchange& exchange) {
+    step_totals = {};
+    step_totals.struct_size = sizeof step_totals;
+    step_faces = {.largest_gap = NAN};
+    if (!find_active(grid, a, b, exchange)) return remember();
+    const auto n = static_cast<std::ptrdiff_t>(active.size());
+    std::fill(normal.begin(), normal.end(), 0.0);
+    find_normals(a, b);
+
+    grit_error error;
+    const bool geo = pair_law.options.law == GRIT_CONTACT_GEO;
+    if (geo || pair_law.gated) {
+        find_surfaces(grid, a, b, exchange);
+        grit_contact_surfaces s = surfaces(surface);
+        s.centre = grit_mutable_view_of(centre.data(), 2, 1);
+        grit_contact_distances wanted{};
+        wanted.struct_size = sizeof wanted;
+        wanted.measure = pair_law.measure;
+        wanted.index = active.data();
+        wanted.distance = grit_mutable_view_of(distance.data(), 1, 1);
+        wanted.gap = grit_mutable_view_of(gap.data(), 1, 1);
+        require(grit_contact_surfaces_finish(&s, n, &wanted, &error), error, "contact");
+        find_reaches();
+        find_gates();
+    }
+
+    grit_contact_options options = pair_law.options;
+    options.time_step = dt;
+    options.rigid = a.rigid   ? GRIT_CONTACT_A_RIGID
+                    : b.rigid ? GRIT_CONTACT_B_RIGID
+                              : GRIT_CONTACT_NONE_RIGID;
+    auto* motions_a = reinterpret_cast<double*>(a.motions);
+    auto* motions_b = reinterpret_cast<double*>(b.motions);
+    grit_contact_nodes q{};
+    q.struct_size = sizeof q;
+    q.index = active.data();
+    q.mass_a = grit_view_of(reinterpret_cast<const double*>(a.records), record::size, 1);
+    q.mass_b = grit_view_of(reinterpret_cast<const double*>(b.records), record::size, 1);
+    q.normal = grit_view_of(normal.data(), 2, 1);
+    if (geo) {
+        q.distance = grit_view_of(distance.data(), 1, 1);
+        q.cell_size = grit_view_of(reach.data(), 1, 1);
+    }
+    if (pair_law.gated) q.gap = grit_view_of(gate_gap.data(), 1, 1);
+    q.velocity_a = grit_mutable_view_of(motions_a + motion::v_r, motion::size, 1);
+    q.velocity_b = grit_mutable_view_of(motions_b + motion::v_r, motion::size, 1);
+    q.previous_velocity_a = grit_view_of(motions_a + motion::other_r, motion::size, 1);
+    q.previous_velocity_b = grit_view_of(motions_b + motion::other_r, motion::size, 1);
+    q.position = grit_view_of(position.data(), 2, 1);
+    sums = {};
+    const auto first = static_cast<std::ptrdiff_t>(counted);
+    require(grit_contact_correct(&options, first, &q, reports.data(), &sums, &error), error,
+            "contact");
+    q.index += counted;
+    require(
+        grit_contact_correct(&options, n - first, &q, reports.data() + counted, nullptr, &error),
+        error, "contact");
+    exchange.sum(sums.word, GRIT_CONTACT_SUMS_WORDS);
+    require(grit_contact_sums_read(&sums, &step_totals), error, "contact");
+    remember();
+    sum_faces(geo || pair_law.gated, exchange);
+}
+
+void ContactPair::sum_faces(bool measured, Exchange& exchange) {
+    enum { r_r, r_z, z_r, z_z, count };  // along r or z, component
+    std::array<Total, count> forces;
+    double largest = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < counted; ++i) {
+        const auto node = static_cast<std::size_t>(active[i]);
+        const bool faces_z = std::abs(normal[2 * node + 1]) > std::abs(normal[2 * node]);
+        forces[faces_z ? z_r : r_r].add(reports[i].force[0], fixed_point);
+        forces[faces_z ? z_z : r_z].add(reports[i].force[1], fixed_point);
+        if (measured && std::isfinite(gap[node])) largest = std::max(largest, gap[node]);
+    }
+    exchange.sum(forces, fixed_point);
+    exchange.max(&largest, 1);
+    step_faces = {{forces[r_r].value(), forces[r_z].value()},
+                  {forces[z_r].value(), forces[z_z].value()},
+                  std::isfinite(largest) ? largest : NAN};
+}
+
+}  // namespace grit::mpm

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Contact of two bodies at the nodes, through the library.
+#pragma once
+
+#include <vector>
+
+#include <grit/contact.h>
+#include <grit/contact_distance.h>
+#include <grit/contact_normals.h>
+
+#include "adapters/mpm/kernel/exchange.hpp"
+#include "adapters/mpm/kernel/nodes.hpp"
+#include "adapters/mpm/step/settings.hpp"
+
+namespace grit::mpm {
+
+struct ContactLaw {
+    std::size_t a = 0, b = 1;  // bodies; a is the stiffer one
+    grit_contact_options options{};
+    int normal = GRIT_CONTACT_NORMAL_OF_A;
+    int measure = GRIT_CONTACT_SUPPORT;
+    bool gated = true;  // by the gap
+};
+
+// GRIT_CONTACT_GEO or _FRICTIONAL.
+ContactLaw contact_law(int law, double friction_coefficient, double penalty_power = 6.0);
+
+struct ContactBody {
+    const NodeRecord* records;
+    NodeMotion* motions;
+    ParticleView particles;
+    std::ptrdiff_t count;
+    bool rigid;
+};
+
+class ContactPair {
+  public:
+    ContactPair(const ContactLaw& law, const Settings& settings, const GridView& grid,
+                const std::vector<std::uint8_t>& fixed);
+    // Velocities after the momentum update become those after contact.
+    void correct(const GridView& grid, const ContactBody& a, const ContactBody& b, double dt,
+                 Exchange& exchange);
+    const ContactLaw& law() const { return pair_law; }
+    // Of the last step, of all processes.
+    const grit_contact_totals& totals() const { return step_totals; }
+    // Forces on b by where their node's normal points, and the largest gap at a node of both bodies
+    // [m], NaN: not measured.
+    struct Faces {
+        Vector along_r{0.0, 0.0}, along_z{0.0, 0.0};
+        double largest_gap;
+    };
+    const Faces& faces() const { return step_faces; }
+    // [nodes] 1 where the bodies pressed in the last step: a step's only memory of contact.
+    std::vector<char>& pressed() { return touched; }
+
+  private:
+    friend struct CheckpointMembers;
+    friend struct SharedState;
+    bool find_active(const GridView& grid, const ContactBody& a, const ContactBody& b,
+                     Exchange& exchange);
+    void find_normals(const ContactBody& a, const ContactBody& b);
+    void find_normals(const ContactBody& a, const ContactBody& b, int source,
+                      const std::vector<std::ptrdiff_t>& nodes);
+    template <bool axi> void measure(const GridView& grid, const ContactBody& body, int which);
+    void find_surfaces(const GridView& grid, const ContactBody& a, const ContactBody& b,
+                       Exchange& exchange);
+    bool is_beside(const double* x, std::ptrdiff_t node) const;
+    void add(const grit_contact_surfaces& to, int which, const double* x, const double* side,
+             const std::ptrdiff_t* nodes, int count);
+    grit_contact_surfaces surfaces(std::vector<double>& of);
+    void find_reaches();
+    void find_gates();
+    void remember();
+    void sum_faces(bool measured, Exchange& exchange);
+
+    ContactLaw pair_law;
+    bool axisymmetric, fixed_point;
+    std::vector<int> fixed_bits;
+    std::vector<double> position, spacing, normal, surface, near_surface, centre, reach, distance,
+        gap, gate_gap;
+    std::vector<char> is_active, touched;  // touched: pressed in the step before
+    std::vector<char> is_near;             // cells from which a domain may reach an active node
+    std::vector<std::ptrdiff_t> active, undefined;
+    std::size_t counted = 0;  // the first ones of active are this process's in sums
+    grit_contact_sums sums;
+    std::vector<grit_contact_report> reports;
+    grit_contact_totals step_totals;
+    Faces step_faces;
+};
+
+}  // namespace grit::mpm

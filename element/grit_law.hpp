@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Grit's own sand, through its public headers.
+#pragma once
+
+#include <grit/grit.h>
+
+#include "element/law.hpp"
+
+namespace element {
+
+// As grit_sand_options_init sets them.
+grit_sand_options usual_options();
+
+struct GritLawOptions {
+    double tolerance = usual_options().tolerance;  // stress error / |stress|, [1e-12, 0.1]
+    int evaluation_limit = usual_options().evaluation_limit;
+    bool intergranular_strain = true;  // false: basic hypoplasticity
+    // (W1) K_w/n_p of the mixture [stress], 0: no pore water. If positive, stress is the total
+    // stress and the last state variable the excess pore pressure.
+    double water_stiffness = 0.0;
+};
+
+// State: h_11 ... h_23 (engineering shear), void_ratio, separation, substep (advice for the next
+// call), and pore_pressure if there is water.
+class GritLaw : public Law {
+  public:
+    static constexpr int substep_index = GRIT_SAND_STATE_SIZE;
+    static constexpr int pore_pressure_index = GRIT_SAND_STATE_SIZE + 1;
+
+    // Throws BadCase for parameters or options that the library refuses.
+    explicit GritLaw(const grit_sand_parameters& parameters, const GritLawOptions& options = {});
+
+    // A point with h = 0. Throws BadCase unless e > 0 and all is finite.
+    MaterialPoint start(const Vector6& effective_stress, double void_ratio) const;
+    // Set h = rho R along a strain direction (any length > 0), rho in [0, 1]. Throws BadCase.
+    void mobilise(MaterialPoint& point, const Vector6& direction, double rho) const;
+
+    Response advance(const MaterialPoint& start, const StrainIncrement& increment) const override;
+    Observation observe(const MaterialPoint& point) const override;
+    const std::vector<std::string>& state_names() const override { return names; }
+
+    // p, q, mobilised friction angle and so on, of the effective stress.
+    grit_sand_invariants invariants(const MaterialPoint& point) const;
+    const grit_sand& sand() const { return prepared; }
+    bool intergranular_strain() const { return options.intergranular_off == 0; }
+
+  private:
+    double pore_pressure(const MaterialPoint& point) const;
+
+    grit_sand prepared{};
+    grit_sand_options options{};
+    double water_stiffness = 0.0;
+    std::vector<std::string> names;
+};
+
+}  // namespace element

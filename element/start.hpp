@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A sample of Grit's sand before its test. Who tells no more than stress and void ratio gets the same
+// sample in case files and in Python. Files of incrementalDriver give every state variable.
+#pragma once
+
+#include "element/grit_law.hpp"
+
+namespace element {
+
+enum class IntergranularStrain {
+    off,       // basic hypoplasticity
+    zero,      // h = 0: no memory
+    mobilised  // h = rho R along a direction
+};
+
+struct Start {
+    Vector6 stress = Vector6::Zero();  // effective
+    double void_ratio = 0.0;           // e [-]
+    IntergranularStrain intergranular_strain = IntergranularStrain::mobilised;
+    // As isotropic compression leaves it.
+    Vector6 direction = -unit_tensor();  // of h
+    double rho = 1.0;                    // |h|/R [-]
+};
+
+// What a sand starts with if nobody says otherwise: mobilised, off if it has no parameters for more.
+IntergranularStrain usual_intergranular_strain(const grit_sand_parameters& parameters);
+
+struct VoidRatioRange {
+    double lowest, highest;  // e_d, e_i [-]
+};
+VoidRatioRange void_ratio_range(const grit_sand& sand, double mean_pressure);
+
+// Throws BadCase unless the stress presses and the void ratio is within its range.
+MaterialPoint start_point(const GritLaw& law, const Start& start);
+
+}  // namespace element
