@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-#include "adapters/lammps/doors.hpp"
+#include "adapters/lammps/registration.hpp"
 
 #include <cstdio>
 

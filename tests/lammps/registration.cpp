@@ -24,7 +24,7 @@ python grit_add invoke
 )";
 }
 
-TEST(LammpsDoors, ThePackagedProgramHasTheBitsOfTheDriver) {
+TEST(LammpsRegistration, ThePackagedProgramHasTheBitsOfTheDriver) {
     const BothHosts hosts(block_case("2, 1", "0.5"));
     for (const int processes : {1, 2}) {
         hosts.folder.write("stock.in", through_python() + "variable thermo_steps index 1\n" +
@@ -38,7 +38,7 @@ TEST(LammpsDoors, ThePackagedProgramHasTheBitsOfTheDriver) {
     }
 }
 
-TEST(LammpsDoors, AnotherVersionIsLeftAlone) {
+TEST(LammpsRegistration, AnotherVersionIsLeftAlone) {
     const Folder folder;
     const Answer answer = folder.run(OTHER_HOST " " GRIT_LAMMPS " 20230802");
     EXPECT_EQ(answer.status, 1);
@@ -47,14 +47,14 @@ TEST(LammpsDoors, AnotherVersionIsLeftAlone) {
     EXPECT_EQ(answer.text, refusal + refusal);  // as a plugin, and else
 }
 
-TEST(LammpsDoors, APluginIsRegisteredAsHostsWantIt) {
+TEST(LammpsRegistration, APluginIsRegisteredAsHostsWantIt) {
     const Folder folder;
     const Answer answer = folder.run(OTHER_HOST " " GRIT_LAMMPS " 20210929");
     EXPECT_EQ(answer.status, 0);
     EXPECT_EQ(answer.text, "plugin fix grit/mpm for 29 Sep 2021\n");
 }
 
-TEST(LammpsDoors, TheFixIsThereAgainAfterAClear) {
+TEST(LammpsRegistration, TheFixIsThereAgainAfterAClear) {
     const BothHosts hosts(block_case("2, 1", "0.5"));
     const Answer cleared = hosts.lammps(1, "clear\n" + hosts.script());
     EXPECT_NE(cleared.status, 0);
@@ -63,7 +63,7 @@ TEST(LammpsDoors, TheFixIsThereAgainAfterAClear) {
 }
 
 // The library exports its two doors and nothing else.
-TEST(LammpsDoors, TheLibraryExportsNothingElse) {
+TEST(LammpsRegistration, TheLibraryExportsNothingElse) {
     const Folder folder;
     const Answer answer = folder.run("nm -D --defined-only " GRIT_LAMMPS " | cut -d' ' -f3");
     EXPECT_EQ(answer.text, "grit_lammps_add\nlammpsplugin_init\n");
