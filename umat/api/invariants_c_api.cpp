@@ -7,8 +7,8 @@
 #include <grit/sand_operators.h>
 
 #include "support/versioned.hpp"
-#include "umat/model/deviatoric_plane.hpp"
 #include "umat/batch/point.hpp"
+#include "umat/model/deviatoric_plane.hpp"
 
 using namespace grit;
 using namespace grit::c_api;

@@ -7,8 +7,8 @@
 #include <grit/sand_operators.h>
 
 #include "support/versioned.hpp"
-#include "umat/model/dense_operators.hpp"
 #include "umat/batch/low_stress.hpp"
+#include "umat/model/dense_operators.hpp"
 #include "umat/model/wave_modulus.hpp"
 
 using namespace grit;

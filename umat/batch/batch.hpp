@@ -45,8 +45,8 @@ class Batch {
 
     // Short increments of ordinary points end here.
     template <bool igs> void take_pack(std::ptrdiff_t first) {
-        const auto places = Places<Lanes>::from(q, first);
-        const OrdinaryPoints<Lanes> x = read_ordinary(q, places);
+        const auto lane_points = LanePoints<Lanes>::from(q, first);
+        const OrdinaryPoints<Lanes> x = read_ordinary(q, lane_points);
         const StraightPath<Lanes> path = straight_path(m, x.strain_increment, x.h, x.e);
         PackMask<native_lanes> turns(false), shorter = x.ordinary;
         if constexpr (igs) {
@@ -61,28 +61,28 @@ class Batch {
                                                          allowed_error(control, path, start),
                                                          select(shorter, Lanes(0.0), Lanes(1.0)));
             spent = select(shorter & !end.accepted, end.evaluations, Lanes(0.0));
-            done = write_ends(q, places, x, path, end_of(path, start, end));
+            done = write_ends(q, lane_points, x, path, end_of(path, start, end));
         }
-        for (int lane = 0; lane < places.count; ++lane) {
+        for (int lane = 0; lane < lane_points.count; ++lane) {
             if (done[lane]) continue;
             if (x.ordinary[lane])
-                enqueue<igs>(turns[lane] ? turning : others, places.i[lane], spent[lane]);
-            else take(places.i[lane]);
+                enqueue<igs>(turns[lane] ? turning : others, lane_points.i[lane], spent[lane]);
+            else take(lane_points.i[lane]);
         }
     }
 
     template <bool igs> void take_alone() {
-        const auto places = Places<double>::from(q, 0);
-        const OrdinaryPoints<double> x = read_ordinary(q, places);
+        const auto lane_points = LanePoints<double>::from(q, 0);
+        const OrdinaryPoints<double> x = read_ordinary(q, lane_points);
         if (!x.ordinary) return take(0);
         const StraightPath<double> path = straight_path(m, x.strain_increment, x.h, x.e);
         const Segment<double> start = first_segment<double, igs>(m, path, x.T);
         const double allowed = allowed_error(control, path, start);
         const auto quick = short_increment<double, igs>(m, control, path, start, allowed, 0.0);
-        if (write_ends(q, places, x, path, end_of(path, start, quick))) return;
+        if (write_ends(q, lane_points, x, path, end_of(path, start, quick))) return;
         const auto end =
             integrate<double, igs>(m, control, path, start, quick, allowed, x.advised_step);
-        if (!write_ends(q, places, x, path, end_of(end))) take(0);
+        if (!write_ends(q, lane_points, x, path, end_of(end))) take(0);
     }
 
     // Points of the same kind have as many segments and about as many steps.
@@ -94,16 +94,16 @@ class Batch {
 
     template <bool igs> void flush(Queue& queue) {
         if (queue.count == 0) return;
-        const auto places = Places<Lanes>::of(q, queue.points, queue.count);
-        const OrdinaryPoints<Lanes> x = read_ordinary(q, places);
+        const auto lane_points = LanePoints<Lanes>::of(q, queue.points, queue.count);
+        const OrdinaryPoints<Lanes> x = read_ordinary(q, lane_points);
         Lanes spent;
         for (int lane = 0; lane < native_lanes; ++lane)
             spent.set(lane, queue.spent[lane < queue.count ? lane : 0]);
         const StraightPath<Lanes> path = straight_path(m, x.strain_increment, x.h, x.e);
         const auto end = integrate<Lanes, igs>(m, control, path, x.T, x.advised_step, spent);
-        const PackMask<native_lanes> done = write_ends(q, places, x, path, end_of(end));
+        const PackMask<native_lanes> done = write_ends(q, lane_points, x, path, end_of(end));
         for (int lane = 0; lane < queue.count; ++lane)
-            if (!done[lane]) take(places.i[lane]);
+            if (!done[lane]) take(lane_points.i[lane]);
         queue.count = 0;
     }
 

@@ -2,8 +2,8 @@
 // A point's results on their way back to the host's arrays.
 #pragma once
 
-#include "umat/model/dense_operators.hpp"
 #include "umat/batch/low_stress.hpp"
+#include "umat/model/dense_operators.hpp"
 
 GRIT_KERNEL_BEGIN
 

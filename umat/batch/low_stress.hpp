@@ -6,8 +6,8 @@
 // returns when, and only when, w has been closed again; it starts from the floor.
 #pragma once
 
-#include "umat/integrate/integrate.hpp"
 #include "umat/batch/point.hpp"
+#include "umat/integrate/integrate.hpp"
 
 GRIT_KERNEL_BEGIN
 

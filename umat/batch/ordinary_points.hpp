@@ -4,7 +4,7 @@
 #pragma once
 
 #include "umat/batch/finish.hpp"
-#include "umat/batch/places.hpp"
+#include "umat/batch/lane_points.hpp"
 
 GRIT_KERNEL_BEGIN
 
@@ -22,11 +22,11 @@ template <class Real> struct OrdinaryPoints {
 
 // What is not turned stays as it is to the last bit.
 template <class Real>
-GRIT_INLINE void turn(const UpdateRequest& request, const Places<Real>& places,
+GRIT_INLINE void turn(const UpdateRequest& request, const LanePoints<Real>& lane_points,
                       OrdinaryPoints<Real>& r) {
     const grit_sand_points& q = *request.points;
     Real Q[9], off(0.0);
-    for (int c = 0; c < 9; ++c) Q[c] = read(q.rotation_increment, places, c);
+    for (int c = 0; c < 9; ++c) Q[c] = read(q.rotation_increment, lane_points, c);
     if (q.components == 4) keep_in_plane(Q);
     for (int c = 0; c < 9; ++c) off = off + fabs(Q[c] - (c % 4 == 0 ? 1.0 : 0.0));
     const MaskOf<Real> stays = off <= Real(0.0);
@@ -37,7 +37,7 @@ GRIT_INLINE void turn(const UpdateRequest& request, const Places<Real>& places,
 
 template <class Real>
 GRIT_INLINE OrdinaryPoints<Real> read_ordinary(const UpdateRequest& request,
-                                               const Places<Real>& places) {
+                                               const LanePoints<Real>& lane_points) {
     const Material& m = *request.material;
     const grit_sand_points& q = *request.points;
     const bool igs = request.igs;
@@ -46,18 +46,18 @@ GRIT_INLINE OrdinaryPoints<Real> read_ordinary(const UpdateRequest& request,
     OrdinaryPoints<Real> r;
     for (int c = 0; c < 6; ++c) {
         const double to_strain = c < 3 ? 1.0 : root_half, to_stress = c < 3 ? 1.0 : root_2;
-        r.strain_increment[c] = c < n ? to_strain * read(q.strain_increment, places, c) : zero;
-        r.T[c] = c < n ? to_stress * read(q.stress, places, c) : zero;
-        r.h[c] = to_strain * read(q.state, places, c);
+        r.strain_increment[c] = c < n ? to_strain * read(q.strain_increment, lane_points, c) : zero;
+        r.T[c] = c < n ? to_stress * read(q.stress, lane_points, c) : zero;
+        r.h[c] = to_strain * read(q.state, lane_points, c);
     }
-    r.e = read(q.state, places, GRIT_SAND_VOID_RATIO);
-    const Real w = read(q.state, places, GRIT_SAND_SEPARATION);
+    r.e = read(q.state, lane_points, GRIT_SAND_VOID_RATIO);
+    const Real w = read(q.state, lane_points, GRIT_SAND_SEPARATION);
     r.advised_step = zero;
     r.ordinary = MaskOf<Real>(true);
-    for (int lane = places.count; lane < Places<Real>::lanes; ++lane)
+    for (int lane = lane_points.count; lane < LanePoints<Real>::lanes; ++lane)
         r.ordinary = r.ordinary & !only_lane<Real>(lane);
-    if (q.substep.base) r.advised_step = read(q.substep, places, 0);
-    if (q.rotation_increment.base) turn(request, places, r);
+    if (q.substep.base) r.advised_step = read(q.substep, lane_points, 0);
+    if (q.rotation_increment.base) turn(request, lane_points, r);
 
     // Comparisons are written so that a NaN is not ordinary.
     const auto within = [](const Tensor<Real>& A, double limit) {
@@ -118,16 +118,16 @@ template <class Real> GRIT_INLINE PathEnd<Real> end_of(const Integrated<Real>& x
 }
 
 template <class Real>
-GRIT_INLINE void write_reports(const UpdateRequest& request, const Places<Real>& places,
+GRIT_INLINE void write_reports(const UpdateRequest& request, const LanePoints<Real>& lane_points,
                                const StraightPath<Real>& path, const PathEnd<Real>& end,
                                const MaskOf<Real>& done) {
     const MaskOf<Real> clamped =
         void_clamped(*request.material, end.start, end.T, path.e_end, done);
-    for (int lane = 0; lane < Places<Real>::lanes; ++lane) {
+    for (int lane = 0; lane < LanePoints<Real>::lanes; ++lane) {
         if (!lane_of(done, lane)) continue;
         const int flags = (lane_of(end.outside_cone, lane) ? GRIT_SAND_OUTSIDE_CONE : 0) |
                           (lane_of(clamped, lane) ? GRIT_SAND_VOID_CLAMPED : 0);
-        write_report(request.reports + places.i[lane], flags,
+        write_report(request.reports + lane_points.i[lane], flags,
                      static_cast<int>(lane_of(end.substeps, lane)),
                      static_cast<int>(lane_of(end.evaluations, lane)), lane_of(end.error, lane));
     }
@@ -135,7 +135,8 @@ GRIT_INLINE void write_reports(const UpdateRequest& request, const Places<Real>&
 
 // Writes the ordinary points that reached their ends: says which.
 template <class Real>
-GRIT_INLINE MaskOf<Real> write_ends(const UpdateRequest& request, const Places<Real>& places,
+GRIT_INLINE MaskOf<Real> write_ends(const UpdateRequest& request,
+                                    const LanePoints<Real>& lane_points,
                                     const OrdinaryPoints<Real>& x, const StraightPath<Real>& path,
                                     const PathEnd<Real>& end) {
     const Material& m = *request.material;
@@ -147,21 +148,22 @@ GRIT_INLINE MaskOf<Real> write_ends(const UpdateRequest& request, const Places<R
     const int n = q.components == 0 ? 6 : q.components;
     for (int c = 0; c < n; ++c) {
         const Real T = c < 3 ? end.T[c] + m.p_t : end.T[c] * root_half;  // (H10)
-        write(q.stress, places, c, T, done);
+        write(q.stress, lane_points, c, T, done);
     }
     Tensor<Real> h = x.h;
     if (request.igs) {
         h = h_at_end(m, path, end.h, end.h_late);
-        for (int c = 0; c < 6; ++c) write(q.state, places, c, c < 3 ? h[c] : h[c] * root_2, done);
+        for (int c = 0; c < 6; ++c)
+            write(q.state, lane_points, c, c < 3 ? h[c] : h[c] * root_2, done);
     }
-    write(q.state, places, GRIT_SAND_VOID_RATIO, path.e_end, done);
-    write(q.state, places, GRIT_SAND_SEPARATION, Real(0.0), done);
-    if (q.substep.base) write(q.substep, places, 0, end.next_step, done);
-    if (request.reports) write_reports(request, places, path, end, done);
+    write(q.state, lane_points, GRIT_SAND_VOID_RATIO, path.e_end, done);
+    write(q.state, lane_points, GRIT_SAND_SEPARATION, Real(0.0), done);
+    if (q.substep.base) write(q.substep, lane_points, 0, end.next_step, done);
+    if (request.reports) write_reports(request, lane_points, path, end, done);
     if (request.options->tangent == GRIT_TANGENT_CONTINUUM)
-        for (int lane = 0; lane < Places<Real>::lanes; ++lane)
+        for (int lane = 0; lane < LanePoints<Real>::lanes; ++lane)
             if (lane_of(done, lane))
-                write_tangent(q, places.at[lane],
+                write_tangent(q, lane_points.at[lane],
                               continuum_tangent(m, request.igs, lane_of(end.T, lane),
                                                 lane_of(h, lane), lane_of(path.e_end, lane),
                                                 lane_of(x.strain_increment, lane)));

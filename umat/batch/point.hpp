@@ -4,8 +4,8 @@
 
 #include <cstddef>
 
-#include "umat/model/notation.hpp"
 #include "umat/batch/request.hpp"
+#include "umat/model/notation.hpp"
 
 GRIT_KERNEL_BEGIN
 

@@ -23,23 +23,23 @@ class WaveModuli {
   private:
     void pack(std::ptrdiff_t first) {
         const Material& m = *q.material;
-        const auto places = Places<Lanes>::from(q, first);
+        const auto lane_points = LanePoints<Lanes>::from(q, first);
         const int n = q.points->components == 4 ? 4 : 6;
         const Lanes zero(0.0);
         Tensor<Lanes> T;
         Lanes sum = zero;  // 0 x is 0 for a finite x, NaN otherwise
         for (int c = 0; c < 6; ++c) {
-            T[c] = c < n ? (c < 3 ? 1.0 : root_2) * read(q.points->stress, places, c) : zero;
+            T[c] = c < n ? (c < 3 ? 1.0 : root_2) * read(q.points->stress, lane_points, c) : zero;
             sum = sum + zero * T[c];
         }
-        Lanes e = read(q.points->state, places, GRIT_SAND_VOID_RATIO);
+        Lanes e = read(q.points->state, lane_points, GRIT_SAND_VOID_RATIO);
         const auto usable = (sum >= zero) & (e > zero) & (e <= Lanes(largest_void_ratio));
         // Numbers that do no harm in a lane that is not read.
         T = select(usable, T, isotropic(zero));
         e = select(usable, e, Lanes(1.0));
         const Lanes moduli = select(usable, wave_modulus(m, q.igs, stress_in_domain(m, T), e),
                                     Lanes(std::numeric_limits<double>::quiet_NaN()));
-        for (int lane = 0; lane < places.count; ++lane) {
+        for (int lane = 0; lane < lane_points.count; ++lane) {
             q.moduli[first + lane] = moduli[lane];
             if (!usable[lane] && bad < 0) bad = first + lane;
         }

@@ -3,10 +3,10 @@
 // carried through differentiates the ends of the steps and replays those that were accepted.
 #pragma once
 
-#include "umat/model/cone.hpp"
 #include "umat/integrate/course_search.hpp"
 #include "umat/integrate/runge_kutta.hpp"
 #include "umat/integrate/segment.hpp"
+#include "umat/model/cone.hpp"
 
 GRIT_KERNEL_BEGIN
 

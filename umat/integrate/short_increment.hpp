@@ -3,10 +3,10 @@
 // end here. What these do not accept is integrated: integrate.hpp.
 #pragma once
 
-#include "umat/model/cone.hpp"
 #include "umat/integrate/course_search.hpp"
 #include "umat/integrate/runge_kutta.hpp"
 #include "umat/integrate/segment.hpp"
+#include "umat/model/cone.hpp"
 
 GRIT_KERNEL_BEGIN
 

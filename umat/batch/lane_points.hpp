@@ -23,7 +23,7 @@ template <class Real> GRIT_INLINE Tensor<double> lane_of(const Tensor<Real>& A, 
     return r;
 }
 
-template <class Real> struct Places {
+template <class Real> struct LanePoints {
     static constexpr int lanes = NumberTraits<Real>::lanes;
     std::ptrdiff_t i[lanes];   // numbers of the points in the call
     std::ptrdiff_t at[lanes];  // and where they lie
@@ -32,8 +32,8 @@ template <class Real> struct Places {
 
     // Points first, first + 1, ... of a call, as far as there are any.
     template <class Request>
-    static GRIT_INLINE Places from(const Request& q, std::ptrdiff_t first) {
-        Places r;
+    static GRIT_INLINE LanePoints from(const Request& q, std::ptrdiff_t first) {
+        LanePoints r;
         r.count = q.n - first < lanes ? static_cast<int>(q.n - first) : lanes;
         for (int lane = 0; lane < lanes; ++lane)
             r.i[lane] = first + (lane < r.count ? lane : r.count - 1);
@@ -41,8 +41,8 @@ template <class Real> struct Places {
         return r;
     }
     template <class Request>
-    static GRIT_INLINE Places of(const Request& q, const std::ptrdiff_t* points, int count) {
-        Places r;
+    static GRIT_INLINE LanePoints of(const Request& q, const std::ptrdiff_t* points, int count) {
+        LanePoints r;
         r.count = count;
         for (int lane = 0; lane < lanes; ++lane) r.i[lane] = points[lane < count ? lane : 0];
         r.find(q.points->index);
@@ -50,7 +50,7 @@ template <class Real> struct Places {
     }
 
   private:
-    Places() = default;
+    LanePoints() = default;
     GRIT_INLINE void find(const std::ptrdiff_t* index) {
         neighbours = lanes > 1 && count == lanes;
         for (int lane = 0; lane < lanes; ++lane) {
@@ -61,33 +61,33 @@ template <class Real> struct Places {
 };
 
 template <class Real, class View>
-GRIT_INLINE Real read(const View& view, const Places<Real>& places, int component) {
+GRIT_INLINE Real read(const View& view, const LanePoints<Real>& lane_points, int component) {
     Real x;
-    if (places.neighbours && view.point_stride == 1) {
-        __builtin_memcpy(&x, view.base + places.at[0] + component * view.component_stride,
+    if (lane_points.neighbours && view.point_stride == 1) {
+        __builtin_memcpy(&x, view.base + lane_points.at[0] + component * view.component_stride,
                          sizeof x);
         return x;
     }
-    for (int lane = 0; lane < Places<Real>::lanes; ++lane)
+    for (int lane = 0; lane < LanePoints<Real>::lanes; ++lane)
         set_lane(x, lane,
-                 element(view.base, view.point_stride, view.component_stride, places.at[lane],
+                 element(view.base, view.point_stride, view.component_stride, lane_points.at[lane],
                          component));
     return x;
 }
 
 template <class Real>
-GRIT_INLINE void write(const grit_mutable_view& view, const Places<Real>& places, int component,
-                       const Real& x, const MaskOf<Real>& where) {
-    if (places.neighbours && view.point_stride == 1) {
-        const Real there = select(where, x, read(view, places, component));
-        __builtin_memcpy(view.base + places.at[0] + component * view.component_stride, &there,
+GRIT_INLINE void write(const grit_mutable_view& view, const LanePoints<Real>& lane_points,
+                       int component, const Real& x, const MaskOf<Real>& where) {
+    if (lane_points.neighbours && view.point_stride == 1) {
+        const Real there = select(where, x, read(view, lane_points, component));
+        __builtin_memcpy(view.base + lane_points.at[0] + component * view.component_stride, &there,
                          sizeof there);
         return;
     }
-    for (int lane = 0; lane < Places<Real>::lanes; ++lane)
+    for (int lane = 0; lane < LanePoints<Real>::lanes; ++lane)
         if (lane_of(where, lane))
-            view.base[places.at[lane] * view.point_stride + component * view.component_stride] =
-                lane_of(x, lane);
+            view.base[lane_points.at[lane] * view.point_stride +
+                      component * view.component_stride] = lane_of(x, lane);
 }
 
 GRIT_KERNEL_END
