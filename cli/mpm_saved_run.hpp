@@ -16,6 +16,14 @@ struct SavedRun {
     std::vector<double> history;    // all rows, one after the other
     std::vector<double> frames;     // times of fields [s]
     double next_frame = 0.0;        // [s]
+
+    template <class Self, class Archive> static void visit(Self& run, Archive& archive) {
+        grit::mpm::RunState::visit(run.state, archive);
+        archive.texts(run.ends);
+        archive.list(run.history);
+        archive.list(run.frames);
+        archive.value(run.next_frame);
+    }
 };
 
 std::string bytes_of(const SavedRun& run);

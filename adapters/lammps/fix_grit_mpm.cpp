@@ -573,7 +573,7 @@ double FixGritMpm::compute_vector(int i) {
     const long now = run->simulation().steps();
     if (row_step != now || !(row_is_taken || is_asking)) {
         guarded_here([&] {
-            const mpm::HistoryRow found = is_asking ? run->run().look() : run->run().row();
+            const mpm::HistoryRow found = is_asking ? run->run().row_so_far() : run->run().row();
             row.clear();
             for (const mpm::HistoryColumn& column : mpm::history_columns())
                 row.push_back(column.value(found));

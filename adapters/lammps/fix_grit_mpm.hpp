@@ -73,7 +73,7 @@ class FixGritMpm : public LAMMPS_NS::Fix {
     std::vector<std::vector<std::string>> stages_due;  // of fix_modify before the run is built
     std::vector<double> row;                           // of the history ...
     long row_step = -1;                                // ... after this step of the run
-    bool row_is_taken = false;                         // it was row(), not look()
+    bool row_is_taken = false;                         // it was row(), not row_so_far()
     bool is_asking = false;                            // for variables of loads and motions
     std::vector<double> shown;        // columns of as many atoms as may be here ...
     std::vector<double*> shown_rows;  // ... and where each begins

@@ -7,7 +7,7 @@
 
 #include "adapters/mpm/case/initial_state.hpp"
 #include "adapters/mpm/io/column_names.hpp"
-#include "adapters/mpm/io/shared_state.hpp"
+#include "adapters/mpm/io/grid_state.hpp"
 
 namespace grit::lammps {
 namespace {
@@ -19,7 +19,7 @@ constexpr std::size_t most_bytes = 2000000000;
 
 using mpm::Body;
 using mpm::BuiltCase;
-using mpm::SharedState;
+using mpm::GridState;
 using mpm::Simulation;
 using mpm::Vector;
 
@@ -107,8 +107,8 @@ void LocalRun::start(const Cuts& cuts, const std::vector<std::vector<int>>& trac
     if (!stored) return;
     runner->resume(stored->state);
     runner->set_energy_scale(stored->energy_scale);
-    SharedState::take_common(simulation(), stored->common);
-    SharedState::take_nodes(simulation(), nodes_here(stored->nodes));
+    GridState::take_common(simulation(), stored->common);
+    GridState::take_nodes(simulation(), nodes_here(stored->nodes));
     stored.reset();
 }
 
@@ -216,10 +216,10 @@ StoredRun LocalRun::store() {
     StoredRun out{runner->state(),
                   runner->energy_scale(),
                   runner->description().stages,
-                  SharedState::common(simulation()),
+                  GridState::common(simulation()),
                   {}};
-    const std::vector<std::uint64_t> mine = SharedState::nodes(simulation());
-    const std::size_t each = SharedState::words_per_node(simulation());
+    const std::vector<std::uint64_t> mine = GridState::nodes(simulation());
+    const std::size_t each = GridState::words_per_node(simulation());
     const auto n_r = static_cast<std::size_t>(axis_r.nodes());
     const std::size_t words = n_r * static_cast<std::size_t>(axis_z.nodes()) * each;
     if (words * sizeof(std::uint64_t) > most_bytes)

@@ -33,8 +33,16 @@ struct StoredRun {
     mpm::RunState state;
     double energy_scale = 0.0;  // [J]
     std::vector<mpm::StagePlan> stages;
-    std::string common;                // see SharedState
+    std::string common;                // see GridState
     std::vector<std::uint64_t> nodes;  // of the whole grid
+
+    template <class Self, class Archive> static void visit(Self& run, Archive& archive) {
+        mpm::RunState::visit(run.state, archive);
+        archive.value(run.energy_scale);
+        archive.list(run.common);
+        archive.list(run.nodes);
+        archive.objects(run.stages);
+    }
 };
 
 // The value of a variable at a time.

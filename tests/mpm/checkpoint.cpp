@@ -210,7 +210,7 @@ Case pushed_case(bool penalty) {
 
 std::vector<double> shown(Runner& runner) {
     std::vector<double> out;
-    const HistoryRow row = runner.look();
+    const HistoryRow row = runner.row_so_far();
     for (const HistoryColumn& column : history_columns()) out.push_back(column.value(row));
     const ContactForces forces = contact_forces(runner.simulation(), 0);
     out.insert(out.end(),

@@ -118,6 +118,14 @@ struct StagePlan {
     bool gravity = true;
     double local_damping = 0.0, pic_rate = 0.0, cfl = 0.4;  // as in Settings
     StageEnd end = {};
+
+    template <class Self, class Archive> static void visit(Self& stage, Archive& archive) {
+        archive.list(stage.name);
+        archive.value(stage.gravity);
+        for (auto* number : {&stage.local_damping, &stage.pic_rate, &stage.cfl})
+            archive.value(*number);
+        archive.value(stage.end);
+    }
 };
 
 enum class DepthOf { lowest_point, centre_of_mass };

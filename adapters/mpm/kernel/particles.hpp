@@ -77,8 +77,14 @@ class Particles {
     // Particle order[p] becomes particle p. Allocates on its first call only.
     void permute(const std::vector<int>& order);
 
+    template <class Self, class Archive> static void visit(Self& particles, Archive& archive) {
+        archive.ids(particles.id);
+        for (int c = 0; c < particles.columns; ++c)
+            archive.own(particles.data.data() + c * particles.stride,
+                        static_cast<std::size_t>(particles.count));
+    }
+
   private:
-    friend struct CheckpointMembers;
     void grow();
     int columns;
     std::ptrdiff_t count = 0, stride = 0;

@@ -21,9 +21,11 @@ class Strips {
     void sort(const GridView& grid, Particles& particles);
     // First particle of a strip; that of strip count() is the number of particles.
     std::ptrdiff_t begin(int strip) const { return start[static_cast<std::size_t>(strip)]; }
+    template <class Self, class Archive> static void visit(Self& strips, Archive& archive) {
+        archive.starts(strips.start);
+    }
 
   private:
-    friend struct CheckpointMembers;
     int strips;
     std::vector<std::ptrdiff_t> start;
     std::vector<int> cell, order, place;

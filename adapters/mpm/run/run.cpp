@@ -254,7 +254,7 @@ double Runner::share_done() {
     return share < 0.0 ? 0.0 : share;
 }
 
-HistoryRow Runner::look() {
+HistoryRow Runner::row_so_far() {
     Simulation& simulation = *built.simulation;
     const double since = simulation.time() - state_now.row_time;
     const double per_time = since > 0.0 ? whole / since : 0.0;
@@ -286,7 +286,7 @@ HistoryRow Runner::look() {
 }
 
 HistoryRow Runner::row() {
-    const HistoryRow out = look();
+    const HistoryRow out = row_so_far();
     state_now.impulse = {};
     state_now.row_time = out.t;
     if (plan.history.interval > 0.0)

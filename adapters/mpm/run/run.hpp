@@ -40,6 +40,15 @@ struct RunState {
     std::array<double, 5> impulse{};
     double row_time = 0.0;           // of the last row [s]
     std::vector<double> stage_time;  // when stages began [s]; infinite: not yet
+
+    template <class Self, class Archive> static void visit(Self& state, Archive& archive) {
+        archive.value(state.stage);
+        for (auto* number : {&state.last_dt, &state.start_level, &state.stage_level,
+                             &state.next_row, &state.row_time})
+            archive.value(*number);
+        archive.value(state.impulse);
+        archive.list(state.stage_time);
+    }
 };
 
 // Why a stage has ended.
@@ -60,7 +69,7 @@ class Runner {
     bool row_is_due() const { return due; }
     HistoryRow row();
     // What row() would say; forces go on being means since the row before.
-    HistoryRow look();
+    HistoryRow row_so_far();
 
     // How the last stage that ended did so.
     Ended ended() const { return how; }

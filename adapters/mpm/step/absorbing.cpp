@@ -21,6 +21,26 @@ void AbsorbingSides::add(std::size_t node, int across, double cell, const WaveSp
     found.across[across] = true;
 }
 
+// Few nodes: one after the other.
+void AbsorbingSides::push(const Model& model, Momentum& momentum) {
+    if (nodes.empty()) return;
+    for (std::size_t i = 0; i < model.parts.size(); ++i)
+        if (!model.parts[i].body.rigid()) push(i, momentum.call(i, 0));
+}
+
+void AbsorbingSides::find_work(const Model& model, Momentum& momentum) {
+    taken = held = Total();
+    if (nodes.empty()) return;
+    for (std::size_t i = 0; i < model.parts.size(); ++i) add_work(i, momentum.call(i, 0));
+}
+
+std::vector<double> AbsorbingSides::rates() const {
+    std::vector<double> out;
+    for (const Node& node : nodes)
+        out.insert(out.end(), {static_cast<double>(node.node), node.rate[0], node.rate[1]});
+    return out;
+}
+
 void AbsorbingSides::push(std::size_t body, const NodeCall& call) {
     std::vector<Force>& forces = bodies[body].forces;
     const bool first = !bodies[body].balanced;
@@ -45,8 +65,7 @@ void AbsorbingSides::push(std::size_t body, const NodeCall& call) {
     }
 }
 
-void AbsorbingSides::add_work(std::size_t body, const NodeCall& call, Total& taken,
-                              Total& held) const {
+void AbsorbingSides::add_work(std::size_t body, const NodeCall& call) {
     for (std::size_t i = 0; i < bodies[body].forces.size(); ++i) {
         const Force& force = bodies[body].forces[i];
         const auto node = static_cast<std::ptrdiff_t>(nodes[i].node);

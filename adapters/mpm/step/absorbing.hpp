@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "adapters/mpm/kernel/nodes.hpp"
+#include "adapters/mpm/step/model.hpp"
+#include "adapters/mpm/step/momentum.hpp"
 
 namespace grit::mpm {
 
@@ -21,12 +23,14 @@ class AbsorbingSides {
     void add_body() { bodies.push_back({std::vector<Force>(nodes.size())}); }
     bool any() const { return !nodes.empty(); }
 
-    // Velocities of a body, ahead without these forces, become those with them. The first call of a body
-    // finds it at rest: what its nodal forces across the side want for balance is held from then on, as
-    // long as the node's mass is there.
-    void push(std::size_t body, const NodeCall& call);
+    // Velocities, ahead without these forces, become those with them. The first call finds a body at rest:
+    // what its nodal forces across the side want for balance is held from then on, as long as the node's mass
+    // is there.
+    void push(const Model& model, Momentum& momentum);
     // Work that the dashpots take and that the held forces do, on the velocities after contact [J].
-    void add_work(std::size_t body, const NodeCall& call, Total& taken, Total& held) const;
+    void find_work(const Model& model, Momentum& momentum);
+    const Total& absorbed() const { return taken; }
+    const Total& held_work() const { return held; }
     // On a body in the last step, at each of its nodes [N].
     template <class Take> void each_force(std::size_t body, const Take& take) const {
         for (std::size_t i = 0; i < bodies[body].forces.size(); ++i) {
@@ -35,8 +39,16 @@ class AbsorbingSides {
         }
     }
 
+    // Three numbers of each node: which it is, and its rates.
+    std::vector<double> rates() const;
+    template <class Self, class Archive> static void visit(Self& sides, Archive& archive) {
+        for (auto& body : sides.bodies) {
+            archive.own(body.forces.data(), body.forces.size());
+            archive.own(&body.balanced, 1);
+        }
+    }
+
   private:
-    friend struct CheckpointMembers;
     struct Node {
         std::size_t node;
         double rate[2];  // dashpot by mass, along r and z [1/s]
@@ -52,8 +64,11 @@ class AbsorbingSides {
         bool balanced = false;      // once: held forces are known
     };
     Node& find(std::size_t node);
+    void push(std::size_t body, const NodeCall& call);
+    void add_work(std::size_t body, const NodeCall& call);
     std::vector<Node> nodes;
     std::vector<OfBody> bodies;
+    Total taken, held;  // in this step [J]
 };
 
 }  // namespace grit::mpm

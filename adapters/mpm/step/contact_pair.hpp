@@ -50,12 +50,13 @@ class ContactPair {
         double largest_gap;
     };
     const Faces& faces() const { return step_faces; }
-    // [nodes] 1 where the bodies pressed in the last step: a step's only memory of contact.
-    std::vector<char>& pressed() { return touched; }
+    template <class Self, class Archive> static void visit(Self& pair, Archive& archive) {
+        archive.value(pair.step_totals);
+        archive.value(pair.step_faces);
+        archive.nodes(pair.touched);  // a step's only memory of contact
+    }
 
   private:
-    friend struct CheckpointMembers;
-    friend struct SharedState;
     bool find_active(const GridView& grid, const ContactBody& a, const ContactBody& b,
                      Exchange& exchange);
     void find_normals(const ContactBody& a, const ContactBody& b);

@@ -75,11 +75,23 @@ class PenaltyPair {
     // Vertices of line 0 or 1, two coordinates each.
     const std::vector<double>& vertices(int line) const { return lines[line].position; }
 
+    template <class Self, class Archive> static void visit(Self& pair, Archive& archive) {
+        archive.own(&pair.step_totals, 1);
+        archive.own(&pair.next_totals, 1);
+        archive.own(&pair.step_faces[0], 2);
+        for (auto* number : {&pair.step, &pair.taken, &pair.dt_before}) archive.own(number, 1);
+        for (auto& line : pair.lines) Line::visit(line, archive);
+    }
+
   private:
-    friend struct CheckpointMembers;
     struct Line {
         std::vector<double> position, velocity, history, force, stiffness;
         bool closed = false;
+        template <class Self, class Archive> static void visit(Self& line, Archive& archive) {
+            for (auto* of_vertices :
+                 {&line.position, &line.velocity, &line.history, &line.force, &line.stiffness})
+                archive.list(*of_vertices);
+        }
         std::ptrdiff_t count() const { return static_cast<std::ptrdiff_t>(position.size() / 2); }
     };
     static grit_penalty_surface surface(Line& line);

@@ -11,20 +11,16 @@
 
 namespace grit::mpm {
 
-struct SharedState {
+struct GridState {
     // The same on all processes.
-    static std::string common(Simulation& simulation);
+    static std::string common(const Simulation& simulation);
     // Numbers of all nodes of this process, a node's one after the other.
-    static std::size_t words_per_node(Simulation& simulation);
-    static std::vector<std::uint64_t> nodes(Simulation& simulation);
+    static std::size_t words_per_node(const Simulation& simulation);
+    static std::vector<std::uint64_t> nodes(const Simulation& simulation);
 
     // Of a simulation of the same case. Throws std::runtime_error where it cannot be.
     static void take_common(Simulation& simulation, const std::string& bytes);
     static void take_nodes(Simulation& simulation, const std::vector<std::uint64_t>& words);
-
-  private:
-    template <class Take> static void visit_common(Simulation& s, const Take& take);
-    template <class Take> static void visit_nodes(Simulation& s, const Take& take);
 };
 
 }  // namespace grit::mpm

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include <adapters/mpm/io/shared_state.hpp>
+#include <adapters/mpm/io/grid_state.hpp>
 
 #include "support/pressed_sand.hpp"
 
@@ -12,28 +12,28 @@ namespace {
 
 using namespace mpm_test;
 
-TEST(SharedState, IsTakenByASimulationOfTheSameCase) {
+TEST(GridState, IsTakenByASimulationOfTheSameCase) {
     const PressedSand made;
     const auto one = made.build(), other = made.build();
     for (int i = 0; i < 60; ++i) one->step();
-    const std::vector<std::uint64_t> nodes = SharedState::nodes(*one);
-    const std::string common = SharedState::common(*one);
-    ASSERT_NE(SharedState::nodes(*other), nodes);
-    ASSERT_NE(SharedState::common(*other), common);
-    SharedState::take_common(*other, common);
-    SharedState::take_nodes(*other, nodes);
-    EXPECT_EQ(SharedState::nodes(*other), nodes);
-    EXPECT_EQ(SharedState::common(*other), common);
+    const std::vector<std::uint64_t> nodes = GridState::nodes(*one);
+    const std::string common = GridState::common(*one);
+    ASSERT_NE(GridState::nodes(*other), nodes);
+    ASSERT_NE(GridState::common(*other), common);
+    GridState::take_common(*other, common);
+    GridState::take_nodes(*other, nodes);
+    EXPECT_EQ(GridState::nodes(*other), nodes);
+    EXPECT_EQ(GridState::common(*other), common);
     EXPECT_EQ(other->time(), one->time());
 }
 
 // A node that pressed stays closed, so what pressed must be known.
-TEST(SharedState, KnowsWhichNodesPressed) {
+TEST(GridState, KnowsWhichNodesPressed) {
     const PressedSand made;
     const auto one = made.build(), other = made.build();
     const auto pressed = [](Simulation& simulation) {
-        const std::size_t each = SharedState::words_per_node(simulation);
-        const std::vector<std::uint64_t> words = SharedState::nodes(simulation);
+        const std::size_t each = GridState::words_per_node(simulation);
+        const std::vector<std::uint64_t> words = GridState::nodes(simulation);
         std::vector<std::uint64_t> out;
         for (std::size_t i = each - 1; i < words.size(); i += each) out.push_back(words[i]);
         return out;
@@ -41,15 +41,15 @@ TEST(SharedState, KnowsWhichNodesPressed) {
     for (int i = 0; i < 60; ++i) one->step();
     const std::vector<std::uint64_t> wanted = pressed(*one);
     ASSERT_GT(std::count(wanted.begin(), wanted.end(), 1u), 0);
-    SharedState::take_nodes(*other, SharedState::nodes(*one));
+    GridState::take_nodes(*other, GridState::nodes(*one));
     EXPECT_EQ(pressed(*other), wanted);
 }
 
-TEST(SharedState, ShowsTheContactForcesOfTheLastStep) {
+TEST(GridState, ShowsTheContactForcesOfTheLastStep) {
     const PressedSand made;
     const auto one = made.build(), other = made.build();
     for (int i = 0; i < 60; ++i) one->step();
-    SharedState::take_common(*other, SharedState::common(*one));
+    GridState::take_common(*other, GridState::common(*one));
     const ContactPair::Faces &wanted = one->contact(0).faces(), &now = other->contact(0).faces();
     EXPECT_NE(wanted.along_z.z, 0.0);
     EXPECT_EQ(now.along_z.z, wanted.along_z.z);
@@ -58,13 +58,13 @@ TEST(SharedState, ShowsTheContactForcesOfTheLastStep) {
     EXPECT_EQ(other->contact(0).totals().force_on_a[1], one->contact(0).totals().force_on_a[1]);
 }
 
-TEST(SharedState, OfAnotherCaseIsRefused) {
+TEST(GridState, OfAnotherCaseIsRefused) {
     PressedSand made;
     const auto one = made.build();
     made.ring = false;
     const auto other = made.build();
-    EXPECT_THROW(SharedState::take_common(*other, SharedState::common(*one)), std::runtime_error);
-    EXPECT_THROW(SharedState::take_nodes(*other, SharedState::nodes(*one)), std::runtime_error);
+    EXPECT_THROW(GridState::take_common(*other, GridState::common(*one)), std::runtime_error);
+    EXPECT_THROW(GridState::take_nodes(*other, GridState::nodes(*one)), std::runtime_error);
 }
 
 }  // namespace

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/mpm/step/loads.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace grit::mpm {
+
+void Loads::add(Traction traction) {
+    nodes[traction.body].resize(model.fixed_nodes.size());
+    tractions.push_back(std::move(traction));
+    edges.resize(tractions.size());
+}
+
+// Of the bits of a double, 46 are left to the largest force, six to sums of many.
+double Loads::quantum() const {
+    double largest = 0.0;
+    for (const EdgeForces& f : edges)
+        for (const int k : {0, 1})
+            largest = std::max({largest, std::abs(f.f_r[k]), std::abs(f.f_z[k])});
+    model.exchange.max(&largest, 1);
+    return largest > 0.0 ? std::ldexp(1.0, std::ilogb(largest) - 46) : 0.0;
+}
+
+void Loads::push() {
+    if (tractions.empty()) return;
+    for (std::size_t i = 0; i < tractions.size(); ++i) {
+        const Traction& traction = tractions[i];
+        Part& part = model.parts[traction.body];
+        const std::ptrdiff_t p = part.find(traction.particle);
+        edges[i] = {};
+        if (p >= 0)
+            edges[i] = edge_forces(model.grid(), part.body.particles.view(), p, traction.edge,
+                                   traction.stress(model.t), model.settings);
+    }
+    const double rounded_to = model.settings.fixed_point ? quantum() : 0.0;
+    for (std::vector<Vector>& of_body : nodes)
+        std::fill(of_body.begin(), of_body.end(), Vector{0.0, 0.0});
+    for (std::size_t i = 0; i < tractions.size(); ++i)
+        if (is_here(tractions[i]))
+            add_edge_forces(model.grid(), edges[i], rounded_to, nodes[tractions[i].body].data());
+    for (std::size_t b = 0; b < nodes.size(); ++b) {
+        std::vector<Vector>& of_body = nodes[b];
+        if (of_body.empty()) continue;
+        model.exchange.sum_nodes(of_body.data(), static_cast<std::ptrdiff_t>(of_body.size()));
+        for (std::size_t i = 0; i < of_body.size(); ++i) {
+            model.parts[b].records[i][record::f_r] += of_body[i].r;
+            model.parts[b].records[i][record::f_z] += of_body[i].z;
+        }
+    }
+}
+
+void Loads::find_work() {
+    done = Total();
+    for (std::size_t i = 0; i < tractions.size(); ++i)
+        if (is_here(tractions[i]))
+            done.add(edge_work(model.grid(), edges[i],
+                               model.parts[tractions[i].body].motions.data(), model.dt),
+                     model.settings.fixed_point);
+}
+
+Vector Loads::force(std::size_t body) const {
+    const bool fixed_point = model.settings.fixed_point;
+    std::array<Total, 2> sum;
+    for (std::size_t i = 0; i < tractions.size(); ++i) {
+        if (tractions[i].body != body) continue;
+        sum[0].add(edges[i].f_r[0] + edges[i].f_r[1], fixed_point);
+        sum[1].add(edges[i].f_z[0] + edges[i].f_z[1], fixed_point);
+    }
+    model.exchange.sum(sum, fixed_point);
+    return {sum[0].value(), sum[1].value()};
+}
+
+}  // namespace grit::mpm

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From particles to nodes. In fixed point each quantity of a body has a scale of its own, which follows the
+// largest contribution: where one is too large, or all are too small, the sums are done again.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "adapters/mpm/step/cell_means.hpp"
+#include "adapters/mpm/step/model.hpp"
+
+namespace grit::mpm {
+
+// Fills the columns b_r, b_z, an acceleration besides gravity, for time t.
+using BodyForce =
+    std::function<void(ParticleView, std::ptrdiff_t begin, std::ptrdiff_t end, double t)>;
+
+// Nodes of a body that a scatter adds to, instead of its records, and strips that have to.
+struct ScatterTarget {
+    std::vector<NodeRecord> records = {};  // empty: nothing of this body is wanted
+    std::vector<char> strips = {};         // 1: wanted
+};
+
+class Scatter {
+  public:
+    Scatter(Model& of, CellMeans& of_cells) : model(of), means(of_cells) {}
+    void add_body();
+    void set_body_force(BodyForce force) { body_force = std::move(force); }
+
+    void clear();
+    // Adds parts (part::mass ...) to the records of all bodies. Throws std::runtime_error where a contribution
+    // is infinite or no number, in fixed point.
+    void operator()(unsigned parts);
+    // ... to other nodes, of this process alone.
+    void into(std::vector<ScatterTarget>& targets, unsigned parts);
+
+    template <class Self, class Archive> static void visit(Self& scatter, Archive& archive) {
+        for (auto& body : scatter.bodies) archive.value(body.scale);
+    }
+
+  private:
+    struct OfBody {
+        std::vector<NodeIntegers> integers = {};
+        std::vector<FixedPoint> strips = {};
+        std::array<double, record::size> scale = {};
+    };
+    std::vector<NodeRecord>& nodes(std::size_t body, std::vector<ScatterTarget>* targets) const;
+    void add(unsigned parts, std::vector<ScatterTarget>* targets);
+    void add_fixed(unsigned parts, std::vector<ScatterTarget>* targets);
+    bool rescale(unsigned parts, const std::vector<ScatterTarget>* targets);
+
+    Model& model;
+    CellMeans& means;
+    BodyForce body_force;
+    std::vector<OfBody> bodies;
+};
+
+}  // namespace grit::mpm

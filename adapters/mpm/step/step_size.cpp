@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/mpm/step/step_size.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "adapters/mpm/io/text.hpp"
+
+namespace grit::mpm {
+
+// v + c of a body, its largest ones wherever they are: however strips and processes cut it, the same.
+void StepSize::measure(const Gather& gather) {
+    constexpr std::size_t each = 3;  // c, v2, way along z
+    const std::size_t bodies = model.parts.size();
+    maxima.assign(each * bodies, 0.0);
+    for (std::size_t i = 0; i < bodies; ++i)
+        for (const Gather::OfStrip& strip : gather.strips(i)) {
+            double* of_body = &maxima[each * i];
+            of_body[0] = std::max(of_body[0], strip.speed);
+            of_body[1] = std::max(of_body[1], strip.sums.most_v2);
+            of_body[2] = std::max(of_body[2], strip.sums.most_dz);
+        }
+    model.exchange.max(maxima.data(), static_cast<int>(maxima.size()));
+    largest_speed = 0.0;
+    double way = 0.0;
+    for (std::size_t i = 0; i < bodies; ++i) {
+        const double* of_body = &maxima[each * i];
+        largest_speed = std::max(largest_speed, of_body[0] + std::sqrt(of_body[1]));
+        way = std::max(way, of_body[2]);
+    }
+    model.drift += way;
+}
+
+// What moves a rigid body in a step is its velocity at the end of the step.
+void StepSize::decide() {
+    model.dt = stable(std::max(largest_speed, rigid_speed(model.t)));
+    while (std::isfinite(model.dt) && shorten()) {
+    }
+    if (!(model.dt > 0.0) || !std::isfinite(model.dt))
+        throw std::runtime_error("no finite time step: is anything able to move?");
+}
+
+// By 1 % at the least, and no more than by half: an end that is much farther off says little.
+bool StepSize::shorten() {
+    const double limit = stable(std::max(largest_speed, rigid_speed(model.t + model.dt)));
+    if (model.dt <= limit) return false;
+    model.dt = std::max(0.5 * model.dt, std::min(0.99 * model.dt, limit));
+    return true;
+}
+
+double StepSize::rigid_speed(double at) const {
+    double speed = 0.0;
+    for (const Part& part : model.parts) {
+        if (!part.body.rigid()) continue;
+        const Vector v = part.body.prescribed_velocity(at);
+        const double size = std::hypot(v.r, v.z);
+        if (!std::isfinite(size))
+            throw std::runtime_error("body " + part.body.name +
+                                     ": its prescribed velocity at t = " + text(at) + " s is (" +
+                                     text(v.r) + ", " + text(v.z) + ") m/s");
+        speed = std::max(speed, size);
+    }
+    return speed;
+}
+
+double StepSize::stable(double speed) const {
+    double inverse2 = speed * speed / (model.shortest * model.shortest);
+    for (std::size_t i = 0; i < penalties.count(); ++i)
+        inverse2 += 1.0 / (penalties[i].stable_step() * penalties[i].stable_step());
+    return std::min(model.settings.cfl / std::sqrt(inverse2), model.settings.largest_step);
+}
+
+}  // namespace grit::mpm

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The next step, decided once, at the end of the one before: no longer than what is fastest needs for its share
+// of a cell (Courant), with the springs of penalty contacts.
+#pragma once
+
+#include <vector>
+
+#include "adapters/mpm/step/gather.hpp"
+#include "adapters/mpm/step/model.hpp"
+#include "adapters/mpm/step/penalty_contacts.hpp"
+
+namespace grit::mpm {
+
+class StepSize {
+  public:
+    StepSize(Model& of, const PenaltyContacts& springs) : model(of), penalties(springs) {}
+    // Of what a gather has left: the largest speeds, and how far particles have drifted.
+    void measure(const Gather& gather);
+    // Throws std::runtime_error where nothing limits it, or a rigid body's velocity is no number.
+    void decide();
+    // Once, if rigid bodies would move too far at their speed at its end; true: it ends earlier now.
+    bool shorten();
+
+    template <class Self, class Archive> static void visit(Self& size, Archive& archive) {
+        archive.value(size.largest_speed);
+    }
+
+  private:
+    double stable(double speed) const;
+    double rigid_speed(double at) const;
+
+    Model& model;
+    const PenaltyContacts& penalties;
+    std::vector<double> maxima;  // of each body
+    double largest_speed = 0.0;  // v + c [m/s]
+};
+
+}  // namespace grit::mpm
