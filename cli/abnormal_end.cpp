@@ -11,6 +11,7 @@
 
 #include "cli/exit_code.hpp"
 #include "element/aside_file.hpp"
+#include "element/output_lock.hpp"
 
 namespace cli {
 namespace {
@@ -30,10 +31,15 @@ void say(const char* how) {
     if (write(STDERR_FILENO, line.data(), static_cast<std::size_t>(length)) < 0) return;
 }
 
+void remove_unfinished() {
+    element::remove_aside_files();
+    element::leave_output_locks();
+}
+
 void at_exit() {
     if (!running) return;
     say("ended the program (exit or STOP)");
-    element::remove_aside_files();
+    remove_unfinished();
     _exit(failed_computation);
 }
 
@@ -43,7 +49,7 @@ void at_crash(int signal) {
                       : signal == SIGABRT ? "aborted the program"
                                           : "crashed (bus error or illegal instruction)";
     if (running) say(how);
-    element::remove_aside_files();
+    remove_unfinished();
     if (running) _exit(failed_computation);
     ::signal(signal, SIG_DFL);
     raise(signal);
@@ -54,7 +60,7 @@ void at_interrupt(int signal) {
         asked_to_stop = 1;
         return;
     }
-    element::remove_aside_files();
+    remove_unfinished();
     _exit(128 + signal);
 }
 

@@ -5,8 +5,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstdint>
+#include <cstring>
 #include <string_view>
 #include <system_error>
 
@@ -38,6 +41,31 @@ Answer lock_bytes(int file, off_t first, off_t count) {
 
 Answer lock_all(int file) { return lock_bytes(file, 0, 0); }
 
+// Fixed memory, for a signal handler may not allocate. What does not fit stays behind, empty.
+struct LockSlot {
+    std::atomic<bool> taken{false};
+    std::atomic<int> file{-1};  // -1: nobody's
+    std::array<char, 4096> name{};
+};
+std::array<LockSlot, 8> lock_slots;
+
+int list_lock(const fs::path& path, int file) {
+    const std::string& name = path.native();
+    for (std::size_t i = 0; i < lock_slots.size() && name.size() < lock_slots[i].name.size(); ++i) {
+        if (lock_slots[i].taken.exchange(true)) continue;
+        std::strcpy(lock_slots[i].name.data(), name.c_str());
+        lock_slots[i].file = file;
+        return static_cast<int>(i);
+    }
+    return -1;
+}
+
+void unlist_lock(int slot) {
+    if (slot < 0) return;
+    lock_slots[static_cast<std::size_t>(slot)].file = -1;
+    lock_slots[static_cast<std::size_t>(slot)].taken = false;
+}
+
 // FNV-1a. A byte of the lock file stands for a name; it need not be there to be locked.
 off_t byte_of(std::string_view name) {
     std::uint64_t hash = 14695981039346656037u;
@@ -46,11 +74,16 @@ off_t byte_of(std::string_view name) {
 }
 
 // Who had it open last may have removed it meanwhile.
-bool is_still(int file, const fs::path& path) {
+bool is_still(int file, const char* path) {
     struct stat opened {
     }, named{};
-    return fstat(file, &opened) == 0 && stat(path.c_str(), &named) == 0 &&
-           opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
+    return fstat(file, &opened) == 0 && stat(path, &named) == 0 && opened.st_ino == named.st_ino &&
+           opened.st_dev == named.st_dev;
+}
+
+// Who holds all of the file is alone with it, and nobody takes it before the name is gone.
+void remove_if_last(int file, const char* path) noexcept {
+    if (lock_all(file) == Answer::taken && is_still(file, path)) unlink(path);
 }
 
 fs::path folder_of(const fs::path& output) { return fs::absolute(output).parent_path(); }
@@ -63,7 +96,7 @@ OutputLock::Folder* OutputLock::open_folder(const fs::path& folder) {
     const fs::path path = folder / ".grit-lock";
     const int file = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (file < 0) return nullptr;
-    folders.push_back({path, file});
+    folders.push_back({path, file, list_lock(path, file)});
     return &folders.back();
 }
 
@@ -80,7 +113,8 @@ OutputLock::OutputLock(const std::vector<fs::path>& outputs) {
                               ": another run of grit is writing this file: wait for its end, or "
                               "write to another folder");
         }
-        if (answer == Answer::taken && !is_still(folder->file, folder->lock) && attempts-- > 0) {
+        if (answer == Answer::taken && !is_still(folder->file, folder->lock.c_str()) &&
+            attempts-- > 0) {
             release();
             i = 0;
             continue;
@@ -90,16 +124,20 @@ OutputLock::OutputLock(const std::vector<fs::path>& outputs) {
     }
 }
 
-// Who holds all of the file is alone with it, and nobody takes it before the name is gone.
 void OutputLock::release() {
     for (const Folder& folder : folders) {
-        if (lock_all(folder.file) == Answer::taken && is_still(folder.file, folder.lock))
-            unlink(folder.lock.c_str());
+        unlist_lock(folder.slot);
+        remove_if_last(folder.file, folder.lock.c_str());
         close(folder.file);
     }
     folders.clear();
 }
 
 OutputLock::~OutputLock() { release(); }
+
+void leave_output_locks() noexcept {
+    for (const LockSlot& slot : lock_slots)
+        if (slot.file >= 0) remove_if_last(slot.file, slot.name.data());
+}
 
 }  // namespace element

@@ -21,10 +21,14 @@ class OutputLock {
     struct Folder {
         std::filesystem::path lock;
         int file;
+        int slot;  // in the list for leave_output_locks
     };
     Folder* open_folder(const std::filesystem::path& folder);
     void release();
     std::vector<Folder> folders;
 };
+
+// Removes the files of locks whose destructors will not run. May be called by a signal handler.
+void leave_output_locks() noexcept;
 
 }  // namespace element

@@ -57,6 +57,12 @@ TEST_F(OutputLocks, LeaveNothingBehind) {
     EXPECT_TRUE(fs::is_empty(folder));
 }
 
+TEST_F(OutputLocks, VanishOnASignalToo) {
+    const OutputLock lock({folder / "a.csv"});
+    leave_output_locks();
+    EXPECT_TRUE(fs::is_empty(folder));
+}
+
 TEST_F(OutputLocks, AreTheSameByWhateverWayAFolderIsNamed) {
     const OutputLock first({folder / "a.csv"});
     EXPECT_THROW(OutputLock({folder / ".." / folder.filename() / "a.csv"}), CannotWrite);
