@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "support/require.hpp"
+#include "support/views.hpp"
 
 namespace grit {
 
@@ -13,11 +14,6 @@ inline bool is_finite_number(double x) { return x - x == 0.0; }
 // The mask of node i, if it has one.
 inline int fixed_of(const int* fixed, std::ptrdiff_t stride, std::ptrdiff_t i) {
     return fixed ? fixed[i * (stride ? stride : 1)] : 0;
-}
-
-// Views that are read or written need a base and, for vectors, a stride between components.
-template <class View> inline bool usable(const View& view, int components) {
-    return view.base && (components == 1 || view.component_stride != 0);
 }
 
 }  // namespace grit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #define GRIT_TARGET avx512
-#include "contact/many_bodies.hpp"
-#include "contact/nodal_correction.hpp"
-#include "contact/regression.hpp"
+#include "contact/nodal/many_correction.hpp"
+#include "contact/nodal/pair_correction.hpp"
+#include "contact/normals/regression.hpp"

@@ -13,6 +13,10 @@
 #define GRIT_KERNEL_BEGIN                                                                          \
     namespace grit::GRIT_TARGET {                                                                  \
     namespace {
+// The same for the kernels of a room of its own: grit::room::GRIT_TARGET.
+#define GRIT_KERNEL_BEGIN_OF(room)                                                                 \
+    namespace grit::room::GRIT_TARGET {                                                            \
+    namespace {
 #define GRIT_KERNEL_END                                                                            \
     }                                                                                              \
     }

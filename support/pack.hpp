@@ -10,6 +10,7 @@
 #endif
 
 #include "support/number.hpp"
+#include "support/vectors.hpp"
 
 GRIT_KERNEL_BEGIN
 
@@ -20,23 +21,6 @@ constexpr int native_lanes = 4;
 #else
 constexpr int native_lanes = 2;
 #endif
-
-template <int W> struct VectorTypes;
-template <> struct VectorTypes<2> {
-    typedef double Real __attribute__((vector_size(16)));
-    typedef std::int64_t Bits __attribute__((vector_size(16)));
-    typedef std::uint64_t Unsigned __attribute__((vector_size(16)));
-};
-template <> struct VectorTypes<4> {
-    typedef double Real __attribute__((vector_size(32)));
-    typedef std::int64_t Bits __attribute__((vector_size(32)));
-    typedef std::uint64_t Unsigned __attribute__((vector_size(32)));
-};
-template <> struct VectorTypes<8> {
-    typedef double Real __attribute__((vector_size(64)));
-    typedef std::int64_t Bits __attribute__((vector_size(64)));
-    typedef std::uint64_t Unsigned __attribute__((vector_size(64)));
-};
 
 template <int W> struct PackMask {
     using Vector = typename VectorTypes<W>::Bits;

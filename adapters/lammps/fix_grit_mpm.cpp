@@ -3,9 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <fstream>
+#include <set>
+#include <sstream>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "adapters/lammps/guarded.hpp"
+#include "adapters/lammps/points_file.hpp"
+#include "adapters/lammps/run_bytes.hpp"
 #include "adapters/mpm/run/history.hpp"
 
 namespace grit::lammps {
@@ -13,6 +23,52 @@ namespace grit::lammps {
 using LAMMPS_NS::Comm;
 using LAMMPS_NS::Fix;
 using LAMMPS_NS::LAMMPS;
+
+namespace {
+
+constexpr std::size_t chunk = 1 << 20;  // bytes that are sent at once
+
+// Whole lines; empty: the end.
+std::string next_lines(std::ifstream& file) {
+    std::string out, line;
+    while (out.size() < chunk && std::getline(file, line)) out += line + '\n';
+    return out;
+}
+
+// The size, the body, and the columns.
+int pack(const PointRow& row, double* to) {
+    const auto size = static_cast<int>(row.columns.size()) + 2;
+    to[0] = size;
+    to[1] = static_cast<double>(row.body);
+    std::memcpy(to + 2, row.columns.data(), row.columns.size() * sizeof(double));
+    return size;
+}
+
+PointRow unpack(const double* from) {
+    const auto size = static_cast<std::ptrdiff_t>(from[0]);
+    return {static_cast<std::size_t>(from[1]), {from + 2, from + size}};
+}
+
+}  // namespace
+
+// What is wrong with a command is wrong on all processes; what fails in a step may fail on one.
+template <class Work> void FixGritMpm::guarded(const Work& work) {
+    try {
+        work();
+    } catch (const std::invalid_argument& wrong) {
+        error->all(FLERR, std::string("Illegal fix grit/mpm command: ") + wrong.what());
+    } catch (const std::exception& failure) {
+        fail(failure.what());
+    }
+}
+
+template <class Work> void FixGritMpm::guarded_here(const Work& work) {
+    try {
+        work();
+    } catch (const std::exception& failure) {
+        fail(failure.what());
+    }
+}
 
 FixGritMpm::FixGritMpm(LAMMPS* host, int count, char** words) : Fix(host, count, words) {
     if (count < 4) error->all(FLERR, std::string("Illegal fix grit/mpm command: no geometry"));
@@ -238,6 +294,319 @@ void FixGritMpm::post_run() {
     timer->reset_timeout();
     guarded_here([this] { show_columns(); });
     report_traffic();
+}
+
+void FixGritMpm::read_points(std::size_t body) {
+    const std::string& name = run->description().points[body];
+    std::ifstream file;
+    int opened = 1;
+    if (comm->me == 0) {
+        file.open(name);
+        opened = file ? 1 : 0;
+    }
+    MPI_Bcast(&opened, 1, MPI_INT, 0, world);
+    if (!opened) error->all(FLERR, "Fix grit/mpm: cannot open file " + name);
+    std::unique_ptr<PointsFile> points;
+    std::set<int> seen;
+    for (;;) {
+        std::string lines = comm->me == 0 ? next_lines(file) : std::string();
+        auto size = static_cast<int>(lines.size());
+        MPI_Bcast(&size, 1, MPI_INT, 0, world);
+        if (size == 0) break;
+        lines.resize(static_cast<std::size_t>(size));
+        MPI_Bcast(lines.data(), size, MPI_CHAR, 0, world);
+        std::istringstream stream(lines);
+        for (std::string line; std::getline(stream, line);) {
+            const std::size_t first = line.find_first_not_of(" \t\r");
+            if (first == std::string::npos || line[first] == '#') continue;
+            try {
+                if (!points) {
+                    points =
+                        std::make_unique<PointsFile>(run->column_names(body), line,
+                                                     run->description().plan.settings.axisymmetric);
+                    continue;
+                }
+                const int tag = PointsFile::id_of(line.c_str());
+                const int i = tag >= 1 && tag <= atom->map_tag_max ? atom->map(tag) : -1;
+                if (i < 0 || i >= atom->nlocal) continue;
+                if (!is_mine(i) || body_of(i) != static_cast<int>(body))
+                    throw std::invalid_argument("atom " + std::to_string(tag) + " is not in body " +
+                                                run->description().plan.bodies[body].name);
+                if (!seen.insert(tag).second)
+                    throw std::invalid_argument("atom " + std::to_string(tag) + " is there twice");
+                PointRow out{body, {atom->x[i][0], atom->x[i][1], atom->v[i][0], atom->v[i][1]}};
+                points->read(line.c_str(), out.columns);
+                put(i, std::move(out));
+            } catch (const std::exception& wrong) {
+                error->one(FLERR, "Fix grit/mpm: file " + name + ": " + wrong.what());
+            }
+        }
+    }
+    if (!points) error->all(FLERR, "Fix grit/mpm: file " + name + " is empty");
+}
+
+// On all processes, ascending: atoms of a body in a group.
+std::vector<int> FixGritMpm::ids_in(int bit, std::size_t body) const {
+    std::vector<int> mine;
+    for (int i = 0; i < atom->nlocal; ++i)
+        if ((atom->mask[i] & bit) && is_mine(i) && body_of(i) == static_cast<int>(body))
+            mine.push_back(atom->tag[i]);
+    auto count = static_cast<int>(mine.size());
+    std::vector<int> counts(static_cast<std::size_t>(comm->nprocs)), starts(counts.size(), 0);
+    MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
+    for (std::size_t i = 1; i < counts.size(); ++i) starts[i] = starts[i - 1] + counts[i - 1];
+    std::vector<int> all(static_cast<std::size_t>(starts.back() + counts.back()));
+    MPI_Allgatherv(mine.data(), count, MPI_INT, all.data(), counts.data(), starts.data(), MPI_INT,
+                   world);
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+std::vector<std::vector<int>> FixGritMpm::traction_ids() {
+    std::vector<std::vector<int>> out;
+    const FixCase& plan = run->description();
+    for (std::size_t k = 0; k < plan.traction_groups.size(); ++k) {
+        const std::string& name = plan.traction_groups[k];
+        const std::string& body = plan.plan.tractions[k].body;
+        const int number = group->find(name);
+        if (number < 0) error->all(FLERR, "Could not find fix grit/mpm traction group ID " + name);
+        out.push_back(ids_in(group->bitmask[number], plan.plan.body(body)));
+        if (out.back().empty())
+            error->all(FLERR,
+                       "Fix grit/mpm: traction group " + name + " has no atoms of body " + body);
+    }
+    return out;
+}
+
+void FixGritMpm::check_variables() const {
+    std::vector<std::string> names = run->description().traction_variables;
+    for (const MotionVariables& motion : run->description().motion)
+        names.insert(names.end(), {motion.r, motion.z});
+    for (const std::string& name : names) {
+        if (name.empty()) continue;
+        const int number = input->variable->find(name.c_str());
+        if (number < 0 || !input->variable->equalstyle(number))
+            error->all(FLERR, "Fix grit/mpm: there is no equal-style variable \"" + name + '"');
+    }
+}
+
+// All processes ask, also those without a loaded particle: what a variable reads may need all of them.
+void FixGritMpm::ask_variables(void (LocalRun::*ask)()) {
+    if (!run->has_variables()) return;
+    modify->clearstep_compute();
+    is_asking = true;
+    guarded_here([&] { (run.get()->*ask)(); });
+    is_asking = false;
+    modify->addstep_compute(update->ntimestep + 1);
+}
+
+double FixGritMpm::variable_at(const std::string& name, double t) {
+    const int number = input->variable->find(name.c_str());
+    if (number < 0) throw std::runtime_error("variable \"" + name + "\" is gone");
+    const double time = update->atime;
+    const LAMMPS_NS::bigint step = update->atimestep;
+    update->atime = t;
+    update->atimestep = update->ntimestep;
+    const double value = input->variable->compute_equal(number);
+    update->atime = time;
+    update->atimestep = step;
+    return value;
+}
+
+int FixGritMpm::pack_exchange(int i, double* to) {
+    if (!is_mine(i)) {
+        to[0] = 1.0;
+        return 1;
+    }
+    int size = 0;
+    guarded_here([&] {
+        size = pack(run->row(atom->tag[i]), to);
+        run->leave(atom->tag[i]);
+    });
+    return size;
+}
+
+int FixGritMpm::unpack_exchange(int i, double* from) {
+    const auto size = static_cast<int>(from[0]);
+    if (size > 1) put(i, unpack(from));
+    else set_arrays(i);
+    return size;
+}
+
+int FixGritMpm::pack_restart(int i, double* to) {
+    if (!is_mine(i)) {
+        to[0] = 1.0;
+        return 1;
+    }
+    int size = 0;
+    guarded_here([&] { size = pack(run->row(atom->tag[i]), to); });
+    return size;
+}
+
+int FixGritMpm::size_restart(int i) {
+    int size = 1;
+    if (is_mine(i))
+        guarded_here([&] { size = static_cast<int>(run->row(atom->tag[i]).columns.size()) + 2; });
+    return size;
+}
+
+int FixGritMpm::maxsize_restart() { return static_cast<int>(most_columns) + 2; }
+
+// The rows of fixes follow one another, each with its size in front.
+void FixGritMpm::unpack_restart(int i, int which) {
+    const double* from = atom->extra[i];
+    for (int k = 0; k < which; ++k) from += static_cast<int>(*from);
+    if (from[0] <= 1.0) return;
+    PointRow of_atom = unpack(from);
+    const std::size_t bodies = run->description().plan.bodies.size();
+    if (of_atom.body >= bodies || of_atom.columns.size() != run->column_names(of_atom.body).size())
+        error->one(FLERR, "Fix grit/mpm: atom " + std::to_string(atom->tag[i]) +
+                              " of the restart file is of another material");
+    put(i, std::move(of_atom));
+}
+
+void FixGritMpm::write_restart(FILE* file) {
+    std::string bytes;
+    const std::uint64_t fingerprint = run->description().fingerprint;
+    guarded([&] {
+        if (!run->has_begun()) return void(bytes = to_bytes(nullptr, fingerprint));
+        const StoredRun stored = run->store();
+        bytes = to_bytes(&stored, fingerprint);
+    });
+    if (comm->me != 0) return;
+    const auto size = static_cast<int>(bytes.size());
+    std::fwrite(&size, sizeof size, 1, file);
+    std::fwrite(bytes.data(), 1, bytes.size(), file);
+}
+
+void FixGritMpm::restart(char* bytes) {
+    guarded([&] {
+        const auto stored = from_bytes(bytes, run->description().fingerprint);
+        if (stored) run->go_on_from(std::move(*stored));
+    });
+}
+
+int FixGritMpm::atom_of(int point) const {
+    const int i = atom->map(point);
+    if (i < 0 || i >= atom->nlocal)
+        throw std::runtime_error("LAMMPS has lost atom " + std::to_string(point));
+    return i;
+}
+
+// Positions and velocities for all that looks at atoms.
+void FixGritMpm::show_atoms() {
+    double farthest2 = 0.0;
+    for (std::size_t b = 0; b < run->simulation().bodies(); ++b) {
+        mpm::Particles& particles = run->simulation().body(b).particles;
+        const mpm::ParticleView q = particles.view();
+        const double *r = q[mpm::column::r], *z = q[mpm::column::z];
+        const double *v_r = q[mpm::column::v_r], *v_z = q[mpm::column::v_z];
+        for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
+            const int i = atom_of(particles.ids()[p]);
+            double* x = atom->x[i];
+            const double d_r = r[p] - x[0], d_z = z[p] - x[1];
+            farthest2 = std::max(farthest2, d_r * d_r + d_z * d_z);
+            x[0] = r[p];
+            x[1] = z[p];
+            atom->v[i][0] = v_r[p];
+            atom->v[i][1] = v_z[p];
+        }
+    }
+    way += std::sqrt(farthest2);
+}
+
+// Columns are shown when others may look: at output, and when another fix may do something.
+bool FixGritMpm::is_looked_at() const {
+    using namespace LAMMPS_NS::FixConst;
+    const LAMMPS_NS::bigint step = update->ntimestep;
+    if (step == output->next) return true;
+    for (int k = 0; k < modify->nfix; ++k) {
+        const LAMMPS_NS::Fix* other = modify->fix[k];
+        if (other == this) continue;
+        const bool is_seldom = (modify->fmask[k] & ~(END_OF_STEP | PRE_EXCHANGE | POST_RUN)) == 0;
+        if (!is_seldom || (other->nevery > 0 && step % other->nevery == 0)) return true;
+    }
+    return false;
+}
+
+void FixGritMpm::show_columns() {
+    for (std::size_t b = 0; b < run->simulation().bodies(); ++b) {
+        const mpm::Particles& particles = run->simulation().body(b).particles;
+        for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
+            double* to = shown_rows[static_cast<std::size_t>(atom_of(particles.ids()[p]))];
+            for (int c = 0; c < particles.column_count(); ++c) to[c] = particles(c, p);
+        }
+    }
+}
+
+void FixGritMpm::show(int i, const std::vector<double>& columns) {
+    set_arrays(i);
+    std::copy(columns.begin(), columns.end(), shown_rows[static_cast<std::size_t>(i)]);
+}
+
+// Atoms keep their rows where LAMMPS sorts or sends them between two steps.
+void FixGritMpm::put(int i, PointRow given) {
+    show(i, given.columns);
+    run->put(atom->tag[i], std::move(given));
+}
+
+void FixGritMpm::grow_arrays(int most_atoms) {
+    const auto atoms = static_cast<std::size_t>(std::max(most_atoms, 1));
+    shown.resize(atoms * most_columns, 0.0);
+    shown_rows.resize(atoms);
+    for (std::size_t i = 0; i < atoms; ++i) shown_rows[i] = shown.data() + i * most_columns;
+    array_atom = shown_rows.data();
+}
+
+void FixGritMpm::copy_arrays(int from, int to, int) {
+    std::copy_n(shown_rows[static_cast<std::size_t>(from)], most_columns,
+                shown_rows[static_cast<std::size_t>(to)]);
+}
+
+void FixGritMpm::set_arrays(int i) {
+    std::fill_n(shown_rows[static_cast<std::size_t>(i)], most_columns, 0.0);
+}
+
+// What a variable of this fix asks for must not end the means of forces.
+double FixGritMpm::compute_vector(int i) {
+    if (!run->started()) return 0.0;
+    const long now = run->simulation().steps();
+    if (row_step != now || !(row_is_taken || is_asking)) {
+        guarded_here([&] {
+            const mpm::HistoryRow found = is_asking ? run->run().look() : run->run().row();
+            row.clear();
+            for (const mpm::HistoryColumn& column : mpm::history_columns())
+                row.push_back(column.value(found));
+        });
+        row_step = now;
+        row_is_taken = !is_asking;
+    }
+    return row[static_cast<std::size_t>(i)];
+}
+
+double FixGritMpm::memory_usage() {
+    return 2.0 * static_cast<double>(run->particles()) * static_cast<double>(most_columns) *
+           sizeof(double);
+}
+
+void FixGritMpm::report_traffic() {
+    const Halo::Traffic& now = run->halo().traffic();
+    const double steps = std::max(1.0, static_cast<double>(update->ntimestep - first_step));
+    double mine[] = {static_cast<double>(now.messages - traffic_before.messages) / steps,
+                     static_cast<double>(now.bytes - traffic_before.bytes) / steps,
+                     static_cast<double>(now.reductions - traffic_before.reductions) / steps,
+                     now.seconds - traffic_before.seconds, MPI_Wtime() - run_began};
+    constexpr int count = sizeof mine / sizeof *mine;
+    double most[count];
+    MPI_Reduce(mine, most, count, MPI_DOUBLE, MPI_MAX, 0, world);
+    if (comm->me != 0) return;
+    char line[256];
+    std::snprintf(
+        line, sizeof line,
+        "Grit: halo exchange %.3g s of %.3g s (%.1f %%); a step has up to %.4g messages of "
+        "%.6g bytes together and %.4g reductions per process\n",
+        most[3], most[4], 100.0 * most[3] / std::max(most[4], 1e-30), most[0], most[1], most[2]);
+    LAMMPS_NS::utils::logmesg(lmp, std::string(line));
 }
 
 }  // namespace grit::lammps

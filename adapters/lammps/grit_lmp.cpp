@@ -3,7 +3,7 @@
 #define LAMMPS_LIB_MPI 1
 #include <library.h>
 
-#include "adapters/lammps/doors.hpp"
+#include "adapters/lammps/registration.hpp"
 #include "adapters/lammps/shim/host.hpp"
 
 int main(int argc, char** argv) {

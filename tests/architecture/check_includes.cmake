@@ -53,6 +53,9 @@ foreach(adapter IN LISTS adapters)
   elseif(adapter STREQUAL lammps) # the driver's kernels and its loop are for the other host too
     set(beside "adapters/(lammps|mpm)")
   endif()
+  if(adapter STREQUAL mpm) # kernels per instruction set, as those of libgrit
+    set(beside "(adapters/mpm|support)")
+  endif()
   check_folder(adapters/${adapter} ${third_party} "\"${beside}/[a-z_0-9/]+\\.hpp\"")
 endforeach()
 check_folder(element ${third_party} "\"element/[a-z_0-9/]+\\.hpp\"")
@@ -73,7 +76,8 @@ foreach(part IN LISTS parts)
 endforeach()
 
 # What the kernels of the instruction sets reach, directly or not, is their own and the standard's.
-file(GLOB_RECURSE reached ${SOURCE}/umat/kernel_*.cpp ${SOURCE}/contact/kernel_*.cpp)
+file(GLOB_RECURSE reached ${SOURCE}/umat/kernel_*.cpp ${SOURCE}/contact/kernel_*.cpp
+     ${SOURCE}/adapters/mpm/kernel/kernel_*.cpp)
 set(seen ${reached})
 while(reached)
   list(POP_FRONT reached file)

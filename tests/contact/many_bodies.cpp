@@ -4,19 +4,19 @@
 #include <limits>
 #include <string>
 
-#include "support/crowd.hpp"
+#include "support/bodies_at_nodes.hpp"
 
 namespace {
 
 using namespace tests;
 
-Vec momentum(const Crowd::One& x, int count) {
+Vec momentum(const BodiesAtNodes::One& x, int count) {
     Vec sum{};
     for (int b = 0; b < count; ++b) sum = sum + x.m[b] * x.v[b];
     return sum;
 }
 
-double size_of(const Crowd::One& x, int count) {
+double size_of(const BodiesAtNodes::One& x, int count) {
     double sum = 0.0;
     for (int b = 0; b < count; ++b) sum += x.m[b] * norm(x.v[b]);
     return sum;
@@ -25,33 +25,33 @@ double size_of(const Crowd::One& x, int count) {
 TEST(ManyBodies, KeepTheirTotalMomentum) {
     for (const int components : {2, 3})
         for (const int count : {3, 4, 8}) {
-            Crowd crowd(count, count < 8 ? 20000 : 1000, 61, components);
-            const auto before = crowd.node;
-            ASSERT_EQ(crowd.correct(), GRIT_OK) << crowd.error.message;
+            BodiesAtNodes bodies(count, count < 8 ? 20000 : 1000, 61, components);
+            const auto before = bodies.node;
+            ASSERT_EQ(bodies.correct(), GRIT_OK) << bodies.error.message;
             for (std::size_t i = 0; i < before.size(); ++i)
-                EXPECT_LE(norm(momentum(crowd.node[i], count) - momentum(before[i], count)),
+                EXPECT_LE(norm(momentum(bodies.node[i], count) - momentum(before[i], count)),
                           1e-14 * size_of(before[i], count));
         }
 }
 
 TEST(ManyBodies, NeverGainEnergy) {
-    Crowd crowd(3, 50000, 62);
-    for (auto& o : crowd.options) o.friction_coefficient = 3.0;
-    const auto energy = [](const Crowd::One& x) {
+    BodiesAtNodes bodies(3, 50000, 62);
+    for (auto& o : bodies.options) o.friction_coefficient = 3.0;
+    const auto energy = [](const BodiesAtNodes::One& x) {
         double sum = 0.0;
         for (int b = 0; b < 3; ++b) sum += 0.5 * x.m[b] * dot(x.v[b], x.v[b]);
         return sum;
     };
-    const auto before = crowd.node;
-    ASSERT_EQ(crowd.correct(), GRIT_OK);
+    const auto before = bodies.node;
+    ASSERT_EQ(bodies.correct(), GRIT_OK);
     for (std::size_t i = 0; i < before.size(); ++i)
-        EXPECT_LE(energy(crowd.node[i]), energy(before[i]) * (1.0 + 1e-14));
+        EXPECT_LE(energy(bodies.node[i]), energy(before[i]) * (1.0 + 1e-14));
 }
 
 TEST(ManyBodies, OfWhichTwoMeetAreAPair) {
-    Crowd crowd(3, 1000, 63);
+    BodiesAtNodes bodies(3, 1000, 63);
     Nodes pair;
-    for (auto& x : crowd.node) {
+    for (auto& x : bodies.node) {
         x.m[2] = 0.0;
         Node y;
         y.m_a = x.m[0];
@@ -62,97 +62,98 @@ TEST(ManyBodies, OfWhichTwoMeetAreAPair) {
         y.s = x.s[0];
         pair.node.push_back(y);
     }
-    ASSERT_EQ(crowd.correct(), GRIT_OK) << crowd.error.message;
+    ASSERT_EQ(bodies.correct(), GRIT_OK) << bodies.error.message;
     grit_contact_options options = options_with();
     options.friction_coefficient = 0.3;
     ASSERT_EQ(pair.correct(options), GRIT_OK);
-    for (std::size_t i = 0; i < crowd.node.size(); ++i) {
-        EXPECT_TRUE(same_bits(crowd.node[i].v[0], pair.node[i].v_a));
-        EXPECT_TRUE(same_bits(crowd.node[i].v[1], pair.node[i].v_b));
-        EXPECT_EQ(std::memcmp(&crowd.reports[3 * i], &pair.reports[i], sizeof pair.reports[i]), 0);
+    for (std::size_t i = 0; i < bodies.node.size(); ++i) {
+        EXPECT_TRUE(same_bits(bodies.node[i].v[0], pair.node[i].v_a));
+        EXPECT_TRUE(same_bits(bodies.node[i].v[1], pair.node[i].v_b));
+        EXPECT_EQ(std::memcmp(&bodies.reports[3 * i], &pair.reports[i], sizeof pair.reports[i]), 0);
     }
-    EXPECT_EQ(std::memcmp(&crowd.sums[0], &pair.sums, sizeof pair.sums), 0);
+    EXPECT_EQ(std::memcmp(&bodies.sums[0], &pair.sums, sizeof pair.sums), 0);
 }
 
 // A row of bodies along x, body b at rest but for the first; all pairs of neighbours are known.
-Crowd row(int count) {
-    Crowd crowd(count, 1, 64);
-    crowd.who.clear();
-    for (int b = 0; b + 1 < count; ++b) crowd.who.emplace_back(b, b + 1);
-    auto& x = crowd.node[0];
+BodiesAtNodes row(int count) {
+    BodiesAtNodes bodies(count, 1, 64);
+    bodies.who.clear();
+    for (int b = 0; b + 1 < count; ++b) bodies.who.emplace_back(b, b + 1);
+    auto& x = bodies.node[0];
     for (int b = 0; b < count; ++b) {
         x.m[b] = 1.0;
         x.v[b] = {b == 0 ? 1.0 : 0.0, 0.0, 0.0};
     }
-    for (std::size_t p = 0; p < crowd.who.size(); ++p) {
+    for (std::size_t p = 0; p < bodies.who.size(); ++p) {
         x.n[p] = {1.0, 0.0, 0.0};
         x.s[p] = 0.0;
     }
-    return crowd;
+    return bodies;
 }
 
 TEST(ManyBodies, InARowMoveOnTogether) {
-    Crowd crowd = row(3);
-    crowd.call.sweep_tolerance = 1e-12;
-    crowd.call.sweep_limit = 100;
-    ASSERT_EQ(crowd.correct(), GRIT_OK) << crowd.error.message;
-    for (int b = 0; b < 3; ++b) EXPECT_NEAR(crowd.node[0].v[b][0], 1.0 / 3.0, 1e-11);
+    BodiesAtNodes bodies = row(3);
+    bodies.call.sweep_tolerance = 1e-12;
+    bodies.call.sweep_limit = 100;
+    ASSERT_EQ(bodies.correct(), GRIT_OK) << bodies.error.message;
+    for (int b = 0; b < 3; ++b) EXPECT_NEAR(bodies.node[0].v[b][0], 1.0 / 3.0, 1e-11);
     // The impulses that do it: 2/3 on the second body, 1/3 on the third.
-    EXPECT_NEAR(crowd.reports[0].impulse[0], 2.0 / 3.0, 1e-11);
-    EXPECT_NEAR(crowd.reports[1].impulse[0], 1.0 / 3.0, 1e-11);
+    EXPECT_NEAR(bodies.reports[0].impulse[0], 2.0 / 3.0, 1e-11);
+    EXPECT_NEAR(bodies.reports[1].impulse[0], 1.0 / 3.0, 1e-11);
 }
 
 TEST(ManyBodies, DoNotLoseThePenaltyBySweeping) {
     // Sweeps replace a pair's impulse: a second pair far away may not harden the first.
-    Crowd crowd = row(3);
-    crowd.node[0].s[0] = 0.5;
-    crowd.node[0].v[2] = {5.0, 0.0, 0.0};  // parts from the second
-    crowd.call.sweep_limit = 50;
-    for (auto& o : crowd.options) o.penalty_power = 1.0;
-    ASSERT_EQ(crowd.correct(), GRIT_OK);
-    EXPECT_NEAR(crowd.node[0].v[0][0] - crowd.node[0].v[1][0], 0.5, 1e-12);
+    BodiesAtNodes bodies = row(3);
+    bodies.node[0].s[0] = 0.5;
+    bodies.node[0].v[2] = {5.0, 0.0, 0.0};  // parts from the second
+    bodies.call.sweep_limit = 50;
+    for (auto& o : bodies.options) o.penalty_power = 1.0;
+    ASSERT_EQ(bodies.correct(), GRIT_OK);
+    EXPECT_NEAR(bodies.node[0].v[0][0] - bodies.node[0].v[1][0], 0.5, 1e-12);
 }
 
 TEST(ManyBodies, StandBetweenEachOtherWhateverTheirMasses) {
     // A light body between heavy ones that close in on it: sweeps alone would need as many as the ratio.
     for (const double light : {1e-2, 1e-4, 1e-8}) {
-        Crowd crowd = row(3);
-        auto& x = crowd.node[0];
+        BodiesAtNodes bodies = row(3);
+        auto& x = bodies.node[0];
         x.m[1] = light;
         x.v[0] = {1.0, 0.2, 0.0};
         x.v[1] = {0.0, 0.0, 0.0};
         x.v[2] = {-1.0, 0.0, 0.0};
-        ASSERT_EQ(crowd.correct(), GRIT_OK) << crowd.error.message;
+        ASSERT_EQ(bodies.correct(), GRIT_OK) << bodies.error.message;
         // The light body's velocity is a small difference of impulses.
-        for (int b = 0; b < 3; ++b) EXPECT_NEAR(crowd.node[0].v[b][0], 0.0, 1e-14 / light) << light;
+        for (int b = 0; b < 3; ++b)
+            EXPECT_NEAR(bodies.node[0].v[b][0], 0.0, 1e-14 / light) << light;
     }
 }
 
 TEST(ManyBodies, ThatCannotGiveWaySaySo) {
-    Crowd crowd = row(3);  // a free body between two rigid ones that close in on it
-    crowd.options[0].rigid = GRIT_CONTACT_A_RIGID;
-    crowd.options[1].rigid = GRIT_CONTACT_B_RIGID;
-    crowd.node[0].v[2] = {-1.0, 0.0, 0.0};
-    const auto before = crowd.node;
-    EXPECT_EQ(crowd.correct(), GRIT_NOT_CONVERGED);
-    EXPECT_NE(std::string(crowd.error.message).find("squeezed"), std::string::npos);
-    EXPECT_EQ(std::memcmp(&before[0], &crowd.node[0], sizeof before[0]), 0);
-    EXPECT_EQ(crowd.reports[0].status, GRIT_NOT_CONVERGED);
+    BodiesAtNodes bodies = row(3);  // a free body between two rigid ones that close in on it
+    bodies.options[0].rigid = GRIT_CONTACT_A_RIGID;
+    bodies.options[1].rigid = GRIT_CONTACT_B_RIGID;
+    bodies.node[0].v[2] = {-1.0, 0.0, 0.0};
+    const auto before = bodies.node;
+    EXPECT_EQ(bodies.correct(), GRIT_NOT_CONVERGED);
+    EXPECT_NE(std::string(bodies.error.message).find("squeezed"), std::string::npos);
+    EXPECT_EQ(std::memcmp(&before[0], &bodies.node[0], sizeof before[0]), 0);
+    EXPECT_EQ(bodies.reports[0].status, GRIT_NOT_CONVERGED);
 }
 
 TEST(ManyBodies, EndAtTheImpulsesOfPairsAlone) {
     // (C5) once more: without its own impulse a pair approaches with w, and gets f_p m_r w_n and Coulomb.
-    Crowd crowd(4, 3000, 69);
-    crowd.call.sweep_tolerance = 1e-11;
-    crowd.call.sweep_limit = 100000;
-    ASSERT_EQ(crowd.correct(), GRIT_OK) << crowd.error.message;
+    BodiesAtNodes bodies(4, 3000, 69);
+    bodies.call.sweep_tolerance = 1e-11;
+    bodies.call.sweep_limit = 100000;
+    ASSERT_EQ(bodies.correct(), GRIT_OK) << bodies.error.message;
     int meeting = 0;
-    for (std::size_t i = 0; i < crowd.node.size(); ++i)
-        for (std::size_t p = 0; p < crowd.who.size(); ++p) {
-            const auto& x = crowd.node[i];
-            const grit_contact_report& r = crowd.reports[crowd.who.size() * i + p];
-            const auto a = static_cast<std::size_t>(crowd.who[p].first);
-            const auto b = static_cast<std::size_t>(crowd.who[p].second);
+    for (std::size_t i = 0; i < bodies.node.size(); ++i)
+        for (std::size_t p = 0; p < bodies.who.size(); ++p) {
+            const auto& x = bodies.node[i];
+            const grit_contact_report& r = bodies.reports[bodies.who.size() * i + p];
+            const auto a = static_cast<std::size_t>(bodies.who[p].first);
+            const auto b = static_cast<std::size_t>(bodies.who[p].second);
             const double m_r = x.m[a] * x.m[b] / (x.m[a] + x.m[b]);
             const Vec J = {r.impulse[0], r.impulse[1], r.impulse[2]};
             const Vec w = x.v[a] - x.v[b] + (1.0 / m_r) * J;
@@ -168,35 +169,35 @@ TEST(ManyBodies, EndAtTheImpulsesOfPairsAlone) {
 
 TEST(ManyBodies, StopSweepingWhenAsked) {
     // With friction the impulses settle slowly: a loose tolerance or a low limit ends earlier.
-    Crowd loose(4, 1, 70), tight(4, 1, 70), stopped(4, 1, 70);
-    for (Crowd* crowd : {&loose, &tight, &stopped})
-        for (auto& o : crowd->options) {
+    BodiesAtNodes loose(4, 1, 70), tight(4, 1, 70), stopped(4, 1, 70);
+    for (BodiesAtNodes* bodies : {&loose, &tight, &stopped})
+        for (auto& o : bodies->options) {
             o.friction_coefficient = 0.6;
             o.law = GRIT_CONTACT_FRICTIONAL;
         }
     loose.call.sweep_tolerance = 0.3;
     tight.call.sweep_tolerance = stopped.call.sweep_tolerance = 1e-10;
     stopped.call.sweep_limit = 2;
-    for (Crowd* crowd : {&loose, &tight, &stopped}) EXPECT_EQ(crowd->correct(), GRIT_OK);
+    for (BodiesAtNodes* bodies : {&loose, &tight, &stopped}) EXPECT_EQ(bodies->correct(), GRIT_OK);
     EXPECT_NE(std::memcmp(&loose.node[0], &tight.node[0], sizeof loose.node[0]), 0);
     EXPECT_NE(std::memcmp(&stopped.node[0], &tight.node[0], sizeof loose.node[0]), 0);
 }
 
 TEST(ManyBodies, GiveTheSameBitsInAnyCompany) {
-    Crowd together(4, 50, 65);
-    Crowd start = together;
+    BodiesAtNodes together(4, 50, 65);
+    BodiesAtNodes start = together;
     together.correct();
     for (std::size_t i = 0; i < 50; ++i) {
-        Crowd alone = start;
+        BodiesAtNodes alone = start;
         alone.node = {start.node[i]};
         alone.correct();
         EXPECT_EQ(std::memcmp(&alone.node[0], &together.node[i], sizeof alone.node[0]), 0);
     }
 }
 
-// A node of a crowd with the bodies kept only, in their order.
-Crowd part_of(const Crowd& whole, const std::vector<int>& kept) {
-    Crowd part = whole;
+// A node with the bodies kept only, in their order.
+BodiesAtNodes part_of(const BodiesAtNodes& whole, const std::vector<int>& kept) {
+    BodiesAtNodes part = whole;
     const auto place = [&](int body) {
         const auto at = std::find(kept.begin(), kept.end(), body);
         return at == kept.end() ? -1 : static_cast<int>(at - kept.begin());
@@ -230,7 +231,7 @@ TEST(ManyBodies, DoNotFeelThoseThatAreNotThere) {
     int rubbing = 0;
     for (int trial = 0; trial < 3000; ++trial) {
         const int components = trial % 2 ? 2 : 3, count = 3 + trial % 6;
-        Crowd whole(count, 1, 7200 + static_cast<std::uint64_t>(trial), components);
+        BodiesAtNodes whole(count, 1, 7200 + static_cast<std::uint64_t>(trial), components);
         const int rigid = static_cast<int>(random.uniform(0.0, 2.0 * count));  // often none
         for (std::size_t p = 0; p < whole.who.size(); ++p) {
             whole.options[p].friction_coefficient = random.uniform(0.0, 1.0);
@@ -250,8 +251,8 @@ TEST(ManyBodies, DoNotFeelThoseThatAreNotThere) {
                 whole.node[0].v[at][static_cast<std::size_t>(c)] =
                     anything[static_cast<int>(random.uniform(0.0, 5.0))];
         }
-        Crowd part = part_of(whole, kept);
-        const Crowd::One before = whole.node[0];
+        BodiesAtNodes part = part_of(whole, kept);
+        const BodiesAtNodes::One before = whole.node[0];
         ASSERT_EQ(whole.correct(), part.correct()) << whole.error.message << part.error.message;
         std::size_t k = 0;
         for (std::size_t b = 0; b < static_cast<std::size_t>(count); ++b) {
@@ -280,46 +281,46 @@ TEST(ManyBodies, DoNotFeelThoseThatAreNotThere) {
 }
 
 TEST(ManyBodies, WithARigidOneLeaveItAlone) {
-    Crowd crowd(3, 5000, 66);
-    crowd.options[0].rigid = GRIT_CONTACT_B_RIGID;  // pair 0-1
-    crowd.options[2].rigid = GRIT_CONTACT_A_RIGID;  // pair 1-2
-    const auto before = crowd.node;
-    ASSERT_EQ(crowd.correct(), GRIT_OK) << crowd.error.message;
+    BodiesAtNodes bodies(3, 5000, 66);
+    bodies.options[0].rigid = GRIT_CONTACT_B_RIGID;  // pair 0-1
+    bodies.options[2].rigid = GRIT_CONTACT_A_RIGID;  // pair 1-2
+    const auto before = bodies.node;
+    ASSERT_EQ(bodies.correct(), GRIT_OK) << bodies.error.message;
     for (std::size_t i = 0; i < before.size(); ++i)
-        EXPECT_TRUE(same_bits(crowd.node[i].v[1], before[i].v[1]));
+        EXPECT_TRUE(same_bits(bodies.node[i].v[1], before[i].v[1]));
 }
 
 TEST(ManyBodies, RefuseWhatCannotBe) {
-    const auto expect = [](Crowd& crowd, grit_status status, const char* message) {
-        const auto before = crowd.node;
-        EXPECT_EQ(crowd.correct(), status);
-        EXPECT_STREQ(crowd.error.message, message);
-        EXPECT_EQ(std::memcmp(before.data(), crowd.node.data(), sizeof before[0]), 0);
+    const auto expect = [](BodiesAtNodes& bodies, grit_status status, const char* message) {
+        const auto before = bodies.node;
+        EXPECT_EQ(bodies.correct(), status);
+        EXPECT_STREQ(bodies.error.message, message);
+        EXPECT_EQ(std::memcmp(before.data(), bodies.node.data(), sizeof before[0]), 0);
     };
-    Crowd crowd(3, 1, 67);
-    crowd.who[2] = {1, 0};
-    expect(crowd, GRIT_BAD_CALL, "pair 2: bodies 1 and 0 have a pair already");
-    crowd = Crowd(3, 1, 67);
-    crowd.who[1] = {0, 3};
-    expect(crowd, GRIT_BAD_CALL,
+    BodiesAtNodes bodies(3, 1, 67);
+    bodies.who[2] = {1, 0};
+    expect(bodies, GRIT_BAD_CALL, "pair 2: bodies 1 and 0 have a pair already");
+    bodies = BodiesAtNodes(3, 1, 67);
+    bodies.who[1] = {0, 3};
+    expect(bodies, GRIT_BAD_CALL,
            "pair 1, a and b must be two different bodies of 0 ... 2, got 0 and 3");
-    crowd = Crowd(3, 1, 67);
-    crowd.options[0].rigid = GRIT_CONTACT_A_RIGID;
-    expect(crowd, GRIT_BAD_CALL, "pair 1: body 0 must be rigid in all of its pairs or in none");
-    crowd = Crowd(3, 1, 67);
-    crowd.options[1].penalty_power = -1.0;
-    expect(crowd, GRIT_BAD_CALL, "pair 1, penalty_power must be in (0, 1e6] [-], got -1");
-    crowd = Crowd(3, 1, 67);
-    crowd.node[0].m[2] = -1.0;
-    expect(crowd, GRIT_BAD_STATE, "pair 1, node 0: mass_b must be in [0, 1e100] [mass], got -1");
-    crowd = Crowd(3, 1, 67);
-    crowd.node[0].n[2] = {0.0, 0.0, 0.5};
-    expect(crowd, GRIT_BAD_STATE,
+    bodies = BodiesAtNodes(3, 1, 67);
+    bodies.options[0].rigid = GRIT_CONTACT_A_RIGID;
+    expect(bodies, GRIT_BAD_CALL, "pair 1: body 0 must be rigid in all of its pairs or in none");
+    bodies = BodiesAtNodes(3, 1, 67);
+    bodies.options[1].penalty_power = -1.0;
+    expect(bodies, GRIT_BAD_CALL, "pair 1, penalty_power must be in (0, 1e6] [-], got -1");
+    bodies = BodiesAtNodes(3, 1, 67);
+    bodies.node[0].m[2] = -1.0;
+    expect(bodies, GRIT_BAD_STATE, "pair 1, node 0: mass_b must be in [0, 1e100] [mass], got -1");
+    bodies = BodiesAtNodes(3, 1, 67);
+    bodies.node[0].n[2] = {0.0, 0.0, 0.5};
+    expect(bodies, GRIT_BAD_STATE,
            "pair 2, node 0: normal must be a unit vector, |n|^2 within 1e-06 of 1 [-], "
            "got |n| = 0.5");
-    crowd = Crowd(3, 1, 67);
-    crowd.count = 9;
-    expect(crowd, GRIT_BAD_CALL, "count must be in [2, 8] bodies, got 9");
+    bodies = BodiesAtNodes(3, 1, 67);
+    bodies.count = 9;
+    expect(bodies, GRIT_BAD_CALL, "count must be in [2, 8] bodies, got 9");
 }
 
 }  // namespace

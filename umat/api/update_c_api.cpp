@@ -37,18 +37,18 @@ grit_status check_points(const grit_sand_points& q, const grit_sand_options& o, 
     GRIT_REQUIRE(q.strain_increment.base, "strain_increment has no base pointer");
     GRIT_REQUIRE(q.stress.base, "stress has no base pointer");
     GRIT_REQUIRE(q.state.base, "state has no base pointer");
-    const bool several = n > 1;
-    GRIT_REQUIRE(!several || q.stress.point_stride != 0,
-                 "stress is written: point_stride must not be 0 for %td points", n);
-    GRIT_REQUIRE(!several || q.state.point_stride != 0,
-                 "state is written: point_stride must not be 0 for %td points", n);
-    GRIT_REQUIRE(!several || !q.substep.base || q.substep.point_stride != 0,
-                 "substep is written: point_stride must not be 0 for %td points", n);
+    const struct {
+        const grit_mutable_view& view;
+        const char* name;
+    } outputs[] = {{q.stress, "stress"}, {q.state, "state"}, {q.substep, "substep"}};
+    for (const auto& output : outputs)
+        if (const grit_status bad = check_written(output.view, n, output.name, "points", error))
+            return bad;
     if (o.tangent != GRIT_TANGENT_NONE && !o.validate_only) {
         GRIT_REQUIRE(q.tangent.base, "tangent %d is asked for, but its view has no base pointer",
                      o.tangent);
-        GRIT_REQUIRE(!several || q.tangent.point_stride != 0,
-                     "tangent is written: point_stride must not be 0 for %td points", n);
+        if (const grit_status bad = check_written(q.tangent, n, "tangent", "points", error))
+            return bad;
         GRIT_REQUIRE(q.tangent.row_stride != 0 && q.tangent.column_stride != 0,
                      "tangent is written: row_stride and column_stride must not be 0");
     }

@@ -6,15 +6,15 @@
 #include "adapters/mpm/kernel/increment.hpp"
 #include "adapters/mpm/kernel/place.hpp"
 
-MPM_KERNEL_BEGIN
+GRIT_KERNEL_BEGIN_OF(mpm)
 
 // Rounded towards zero; what is no number stays out.
-MPM_INLINE std::int64_t cell_share(double x) {
+GRIT_INLINE std::int64_t cell_share(double x) {
     return x > -1.0 && x < 1.0 ? static_cast<std::int64_t>(x * CellIntegers::scale) : 0;
 }
 
-MPM_INLINE void defer(const GatherCall& call, const Place& place, std::ptrdiff_t p,
-                      const Gradient& L) {
+GRIT_INLINE void defer(const GatherCall& call, const Place& place, std::ptrdiff_t p,
+                       const Gradient& L) {
     const ParticleView& q = call.particles;
     const bool alone = is_separated(q, p, call.separation);
     const int cell = place.cell_z * call.grid.r.cells + place.cell_r;
@@ -25,13 +25,13 @@ MPM_INLINE void defer(const GatherCall& call, const Place& place, std::ptrdiff_t
     call.mean.cells[cell].weighted += cell_share(0.125 * V * L.trace());
 }
 
-MPM_INLINE double mean_of(const CellIntegers& cell) {
+GRIT_INLINE double mean_of(const CellIntegers& cell) {
     return static_cast<double>(cell.weighted) / static_cast<double>(cell.volume);
 }
 
 // Of the directions that may strain, bulk viscosity included; tension positive [Pa].
 template <bool axisymmetric>
-MPM_INLINE double mean_stress(const ParticleView& q, std::ptrdiff_t p) {
+GRIT_INLINE double mean_stress(const ParticleView& q, std::ptrdiff_t p) {
     namespace c = column;
     const double sum = q[c::S_rr][p] + q[c::S_zz][p];
     return (axisymmetric ? (sum + q[c::S_tt][p]) * (1.0 / 3.0) : 0.5 * sum) - q[c::q][p];
@@ -61,7 +61,7 @@ double add_mean_stresses(bool axisymmetric, const MeanStressCall& call) {
 
 // What the mean stress of a particle lacks to that of its cell [Pa].
 template <bool axisymmetric>
-MPM_INLINE double to_mean_stress(const ScatterCall& call, const Place& place, std::ptrdiff_t p) {
+GRIT_INLINE double to_mean_stress(const ScatterCall& call, const Place& place, std::ptrdiff_t p) {
     const CellIntegers& cell = call.mean.cells[place.cell_z * call.grid.r.cells + place.cell_r];
     if (cell.volume <= 0 || is_separated(call.particles, p, call.separation)) return 0.0;
     return mean_of(cell) / call.mean.per_stress - mean_stress<axisymmetric>(call.particles, p);
@@ -84,4 +84,4 @@ void deform_by_mean(bool axisymmetric, const DeformCall& call, Increments& incre
     }
 }
 
-MPM_KERNEL_END
+GRIT_KERNEL_END

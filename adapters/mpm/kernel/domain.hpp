@@ -6,17 +6,17 @@
 
 #include "adapters/mpm/kernel/place.hpp"
 
-MPM_KERNEL_BEGIN
+GRIT_KERNEL_BEGIN_OF(mpm)
 
-MPM_INLINE Vec4 xi() { return Vec4{-1.0, 1.0, 1.0, -1.0}; }
-MPM_INLINE Vec4 eta() { return Vec4{-1.0, -1.0, 1.0, 1.0}; }
+GRIT_INLINE Vec4 xi() { return Vec4{-1.0, 1.0, 1.0, -1.0}; }
+GRIT_INLINE Vec4 eta() { return Vec4{-1.0, -1.0, 1.0, 1.0}; }
 
 struct CornerWeights {
     Vec4 S, G_r, G_z;  // [-], [1/m]
 };
 
 // k = 1/(3 r_p) in axisymmetry, 0 in plane strain.
-MPM_INLINE CornerWeights corner_weights(const Domain& d, double k) {
+GRIT_INLINE CornerWeights corner_weights(const Domain& d, double k) {
     const double per_area = 1.0 / d.area();
     const Vec4 e1 = xi(), e2 = eta(), e12 = e1 * e2;
     CornerWeights w;
@@ -27,4 +27,4 @@ MPM_INLINE CornerWeights corner_weights(const Domain& d, double k) {
     return w;
 }
 
-MPM_KERNEL_END
+GRIT_KERNEL_END

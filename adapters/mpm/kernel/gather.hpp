@@ -7,7 +7,7 @@
 #include "adapters/mpm/kernel/increment.hpp"
 #include "adapters/mpm/kernel/node_stencil.hpp"
 
-MPM_KERNEL_BEGIN
+GRIT_KERNEL_BEGIN_OF(mpm)
 
 // Sums of v_r, v_z, other_r, other_z over the points of a particle.
 struct Gathered {
@@ -15,7 +15,7 @@ struct Gathered {
 };
 
 template <class Stencil, bool axisymmetric>
-MPM_INLINE Gathered gather_point_values(const Stencil& w, const NodeMotion* nodes) {
+GRIT_INLINE Gathered gather_point_values(const Stencil& w, const NodeMotion* nodes) {
     Gathered sum;
     for (int k = 0; k < Stencil::points; ++k) {
         const Vec4 v = w.value(k, nodes);
@@ -35,8 +35,8 @@ MPM_INLINE Gathered gather_point_values(const Stencil& w, const NodeMotion* node
     return sum;
 }
 
-MPM_INLINE void move_velocity(const GatherCall& call, const Gathered& g, std::ptrdiff_t p,
-                              GatherSums& sums) {
+GRIT_INLINE void move_velocity(const GatherCall& call, const Gathered& g, std::ptrdiff_t p,
+                               GatherSums& sums) {
     namespace c = column;
     const ParticleView q = call.particles;
     const double m = q[c::mass][p];
@@ -55,8 +55,8 @@ MPM_INLINE void move_velocity(const GatherCall& call, const Gathered& g, std::pt
     sums.most_v2 = v2 > sums.most_v2 ? v2 : sums.most_v2;
 }
 
-MPM_INLINE void move_position(const GatherCall& call, const Gathered& g, std::ptrdiff_t p,
-                              bool axisymmetric, GatherSums& sums) {
+GRIT_INLINE void move_position(const GatherCall& call, const Gathered& g, std::ptrdiff_t p,
+                               bool axisymmetric, GatherSums& sums) {
     namespace c = column;
     const ParticleView q = call.particles;
     const AxisView &a_r = call.grid.r, &a_z = call.grid.z;
@@ -120,4 +120,4 @@ void gather(Shape shape, bool axisymmetric, const GatherCall& call, Increments& 
                  : gather_in<false>(shape, call, increments, sums);
 }
 
-MPM_KERNEL_END
+GRIT_KERNEL_END

@@ -4,25 +4,25 @@
 #pragma once
 
 #include "adapters/mpm/kernel/call.hpp"
-#include "adapters/mpm/kernel/target.hpp"
+#include "adapters/mpm/kernel/vectors.hpp"
 
-MPM_KERNEL_BEGIN
+GRIT_KERNEL_BEGIN_OF(mpm)
 
-MPM_INLINE bool is_separated(const ParticleView& q, std::ptrdiff_t p,
-                             const Separation& separation) {
+GRIT_INLINE bool is_separated(const ParticleView& q, std::ptrdiff_t p,
+                              const Separation& separation) {
     namespace c = column;
     return separation.void_ratio >= 0 && q[c::S_rr][p] == 0.0 && q[c::S_zz][p] == 0.0 &&
            q[c::S_tt][p] == 0.0 && q[c::S_rz][p] == 0.0;
 }
 
-MPM_INLINE bool opens_too_far(const ParticleView& q, std::ptrdiff_t p, const Gradient& L,
-                              const Separation& separation) {
+GRIT_INLINE bool opens_too_far(const ParticleView& q, std::ptrdiff_t p, const Gradient& L,
+                               const Separation& separation) {
     return is_separated(q, p, separation) && L.trace() > 0.0 &&
            q[separation.void_ratio][p] >= separation.cap;
 }
 
-MPM_INLINE void deform(const ParticleView& q, std::ptrdiff_t p, const Gradient& given,
-                       const Separation& separation, Increments& out, std::ptrdiff_t i) {
+GRIT_INLINE void deform(const ParticleView& q, std::ptrdiff_t p, const Gradient& given,
+                        const Separation& separation, Increments& out, std::ptrdiff_t i) {
     namespace c = column;
     // What has opened to the cap keeps its domain and does not turn.
     const bool held = opens_too_far(q, p, given, separation);
@@ -55,4 +55,4 @@ MPM_INLINE void deform(const ParticleView& q, std::ptrdiff_t p, const Gradient& 
     out.rotation[4][i] = cosine;
 }
 
-MPM_KERNEL_END
+GRIT_KERNEL_END

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#define MPM_TARGET avx2
+#define GRIT_TARGET avx2
 #include "adapters/mpm/kernel/gather.hpp"
 #include "adapters/mpm/kernel/scatter.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#define MPM_TARGET baseline
+#define GRIT_TARGET baseline
 #include "adapters/mpm/kernel/gather.hpp"
 #include "adapters/mpm/kernel/scatter.hpp"
 

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <grit/version.h>
+
 #include "adapters/mpm/kernel/call.hpp"
 
 namespace grit::mpm {
 
-#ifdef GRIT_MPM_HAS_X86_KERNELS
+#ifdef GRIT_HAS_X86_KERNELS
 extern const Kernels avx2_kernels, avx512_kernels;
 
 const Kernels& kernels() {
     static const Kernels& best = []() -> const Kernels& {
-        if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-            __builtin_cpu_supports("avx512dq"))
-            return avx512_kernels;
-        return __builtin_cpu_supports("avx2") ? avx2_kernels : baseline_kernels;
+        switch (grit_instruction_set()) {
+            case GRIT_ISA_AVX512: return avx512_kernels;
+            case GRIT_ISA_AVX2: return avx2_kernels;
+            default: return baseline_kernels;
+        }
     }();
     return best;
 }

@@ -5,14 +5,14 @@
 
 #include "adapters/mpm/kernel/stencil.hpp"
 
-MPM_KERNEL_BEGIN
+GRIT_KERNEL_BEGIN_OF(mpm)
 
 // Mean of the hat functions and of their slope over [x - l, x + l], at nodes first ... first + 3.
 struct LineWeights {
     int first;
     double S[4] = {}, G[4] = {};
 
-    MPM_INLINE LineWeights(const AxisView& axis, int cell, double x, double l) {
+    GRIT_INLINE LineWeights(const AxisView& axis, int cell, double x, double l) {
         first = cell > 0 ? cell - 1 : 0;
         const int last = cell + 1 < axis.cells ? cell + 1 : cell;
         for (int c = first; c <= last; ++c) {
@@ -30,7 +30,7 @@ struct LineWeights {
             G[c - first + 1] += share * axis.inverse[c];
         }
     }
-    MPM_INLINE LineWeights(const AxisView& axis, int cell, double x) : first(cell) {
+    GRIT_INLINE LineWeights(const AxisView& axis, int cell, double x) : first(cell) {
         S[1] = (x - axis.node[cell]) * axis.inverse[cell];
         S[0] = 1.0 - S[1];
         G[1] = axis.inverse[cell];
@@ -46,7 +46,7 @@ template <bool axisymmetric, bool domain> struct NodeStencil {
     double per_r;
     std::ptrdiff_t at[points];
 
-    MPM_INLINE NodeStencil(const GridView& grid, const Place& q) {
+    GRIT_INLINE NodeStencil(const GridView& grid, const Place& q) {
         const LineWeights r =
             domain ? LineWeights(grid.r, q.cell_r, q.r, q.l_r) : LineWeights(grid.r, q.cell_r, q.r);
         const LineWeights z =
@@ -64,11 +64,11 @@ template <bool axisymmetric, bool domain> struct NodeStencil {
                 at[k] = node_j * n_r + node_i;
             }
     }
-    MPM_INLINE double hoop(int k) const { return per_r * S[k]; }
-    template <class Sums> MPM_INLINE void add(int k, const Vec8& P, Sums& sums) const {
+    GRIT_INLINE double hoop(int k) const { return per_r * S[k]; }
+    template <class Sums> GRIT_INLINE void add(int k, const Vec8& P, Sums& sums) const {
         sums.add(at[k], P);
     }
-    MPM_INLINE Vec4 value(int k, const NodeMotion* nodes) const {
+    GRIT_INLINE Vec4 value(int k, const NodeMotion* nodes) const {
         return *reinterpret_cast<const Vec4*>(nodes + at[k]);
     }
 };
@@ -81,4 +81,4 @@ template <bool a> struct StencilOf<Shape::cpdi_published, a> {
 template <bool a> struct StencilOf<Shape::ugimp, a> { using type = NodeStencil<a, true>; };
 template <bool a> struct StencilOf<Shape::point, a> { using type = NodeStencil<a, false>; };
 
-MPM_KERNEL_END
+GRIT_KERNEL_END

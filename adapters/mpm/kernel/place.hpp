@@ -5,18 +5,18 @@
 #include <cmath>
 
 #include "adapters/mpm/kernel/call.hpp"
-#include "adapters/mpm/kernel/target.hpp"
+#include "adapters/mpm/kernel/vectors.hpp"
 
-MPM_KERNEL_BEGIN
+GRIT_KERNEL_BEGIN_OF(mpm)
 
 // Half-side vectors r1, r2 [m]. Corners in the order (--), (+-), (++), (-+).
 struct Domain {
     double r1r, r1z, r2r, r2z;
-    MPM_INLINE double area() const { return 4.0 * (r1r * r2z - r1z * r2r); }
+    GRIT_INLINE double area() const { return 4.0 * (r1r * r2z - r1z * r2r); }
 };
 
 // Shrunk as a whole until no half extent exceeds its limit: for weights only, mass and volume stay.
-MPM_INLINE Domain limited(Domain d, double limit_r, double limit_z) {
+GRIT_INLINE Domain limited(Domain d, double limit_r, double limit_z) {
     const double extent_r = std::fabs(d.r1r) + std::fabs(d.r2r);
     const double extent_z = std::fabs(d.r1z) + std::fabs(d.r2z);
     if (extent_r <= limit_r && extent_z <= limit_z) return d;
@@ -29,7 +29,7 @@ MPM_INLINE Domain limited(Domain d, double limit_r, double limit_z) {
 // as principal stretches: the gradient's error grows with their ratio, without limit for a particle that
 // was sheared along a pile. With H = [r1 r2] = U diag(s1, s2) V^T it is x H + y cof H, because
 // cof H = U diag(s2, s1) V^T.
-MPM_INLINE Domain rounded(const Domain& d) {
+GRIT_INLINE Domain rounded(const Domain& d) {
     constexpr double most = 9.0;  // s1 / s2
     const double det = d.r1r * d.r2z - d.r1z * d.r2r;
     const double squares = d.r1r * d.r1r + d.r1z * d.r1z + d.r2r * d.r2r + d.r2z * d.r2z;
@@ -53,7 +53,7 @@ struct Place {
 };
 
 template <bool axisymmetric>
-MPM_INLINE Place place_of(const GridView& grid, const ParticleView& q, std::ptrdiff_t p) {
+GRIT_INLINE Place place_of(const GridView& grid, const ParticleView& q, std::ptrdiff_t p) {
     Place place;
     place.r = q[column::r][p];
     place.z = q[column::z][p];
@@ -71,4 +71,4 @@ MPM_INLINE Place place_of(const GridView& grid, const ParticleView& q, std::ptrd
     return place;
 }
 
-MPM_KERNEL_END
+GRIT_KERNEL_END

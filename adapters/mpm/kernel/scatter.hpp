@@ -6,10 +6,10 @@
 #include "adapters/mpm/kernel/node_stencil.hpp"
 #include "adapters/mpm/kernel/sums.hpp"
 
-MPM_KERNEL_BEGIN
+GRIT_KERNEL_BEGIN_OF(mpm)
 
 template <Shape shape, bool axisymmetric, bool all, class Sums>
-MPM_INLINE void scatter_by(const ScatterCall& call, Sums& sums) {
+GRIT_INLINE void scatter_by(const ScatterCall& call, Sums& sums) {
     using Stencil = typename StencilOf<shape, axisymmetric>::type;
     namespace c = column;
     const ParticleView q = call.particles;
@@ -75,4 +75,4 @@ void scatter(Shape shape, bool axisymmetric, const ScatterCall& call) {
     axisymmetric ? scatter_in<true>(shape, call) : scatter_in<false>(shape, call);
 }
 
-MPM_KERNEL_END
+GRIT_KERNEL_END

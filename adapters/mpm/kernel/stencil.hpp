@@ -5,7 +5,7 @@
 
 #include "adapters/mpm/kernel/domain.hpp"
 
-MPM_KERNEL_BEGIN
+GRIT_KERNEL_BEGIN_OF(mpm)
 
 // Four corners of CPDI, k = 1/(3 r_p) or 0.
 template <bool axisymmetric, bool weighted> struct CornerStencil {
@@ -17,7 +17,7 @@ template <bool axisymmetric, bool weighted> struct CornerStencil {
     std::ptrdiff_t corner_node[4], n_r;
     double xi_r[4], xi_z[4];
 
-    MPM_INLINE CornerStencil(const GridView& grid, const Place& q) {
+    GRIT_INLINE CornerStencil(const GridView& grid, const Place& q) {
         const Domain& d = q.domain;
         const double k = axisymmetric && weighted ? 1.0 / (3.0 * q.r) : 0.0;
         const CornerWeights w = corner_weights(d, k);
@@ -37,14 +37,14 @@ template <bool axisymmetric, bool weighted> struct CornerStencil {
             corner_node[c] = j * n_r + i;
         }
     }
-    MPM_INLINE double hoop(int) const { return T; }
+    GRIT_INLINE double hoop(int) const { return T; }
     // The cell of x in the cell given or next to it.
-    static MPM_INLINE int neighbour(const AxisView& axis, int cell, double x) {
+    static GRIT_INLINE int neighbour(const AxisView& axis, int cell, double x) {
         cell += (x >= axis.node[cell + 1] && cell + 1 < axis.cells) ? 1 : 0;
         cell -= (x < axis.node[cell] && cell > 0) ? 1 : 0;
         return cell;
     }
-    template <class Sums> MPM_INLINE void add(int c, const Vec8& P, Sums& sums) const {
+    template <class Sums> GRIT_INLINE void add(int c, const Vec8& P, Sums& sums) const {
         const std::ptrdiff_t n = corner_node[c];
         const double x = xi_r[c], y = xi_z[c], xy = x * y;
         sums.add(n, (1.0 - x - y + xy) * P);
@@ -52,11 +52,11 @@ template <bool axisymmetric, bool weighted> struct CornerStencil {
         sums.add(n + n_r, (y - xy) * P);
         sums.add(n + n_r + 1, xy * P);
     }
-    MPM_INLINE Vec4 value(int c, const NodeMotion* nodes) const {
+    GRIT_INLINE Vec4 value(int c, const NodeMotion* nodes) const {
         const Vec4* n = reinterpret_cast<const Vec4*>(nodes + corner_node[c]);
         const double x = xi_r[c], y = xi_z[c], xy = x * y;
         return (1.0 - x - y + xy) * n[0] + (x - xy) * n[1] + (y - xy) * n[n_r] + xy * n[n_r + 1];
     }
 };
 
-MPM_KERNEL_END
+GRIT_KERNEL_END

@@ -3,16 +3,13 @@
 #pragma once
 
 #include "adapters/mpm/kernel/call.hpp"
-#include "adapters/mpm/kernel/target.hpp"
+#include "adapters/mpm/kernel/vectors.hpp"
 
-MPM_KERNEL_BEGIN
-
-// Without sign: sums that are too large wrap, and are done again with another scale.
-typedef std::uint64_t Integers __attribute__((vector_size(64), may_alias));
+GRIT_KERNEL_BEGIN_OF(mpm)
 
 struct DoubleSums {
     NodeRecord* nodes;
-    MPM_INLINE void add(std::ptrdiff_t node, const Vec8& x) {
+    GRIT_INLINE void add(std::ptrdiff_t node, const Vec8& x) {
         *reinterpret_cast<Vec8*>(nodes + node) += x;
     }
 };
@@ -21,21 +18,22 @@ struct DoubleSums {
 struct LargestSizes {
     Vec8 size{}, sum{};
 
-    MPM_INLINE void add(const Vec8& x) {
+    GRIT_INLINE void add(const Vec8& x) {
         size = x > size ? x : size;
         sum += x;
     }
-    MPM_INLINE double operator[](int c) const { return sum[c] == sum[c] ? size[c] : sum[c]; }
+    GRIT_INLINE double operator[](int c) const { return sum[c] == sum[c] ? size[c] : sum[c]; }
 };
 
-// x scale, rounded to an integer by the addition of 1.5 2^52, which leaves the integer in the last bits.
+// x scale, rounded to an integer by the addition of 1.5 2^52, which leaves the integer in the last bits. Without
+// sign: sums that are too large wrap, and are done again with another scale.
 struct FixedSums {
     static constexpr double magic = 0x1.8p52;
     NodeIntegers* nodes;
     Vec8 scale;
     LargestSizes largest;
 
-    MPM_INLINE void add(std::ptrdiff_t node, const Vec8& x) {
+    GRIT_INLINE void add(std::ptrdiff_t node, const Vec8& x) {
         const Vec8 scaled = x * scale;
         largest.add(scaled < 0.0 ? -scaled : scaled);
         const Vec8 shifted = scaled + magic, zero = Vec8{} + magic;
@@ -44,4 +42,4 @@ struct FixedSums {
     }
 };
 
-MPM_KERNEL_END
+GRIT_KERNEL_END

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/nodal/call_checks.hpp"
+
+#include <cmath>
+
+#include "support/instruction_set.hpp"
+#include "support/require.hpp"
+#include "support/versioned.hpp"
+#include "support/views.hpp"
+
+namespace grit {
+grit_contact_options default_contact_options() {
+    grit_contact_options options{};
+    options.struct_size = sizeof options;
+    options.components = 3;
+    options.penalty_power = 6.0;
+    options.mass_tolerance = 1e-10;
+    return options;
+}
+
+grit_status read_options(const grit_contact_options* caller, grit_contact_options& ours,
+                         grit_error* error) {
+    ours = default_contact_options();
+    GRIT_REQUIRE(!caller || read_versioned(caller, ours),
+                 "grit_contact_options.struct_size %zu is not understood: call "
+                 "grit_contact_options_init first",
+                 caller->struct_size);
+    return check_contact_options(ours, error);
+}
+
+grit_status check_contact_options(const grit_contact_options& o, grit_error* error) {
+    GRIT_REQUIRE(o.components == 2 || o.components == 3, "components must be 2 or 3, got %d",
+                 o.components);
+    GRIT_REQUIRE(o.law == GRIT_CONTACT_GEO || o.law == GRIT_CONTACT_FRICTIONAL,
+                 "law must be GRIT_CONTACT_GEO or GRIT_CONTACT_FRICTIONAL, got %d", o.law);
+    GRIT_REQUIRE(o.penalty_power > 0.0 && o.penalty_power <= 1e6,
+                 "penalty_power must be in (0, 1e6] [-], got %g", o.penalty_power);
+    GRIT_REQUIRE(o.friction_coefficient >= 0.0 && o.friction_coefficient <= 1e100,
+                 "friction_coefficient must be in [0, 1e100] [-], got %g", o.friction_coefficient);
+    GRIT_REQUIRE(o.adhesion >= 0.0 && o.adhesion <= 1e100,
+                 "adhesion must be in [0, 1e100] [stress], got %g", o.adhesion);
+    GRIT_REQUIRE(o.time_step == 0.0 || (o.time_step >= 1e-100 && o.time_step <= 1e100),
+                 "time_step must be in [1e-100, 1e100] [time], or 0 for none, got %g", o.time_step);
+    GRIT_REQUIRE(o.adhesion == 0.0 || o.time_step > 0.0,
+                 "adhesion %g needs time_step > 0 [time], got %g", o.adhesion, o.time_step);
+    GRIT_REQUIRE(o.mass_tolerance >= 0.0 && o.mass_tolerance < 0.5,
+                 "mass_tolerance must be in [0, 0.5) [-], got %g", o.mass_tolerance);
+    GRIT_REQUIRE(std::fabs(o.gap_tolerance) <= 1e100, "gap_tolerance must be finite, got %g",
+                 o.gap_tolerance);
+    GRIT_REQUIRE(o.rigid >= GRIT_CONTACT_NONE_RIGID && o.rigid <= GRIT_CONTACT_B_RIGID,
+                 "rigid must be GRIT_CONTACT_NONE_RIGID, _A_RIGID or _B_RIGID, got %d", o.rigid);
+    GRIT_REQUIRE(is_switch(o.allow_zero_normal), "allow_zero_normal must be 0 or 1, got %d",
+                 o.allow_zero_normal);
+    GRIT_REQUIRE(is_switch(o.validate_only), "validate_only must be 0 or 1, got %d",
+                 o.validate_only);
+    return check_instruction_set(o.instruction_set, error);
+}
+
+grit_status check_nodes(const grit_contact_nodes& q, const grit_contact_options& o,
+                        std::ptrdiff_t n, grit_error* error) {
+    const bool geo = o.law == GRIT_CONTACT_GEO;
+    const struct {
+        const char* name;
+        bool needed;
+        const grit_view& view;
+        int components;
+    } inputs[] = {{"mass_a", true, q.mass_a, 1},
+                  {"mass_b", true, q.mass_b, 1},
+                  {"normal", true, q.normal, o.components},
+                  {"distance", geo, q.distance, 1},
+                  {"contact_area", o.adhesion > 0.0, q.contact_area, 1},
+                  {"spacing", false, q.spacing, o.components},
+                  {"previous_velocity_a", false, q.previous_velocity_a, o.components},
+                  {"previous_velocity_b", false, q.previous_velocity_b, o.components},
+                  {"position", false, q.position, o.components}};
+    for (const auto& input : inputs) {
+        GRIT_REQUIRE(input.view.base || !input.needed, "%s has no base pointer", input.name);
+        GRIT_REQUIRE(!input.view.base || usable(input.view, input.components),
+                     "%s has %d components: component_stride must not be 0", input.name,
+                     input.components);
+    }
+    GRIT_REQUIRE(!geo || q.cell_size.base || q.spacing.base,
+                 "Geo-contact needs cell_size or spacing: neither has a base pointer");
+    const struct {
+        const char* name;
+        bool needed, written;
+        const grit_mutable_view& view;
+    } outputs[] = {{"velocity_a", true, o.rigid != GRIT_CONTACT_A_RIGID, q.velocity_a},
+                   {"velocity_b", true, o.rigid != GRIT_CONTACT_B_RIGID, q.velocity_b},
+                   {"acceleration_a", false, o.rigid != GRIT_CONTACT_A_RIGID, q.acceleration_a},
+                   {"acceleration_b", false, o.rigid != GRIT_CONTACT_B_RIGID, q.acceleration_b}};
+    for (const auto& output : outputs) {
+        GRIT_REQUIRE(output.view.base || !output.needed, "%s has no base pointer", output.name);
+        if (!output.view.base) continue;
+        GRIT_REQUIRE(output.needed || o.time_step > 0.0,
+                     "%s is to be corrected: needs time_step > 0 [time], got %g", output.name,
+                     o.time_step);
+        GRIT_REQUIRE(output.view.component_stride != 0,
+                     "%s has %d components: component_stride must not be 0", output.name,
+                     o.components);
+        GRIT_REQUIRE(!output.written || !overlaps_itself(output.view, o.components, n),
+                     "%s is written: strides of %td (nodes) and %td (components) put two of its "
+                     "numbers in one place",
+                     output.name, output.view.point_stride, output.view.component_stride);
+    }
+    return GRIT_OK;
+}
+
+}  // namespace grit

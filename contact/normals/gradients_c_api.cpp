@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// grit_contact_normals_from_gradients: one vector per node, without its fixed components, of length 1.
+#include <algorithm>
+#include <cmath>
+
+#include <grit/contact_normals.h>
+
+#include "contact/geometry_call.hpp"
+#include "support/versioned.hpp"
+
+namespace grit {
+namespace {
+
+constexpr double default_threshold = 1e-8;
+
+struct Vector {
+    double c[3] = {0.0, 0.0, 0.0};
+};
+
+double largest(const Vector& v) {
+    return std::max({std::fabs(v.c[0]), std::fabs(v.c[1]), std::fabs(v.c[2])});
+}
+
+// For components of at most a few ones.
+double norm(const Vector& v) {
+    return std::sqrt(v.c[0] * v.c[0] + v.c[1] * v.c[1] + v.c[2] * v.c[2]);
+}
+
+Vector quotient(const Vector& v, double divisor) {
+    return {{v.c[0] / divisor, v.c[1] / divisor, v.c[2] / divisor}};
+}
+
+struct Node {
+    Vector a, b;         // n is along a - b
+    double scale = 0.0;  // size of the terms they were summed of
+    int fixed = 0;
+};
+
+grit_status read_vector(const grit_view& view, int components, std::ptrdiff_t node,
+                        const char* name, Vector& v, grit_error* error, std::ptrdiff_t i) {
+    for (int c = 0; c < components; ++c) {
+        v.c[c] = view.base[node * view.point_stride + c * view.component_stride];
+        if (!is_finite_number(v.c[c]))
+            return failure(error, GRIT_BAD_STATE, i,
+                           "node %td: %s component %d must be finite, got %g", node, name, c,
+                           v.c[c]);
+    }
+    return GRIT_OK;
+}
+
+grit_status read_node(const grit_contact_gradients& q, std::ptrdiff_t i, Node& x,
+                      grit_error* error) {
+    const std::ptrdiff_t node = q.index ? q.index[i] : i;
+    const auto read = [&](const grit_view& view, const char* name, Vector& v) {
+        return read_vector(view, q.components, node, name, v, error, i);
+    };
+    grit_status status = GRIT_OK;
+    if (q.source == GRIT_CONTACT_NORMAL_GIVEN) status = read(q.given, "given", x.a);
+    if (q.source == GRIT_CONTACT_NORMAL_OF_A || q.source == GRIT_CONTACT_NORMAL_AVERAGE)
+        status = read(q.gradient_a, "gradient_a", x.a);
+    if (status) return status;
+    if (q.source == GRIT_CONTACT_NORMAL_OF_B || q.source == GRIT_CONTACT_NORMAL_AVERAGE)
+        status = read(q.gradient_b, "gradient_b", x.b);
+    if (status) return status;
+    if (q.scale.base) x.scale = q.scale.base[node * q.scale.point_stride];
+    if (!(x.scale >= 0.0 && is_finite_number(x.scale)))
+        return failure(error, GRIT_BAD_STATE, i, "node %td: scale must be finite and >= 0, got %g",
+                       node, x.scale);
+    x.fixed = fixed_of(q.fixed, q.fixed_stride, node);
+    if (!(x.fixed >= 0 && x.fixed < 1 << q.components))
+        return failure(error, GRIT_BAD_CALL, i,
+                       "node %td: fixed must be bits of %d components in [0, %d], got %d", node,
+                       q.components, (1 << q.components) - 1, x.fixed);
+    return GRIT_OK;
+}
+
+// (C2). All zero where the fixed components and roundoff leave nothing.
+Vector normal_of(const Node& x, double threshold) {
+    const double unit = std::max(largest(x.a), largest(x.b));  // tiny and huge ones are alike
+    if (unit == 0.0) return {};
+    const Vector a = quotient(x.a, unit), b = quotient(x.b, unit);
+    Vector v;
+    for (int c = 0; c < 3; ++c)
+        if (!(x.fixed >> c & 1)) v.c[c] = a.c[c] - b.c[c];
+    const double size = std::max(norm(a) + norm(b), x.scale / unit);
+    const double left = largest(v);
+    if (!(left > 0.0) || norm(v) <= threshold * size) return {};
+    v = quotient(v, left);
+    return quotient(v, norm(v));
+}
+
+grit_status check_call(const grit_contact_gradients& q, std::ptrdiff_t n, grit_error* error) {
+    GRIT_REQUIRE(q.components == 2 || q.components == 3, "components must be 2 or 3, got %d",
+                 q.components);
+    GRIT_REQUIRE(q.source >= GRIT_CONTACT_NORMAL_OF_A && q.source <= GRIT_CONTACT_NORMAL_GIVEN,
+                 "source must be GRIT_CONTACT_NORMAL_OF_A, _OF_B, _AVERAGE or _GIVEN, got %d",
+                 q.source);
+    GRIT_REQUIRE(q.threshold >= 0.0 && q.threshold < 1.0, "threshold must be in [0, 1), got %g",
+                 q.threshold);
+    if (n == 0) return GRIT_OK;  // an empty array may have no base pointer
+    const bool average = q.source == GRIT_CONTACT_NORMAL_AVERAGE;
+    GRIT_REQUIRE(!(average || q.source == GRIT_CONTACT_NORMAL_OF_A) ||
+                     usable(q.gradient_a, q.components),
+                 "gradient_a needs a base pointer and a component_stride for source %d", q.source);
+    GRIT_REQUIRE(!(average || q.source == GRIT_CONTACT_NORMAL_OF_B) ||
+                     usable(q.gradient_b, q.components),
+                 "gradient_b needs a base pointer and a component_stride for source %d", q.source);
+    GRIT_REQUIRE(q.source != GRIT_CONTACT_NORMAL_GIVEN || usable(q.given, q.components),
+                 "given needs a base pointer and a component_stride for source %d", q.source);
+    if (const grit_status bad = check_usable(q.normal, q.components, "normal", error)) return bad;
+    return check_written(q.normal, n, "normal", "nodes", error);
+}
+
+}  // namespace
+}  // namespace grit
+
+extern "C" grit_status grit_contact_normals_from_gradients(ptrdiff_t n,
+                                                           const grit_contact_gradients* gradients,
+                                                           grit_contact_normal_counts* counts,
+                                                           grit_error* error) {
+    using namespace grit;
+    GRIT_REQUIRE(gradients, "grit_contact_normals_from_gradients: gradients is null");
+    GRIT_REQUIRE(n >= 0, "grit_contact_normals_from_gradients: n must be >= 0, got %td", n);
+    grit_contact_gradients q{};
+    GRIT_REQUIRE(read_versioned(gradients, q),
+                 "grit_contact_gradients.struct_size %zu is not understood: set it to sizeof",
+                 gradients->struct_size);
+    grit_contact_normal_counts found{};
+    GRIT_REQUIRE(!counts || write_versioned(found, counts),
+                 "grit_contact_normal_counts.struct_size %zu is not understood: set it to sizeof",
+                 counts->struct_size);
+    if (const grit_status s = check_call(q, n, error)) return s;
+    const double threshold = q.threshold > 0.0 ? q.threshold : default_threshold;
+    grit_status result = GRIT_OK;
+    for (ptrdiff_t i = 0; i < n; ++i) {
+        Node x;
+        const grit_status status = read_node(q, i, x, result == GRIT_OK ? error : nullptr);
+        if (q.status) q.status[i] = status;
+        if (status != GRIT_OK) {
+            ++found.failed;
+            if (result == GRIT_OK) result = status;
+            continue;
+        }
+        const Vector v = normal_of(x, threshold);
+        ++(largest(v) > 0.0 ? found.defined : found.undefined);
+        const ptrdiff_t node = q.index ? q.index[i] : i;
+        for (int c = 0; c < q.components; ++c)
+            q.normal.base[node * q.normal.point_stride + c * q.normal.component_stride] = v.c[c];
+    }
+    if (counts) write_versioned(found, counts);
+    return result;
+}
