@@ -67,12 +67,11 @@ template <class Real> struct Course {
 // exp(-q) is held above this.
 constexpr double least_decay = 1e-300, longest_decay = 690.77552789821368;
 
-// Of y^beta_r, whose y has this decay in it: where beta_r is small it falls on.
-constexpr double slow_evolution = 0.06;  // above it 1e-18 is left
+// y^beta_r, whose y has this decay in it: where beta_r is small, and a logarithm is at hand, it falls on.
 template <class Real>
-__attribute__((noinline)) void fall_on(const Material& m, const Real& q, Real& y_beta) {
-    const MaskOf<Real> far = value(q) > PlainOf<Real>(longest_decay);
-    if (any(far)) y_beta = select(far, y_beta * exp(m.beta_r * (longest_decay - q)), y_beta);
+GRIT_INLINE Real evolution_power(const Material& m, const Real& y, const Real& q) {
+    if (m.beta_r_power.quarters >= 0) return quarter_power(m.beta_r_power.quarters, y);
+    return exp(m.beta_r * (log(y) - max(q - longest_decay, Real(0.0))));
 }
 
 // decay = exp(-q)
@@ -92,9 +91,7 @@ GRIT_INLINE Mobilisation<Real> mobilisation(const Material& m, const Course<Real
                          Real(0.0),           PlainOf<Real>(1.0)};
     if (any(course.loading)) {
         const Real y = course.curve.y * decay * inverse;
-        Real y_beta = power(m.beta_r_power, y);
-        if (m.beta_r < slow_evolution) fall_on(m, q, y_beta);
-        const Real rho_beta = 1.0 / fma(course.curve.kappa, y_beta, 1.0);
+        const Real rho_beta = 1.0 / fma(course.curve.kappa, evolution_power(m, y, q), 1.0);
         const Real rho = power(m.inverse_beta_r_power, rho_beta);
         const Real stretch = (1.0 + E_sq) * inverse;
         r.rho = select(course.loading, rho, r.rho);
