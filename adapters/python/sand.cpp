@@ -21,7 +21,7 @@ constexpr const char* update_doc = R"(Integrate n points over their strain incre
     substep             (n,)              advice for the next call [strain], 0 for none; in, out
     index               (m,) int64        the points to be taken; the others are left alone
     continuum           the continuum tangent M instead of the consistent one
-    tolerance           of the stress, relative, [1e-12, 0.1], 3e-3
+    tolerance           of the stress, relative, [1e-12, 0.1], 3e-5
     intergranular_strain  False: basic hypoplasticity
     stress_is_rotated   the host has turned the stress by Q already
     validate_only       check all and change nothing
@@ -98,7 +98,7 @@ void add_sand(py::module_& module) {
     sand.def("update", &update, arg("strain_increment"), arg("stress"), arg("state"), py::kw_only(),
              arg("tangent") = py::none(), arg("rotation_increment") = py::none(),
              arg("substep") = py::none(), arg("index") = py::none(), arg("continuum") = false,
-             arg("tolerance") = 3e-3, arg("evaluation_limit") = 20000,
+             arg("tolerance") = GRIT_SAND_DEFAULT_TOLERANCE, arg("evaluation_limit") = 20000,
              arg("intergranular_strain") = true, arg("stress_is_rotated") = false,
              arg("validate_only") = false, update_doc);
     add_sand_operators(sand);

@@ -9,7 +9,7 @@
 namespace element {
 
 struct GritLawOptions {
-    double tolerance = 3e-3;  // of grit_sand_update: stress error / |stress|, [1e-12, 0.1]
+    double tolerance = GRIT_SAND_DEFAULT_TOLERANCE;  // of grit_sand_update: stress error / |stress|, [1e-12, 0.1]
     int evaluation_limit = 20000;
     bool intergranular_strain = true;  // false: basic hypoplasticity
     // (W1) K_w/n_p of the mixture [stress], 0: no pore water. If positive, stress is the total
