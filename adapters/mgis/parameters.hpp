@@ -2,9 +2,11 @@
 // What a user of MGIS may set for all points at once, at any time and from any thread.
 #pragma once
 
+#include <grit/sand.h>
+
 namespace grit::mgis {
 
-constexpr double default_tolerance = 3e-3;  // that of grit_sand_options_init
+constexpr double default_tolerance = GRIT_SAND_DEFAULT_TOLERANCE;
 constexpr int default_evaluation_limit = 20000;
 constexpr double default_smallest_reduction = 0.1;
 

@@ -99,10 +99,10 @@ enum {
     GRIT_TANGENT_CONTINUUM = 1, /* M of (G1) at the end, along the increment */
     GRIT_TANGENT_CONSISTENT = 2 /* derivative of the stress by the strain increment */
 };
-
+#define GRIT_SAND_DEFAULT_TOLERANCE 3e-5 /* whole paths within 2e-4 of the exact stress */
 typedef struct grit_sand_options {
     size_t struct_size;    /* set by init */
-    double tolerance;      /* of the stress, see grit_sand_update; [1e-12, 0.1], default 3e-3 */
+    double tolerance;      /* of the stress, see grit_sand_update; [1e-12, 0.1] */
     int evaluation_limit;  /* of the rate per point, [2, 1000000], default 20000 */
     int intergranular_off; /* 1: basic hypoplasticity (H1), h left alone; default 0 */
     int tangent;           /* GRIT_TANGENT_..., default NONE */

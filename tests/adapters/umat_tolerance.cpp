@@ -80,9 +80,9 @@ TEST(UmatTolerance, TakesBothEndsOfItsRangeAndNothingNextToThem) {
 TEST(UmatTolerance, IsTheDefaultWhereThereIsNoneOrZero) {
     for (const auto& d : increments) {
         const UmatCall without = answer_to(loaded(d));
-        for (const double same : {0.0, -0.0, 3e-3})
+        for (const double same : {0.0, -0.0, GRIT_SAND_DEFAULT_TOLERANCE})
             EXPECT_TRUE(answer(same, d).same_results(without)) << same;
-        EXPECT_FALSE(answer(2.9e-3, d).same_results(without));
+        EXPECT_FALSE(answer(0.9 * GRIT_SAND_DEFAULT_TOLERANCE, d).same_results(without));
     }
 }
 
@@ -115,9 +115,9 @@ TEST(UmatTolerance, BoundsTheErrorOfTheStress) {
             return norm(call.stress, &exact.stress) / scale;
         };
         const UmatCall usual = answer_to(loaded(d));
-        EXPECT_GT(error(usual), 1e-6) << "or there is nothing to gain";
-        EXPECT_LT(error(usual), 3e-3);
-        for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
+        EXPECT_GT(error(usual), 1e-7) << "or there is nothing to gain";
+        EXPECT_LT(error(usual), GRIT_SAND_DEFAULT_TOLERANCE);
+        for (const double tolerance : {1e-6, 1e-8}) {
             const UmatCall call = answer(tolerance, d);
             EXPECT_LT(error(call), tolerance);
             EXPECT_LT(error(call), 0.5 * error(usual)) << tolerance;

@@ -13,7 +13,7 @@ namespace grit {
 inline constexpr grit_sand_options default_options = [] {
     grit_sand_options options{};
     options.struct_size = sizeof options;
-    options.tolerance = 3e-3;
+    options.tolerance = GRIT_SAND_DEFAULT_TOLERANCE;
     options.evaluation_limit = 20000;
     return options;
 }();

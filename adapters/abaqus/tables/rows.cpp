@@ -61,7 +61,7 @@ std::vector<Row> parameters(bool radian) {
                   "bulk stiffness of the pore water in the mixture, K_water/n_porosity; 0: drained",
                   "≥ 0"),
         parameter("e_0", "e_0", "–", "initial void ratio, see docs/umat.md", "> 0 if used"),
-        parameter("tol", "tol", "–", "tolerance of the stress; may be missing; 0: 3e-3",
+        parameter("tol", "tol", "–", "tolerance of the stress; may be missing; 0: 3e-5",
                   "0 or 1e-12 … 0.1")};
 }
 
