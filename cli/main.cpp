@@ -7,17 +7,17 @@
 #include <fmt/format.h>
 #include <grit/grit.h>
 
-#include "cli/abnormal_end.hpp"
-#include "cli/element_command.hpp"
-#include "cli/exit_code.hpp"
-#include "cli/incremental_driver_command.hpp"
+#include "cli/element/element_command.hpp"
+#include "cli/element/incremental_driver_command.hpp"
+#include "cli/process/abnormal_end.hpp"
+#include "cli/process/exit_code.hpp"
 #ifdef GRIT_CLI_HAS_MPM
-#include "cli/mpm_command.hpp"
+#include "cli/mpm/command.hpp"
 #endif
-#include "cli/plot_command.hpp"
-#include "cli/sand_command.hpp"
-#include "cli/standard_streams.hpp"
-#include "cli/version.hpp"
+#include "cli/plot/plot_command.hpp"
+#include "cli/process/standard_streams.hpp"
+#include "cli/process/version.hpp"
+#include "cli/sand/sand_command.hpp"
 
 namespace {
 

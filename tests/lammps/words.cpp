@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include <cli/exit_code.hpp>
+#include <cli/process/exit_code.hpp>
 
 #include "support/block.hpp"
 #include "support/both_hosts.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cli/colour_range.hpp"
+#include "cli/mpm/colour_range.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cli/mpm_checkpoint.hpp"
+#include "cli/mpm/checkpoint.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cli/mpm_fields.hpp"
+#include "cli/mpm/fields.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -15,7 +15,7 @@
 #include <element/aside_file.hpp>
 #include <fmt/format.h>
 
-#include "cli/mpm_field_files.hpp"
+#include "cli/mpm/field_files.hpp"
 #include "support/no_room.hpp"
 #include "support/sand_box.hpp"
 #include "support/workplace.hpp"

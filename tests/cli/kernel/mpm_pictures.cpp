@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cli/mpm_pictures.hpp"
+#include "cli/mpm/pictures.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A run that something ends keeps its history so far.
-#include "cli/mpm_run.hpp"
+#include "cli/mpm/run.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cli/replay_case.hpp"
+#include "cli/mpm/replay_case.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cli/thinning.hpp"
+#include "cli/plot/thinning.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include <adapters/mpm/run/history.hpp>
-#include <cli/mpm_case_file.hpp>
-#include <cli/mpm_to_lammps.hpp>
+#include <cli/mpm/case_file.hpp>
+#include <cli/mpm/to_lammps.hpp>
 
 namespace {
 

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/element/element_command.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "cli/element/case_run.hpp"
+#include "cli/element/comparison.hpp"
+#include "cli/element/curve_difference.hpp"
+#include "cli/element/cycles.hpp"
+#include "cli/element/element_pictures.hpp"
+#include "cli/plot/panels.hpp"
+#include "cli/process/outputs.hpp"
+#include "cli/process/standard_streams.hpp"
+#include "cli/table/table_file.hpp"
+
+namespace cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<CaseFile> read_cases(const ElementRequest& request) {
+    std::vector<CaseFile> cases;
+    for (const fs::path& path : request.cases)
+        for (CaseFile& file : read_case_file(path, request.umat)) cases.push_back(std::move(file));
+    return cases;
+}
+
+fs::path csv_of(const ElementRequest& request, const CaseFile& file) {
+    return request.out / (file.name + ".csv");
+}
+
+fs::path cycles_of(const ElementRequest& request, const CaseFile& file) {
+    return request.out / (file.name + "_cycles.csv");
+}
+
+Outputs outputs_of(const ElementRequest& request, const std::vector<CaseFile>& cases) {
+    Outputs outputs;
+    for (const CaseFile& file : cases) {
+        const std::string who = fmt::format("case {} ({})", file.name, file.path.string());
+        outputs.add(csv_of(request, file), who);
+        if (std::any_of(file.stages.begin(), file.stages.end(),
+                        [](const CaseStage& stage) { return stage.cyclic; }))
+            outputs.add(cycles_of(request, file), who);
+    }
+    if (!request.no_plot)
+        for (const auto& [picture, who] : pictures_of(cases))
+            for (const char* ending : {".svg", ".png"})
+                outputs.add(request.out / (picture + ending), who);
+    for (const CaseFile& file : cases) outputs.spare(file.inputs);
+    return outputs;
+}
+
+std::set<std::string> columns_wanted(const ElementRequest& request, const CaseFile& file) {
+    std::set<std::string> out;
+    const auto want = [&](const std::vector<std::string>& names) {
+        out.insert(names.begin(), names.end());
+    };
+    for (const ReferenceValue& value : file.reference.values) want({value.quantity, value.over});
+    if (file.reference.curve_tolerance) want(compared_columns(file.reference.curve));
+    if (!request.no_plot) want(columns_of_picture(file.picture));
+    return out;
+}
+
+void report(const ElementRequest& request, const CaseFile& file, const CaseResult& result) {
+    if (!result.failure.empty()) warn("grit: {}: stopped early at {}\n", file.name, result.failure);
+    if (request.quiet) return;
+    say("{}: {} increments, {} Newton iterations, {} evaluations of the rate, {} halvings, "
+        "{:.3f} s -> {}\n",
+        file.name, result.increments, result.iterations, result.evaluations, result.halvings,
+        result.seconds, csv_of(request, file).string());
+    for (const std::string& exit : result.exits) say("{}: ended by {}\n", file.name, exit);
+    for (const std::string& condition : result.never)
+        say("{}: note: until never held: {}\n", file.name, condition);
+    flush_words();
+}
+
+}  // namespace
+
+ExitCode run_element_tests(const ElementRequest& request) {
+    const std::vector<CaseFile> cases = read_cases(request);
+    const auto lock = outputs_of(request, cases).lock();
+    std::vector<CaseResult> results;
+    bool complete = true;
+    for (const CaseFile& file : cases) {
+        results.push_back(run_case(
+            file, {csv_of(request, file), columns_wanted(request, file), request.residuals}));
+        const CaseResult& result = results.back();
+        if (!result.cycles.columns.empty())
+            write_table(cycles_of(request, file), Cycles::comments(), result.cycles);
+        report(request, file, result);
+        complete = complete && result.failure.empty();
+    }
+    if (!request.no_plot) draw_cases(request.out, cases, results, request.quiet);
+    const Comparison comparison = compare(cases, results);
+    if (!comparison.text.empty()) say("\n{}", comparison.text);
+    if (!comparison.within) warn("grit: a difference exceeds its limit\n");
+    return complete && comparison.within ? ok : failed_computation;
+}
+
+}  // namespace cli

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/element/case_run.hpp"
+
+namespace cli {
+
+// Names of the pictures that draw_cases may make, without ending, and which case each is of.
+std::vector<std::pair<std::string, std::string>> pictures_of(const std::vector<CaseFile>& cases);
+
+// A picture for every case, one over all where they are of one kind, and sheets of the samples of a
+// file. Pictures never fail a computation: what went wrong is said on stderr.
+void draw_cases(const std::filesystem::path& folder, const std::vector<CaseFile>& cases,
+                const std::vector<CaseResult>& results, bool quiet);
+
+}  // namespace cli

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/element/material_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <grit/radian_layout.h>
+
+#include "cli/sand/parameter_units.hpp"
+#include "element/errors.hpp"
+#include "element/nearest.hpp"
+
+namespace cli {
+namespace {
+
+// "granulate_hardness_kPa", "critical_friction_angle_deg", "stiffness_exponent"
+std::string key_of(const grit_sand_parameter_info& info) {
+    const std::string unit = unit_of(info).name;
+    return unit == "-" ? info.name : std::string(info.name) + "_" + unit;
+}
+
+void set_parameter(TomlTable& table, int index, grit_sand_parameters& parameters) {
+    const grit_sand_parameter_info& info = *grit_sand_parameter_describe(index);
+    const std::string key = key_of(info);
+    const std::optional<double> value = table.number_if(key);
+    if (!value) return;
+    const Unit unit = unit_of(info);
+    const double low = info.lowest / unit.size, high = info.highest / unit.size;
+    // Limits in degrees round to a hair inside those in radians.
+    if (!(*value >= low * (1.0 - 1e-12) && *value <= high * (1.0 + 1e-12)))
+        table.fail(key, fmt::format("{} ({}) must be in [{:.6g}, {:.6g}] {}, got {:g}{}",
+                                    table.full(key), info.symbol, low, high, unit.name, *value,
+                                    unit.name == "deg" && *value < low ? ": radians?" : ""));
+    grit_sand_parameter_set(&parameters, index, *value * unit.size);
+}
+
+std::vector<std::string> sand_names() {
+    std::vector<std::string> names;
+    for (int i = 0; i < grit_sand_record_count(); ++i)
+        names.emplace_back(grit_sand_record_at(i)->name);
+    return names;
+}
+
+double start_void_ratio(TomlTable& table, const grit_sand& sand, double p) {
+    const std::string key =
+        table.one_of({"void_ratio", "void_ratio_at_zero_pressure", "relative_density"});
+    const double value = table.number(key);
+    double e = value;
+    if (key == "void_ratio_at_zero_pressure") grit_sand_void_ratio_at_pressure(&sand, value, p, &e);
+    double limits[3];  // e_i, e_c, e_d
+    grit_sand_void_ratios(&sand, p, limits);
+    if (key == "relative_density") e = limits[1] - value * (limits[1] - limits[2]);
+    const element::VoidRatioRange range = element::void_ratio_range(sand, p);
+    if (!(e >= range.lowest && e <= range.highest))
+        table.fail(key, fmt::format("{}: the void ratio must be in [e_d, e_i] = [{:.4f}, {:.4f}] "
+                                    "at p = {:g} kPa, got {:.6g}",
+                                    table.full(key), range.lowest, range.highest, p, e));
+    return e;
+}
+
+element::Vector6 start_stress(TomlTable& table) {
+    if (table.one_of({"pressure_kPa", "stress_kPa"}) == "pressure_kPa")
+        return -table.positive_or("pressure_kPa", 0.0) * element::unit_tensor();
+    const std::vector<double> values = table.numbers("stress_kPa", 6);
+    const element::Vector6 stress = Eigen::Map<const element::Vector6>(values.data());
+    if (!(stress.head<3>().sum() < 0.0))
+        table.fail("stress_kPa",
+                   fmt::format("{} must press: tension is positive, and p = {:g} kPa",
+                               table.full("stress_kPa"), -stress.head<3>().sum() / 3.0));
+    return stress;
+}
+
+int statev_index(TomlTable& table, const std::string& key, int size) {
+    return table.integer_or(key, 0, 1, std::max(size, 1)) - 1;  // counted from 1 in the file
+}
+
+}  // namespace
+
+NamedSand read_sand_parameters(TomlTable& table) {
+    NamedSand out;
+    grit_sand_parameters_init(&out.parameters, sizeof out.parameters);
+    if (const std::optional<std::string> name = table.string_if("name")) {
+        const int record = grit_sand_record_find(name->c_str());
+        if (record < 0)
+            table.fail("name", fmt::format("{}: no sand is called \"{}\"{}", table.full("name"),
+                                           *name, element::suggestion(*name, sand_names())));
+        grit_sand_record_parameters(record, 1.0, &out.parameters);
+        out.name = *name;
+    }
+    for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i) set_parameter(table, i, out.parameters);
+    return out;
+}
+
+void read_sand(TomlTable table, CaseFile& file) {
+    const NamedSand named = read_sand_parameters(table);
+    file.parameters = named.parameters;
+    file.sand = named.name;
+    if (const auto K_w = table.number_if("water_stiffness_kPa")) {
+        if (!(*K_w >= 0.0))
+            table.fail("water_stiffness_kPa", fmt::format("{} must be >= 0, got {:g}",
+                                                          table.full("water_stiffness_kPa"), *K_w));
+        file.options.water_stiffness = *K_w;
+    }
+    table.finish();
+    grit_sand sand;
+    grit_error error{};
+    if (grit_sand_prepare(&file.parameters, &sand, &error) != GRIT_OK)
+        table.fail("", std::string("sand: ") + error.message);
+}
+
+void read_umat(TomlTable table, CaseFile& file) {
+    element::UmatSource source;
+    if (const std::optional<std::string> library = table.string_if("library"))
+        source.library = (table.folder() / *library).lexically_normal();
+    source.props = table.numbers("props");
+    file.umat_state = table.numbers("statev");
+    const int given = static_cast<int>(file.umat_state.size());
+    source.state_size = table.integer_or("nstatv", given, given, 1000000);
+    source.material_name = table.string_if("material_name").value_or(source.material_name);
+    source.state_names = table.strings_or_none("state_names");
+    source.void_ratio = statev_index(table, "void_ratio_statev", source.state_size);
+    source.minus_pore_pressure =
+        statev_index(table, "minus_pore_pressure_statev", source.state_size);
+    table.finish();
+    file.umat = std::move(source);
+}
+
+void read_start(TomlTable table, CaseFile& file) {
+    using element::IntergranularStrain;
+    element::Start& start = file.start;
+    start.stress = start_stress(table);
+    if (!file.sand.empty()) {
+        grit_sand sand;
+        grit_sand_prepare(&file.parameters, &sand, nullptr);
+        start.void_ratio = start_void_ratio(table, sand, -start.stress.head<3>().sum() / 3.0);
+        start.intergranular_strain = element::usual_intergranular_strain(file.parameters);
+        if (table.has("intergranular_strain")) {
+            const std::string h =
+                table.choice("intergranular_strain", {"mobilised", "zero", "off"});
+            if (start.intergranular_strain == IntergranularStrain::off && h != "off")
+                table.fail("intergranular_strain",
+                           fmt::format("{} must be \"off\": the sand has no parameters for it",
+                                       table.full("intergranular_strain")));
+            start.intergranular_strain = h == "off"    ? IntergranularStrain::off
+                                         : h == "zero" ? IntergranularStrain::zero
+                                                       : IntergranularStrain::mobilised;
+        }
+        if (const auto direction = table.numbers_if("intergranular_direction", 6))
+            start.direction = Eigen::Map<const element::Vector6>(direction->data());
+        if (start.direction.isZero())
+            table.fail("intergranular_direction",
+                       table.full("intergranular_direction") + " must not be 0");
+        start.rho = table.number_if("intergranular_rho").value_or(start.rho);
+        if (!(start.rho >= 0.0 && start.rho <= 1.0))
+            table.fail("intergranular_rho",
+                       fmt::format("{} must be in [0, 1], got {:g}",
+                                   table.full("intergranular_rho"), start.rho));
+    }
+    file.options.intergranular_strain = start.intergranular_strain != IntergranularStrain::off;
+    table.finish();
+}
+
+void fill_umat(CaseFile& file, bool radian) {
+    const grit_sand_parameters& p = file.parameters;
+    element::UmatSource source;
+    source.props.resize(GRIT_CLASSIC_NPROPS);
+    double classic[GRIT_CLASSIC_NPROPS];
+    grit_classic_props(&p, file.options.intergranular_strain, classic);
+    classic[GRIT_CLASSIC_WATER_STIFFNESS] = file.options.water_stiffness;
+    if (!radian) std::copy_n(classic, GRIT_CLASSIC_NPROPS, source.props.begin());
+    else if (grit_radian_of_classic(classic, source.props.data()) != GRIT_OK)
+        throw element::BadCase(
+            fmt::format("the radian layout has no place for p_t = {:g} kPa", p.pressure_shift));
+    source.state_size = GRIT_CLASSIC_NSTATV + 1;
+    source.void_ratio = radian ? int{GRIT_RADIAN_VOID_RATIO} : int{GRIT_CLASSIC_VOID_RATIO};
+    if (file.options.water_stiffness > 0.0) source.minus_pore_pressure = GRIT_CLASSIC_PORE_STRESS;
+    source.state_names = {"h_11", "h_22", "h_33", "h_12", "h_13", "h_23"};
+    source.state_names.insert(source.state_names.begin() + source.void_ratio, "void_ratio");
+
+    file.umat_state.assign(6, 0.0);
+    if (file.start.intergranular_strain == element::IntergranularStrain::mobilised) {
+        grit_sand sand;
+        grit_sand_prepare(&p, &sand, nullptr);
+        double state[GRIT_SAND_STATE_SIZE] = {};
+        grit_sand_mobilise(&sand, file.start.direction.data(), file.start.rho, state);
+        std::copy_n(state, 6, file.umat_state.begin());
+    }
+    file.umat_state.insert(file.umat_state.begin() + source.void_ratio, file.start.void_ratio);
+    file.umat = std::move(source);
+}
+
+void make_material(CaseFile& file) {
+    const element::Start& start = file.start;
+    if (file.umat) {
+        const auto law = element::open_library_law(*file.umat);
+        file.point = law->start(start.stress, file.umat_state);
+        file.law = law;
+        return;
+    }
+    const auto law = std::make_shared<element::GritLaw>(file.parameters, file.options);
+    file.point = element::start_point(*law, start);
+    file.own_law = law.get();
+    file.law = law;
+}
+
+}  // namespace cli

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// [sand], [umat] and [start] of a case file.
+#pragma once
+
+#include "cli/element/case_file.hpp"
+#include "cli/toml/toml_table.hpp"
+
+namespace cli {
+
+// Parameters in kPa; a name says where they come from.
+struct NamedSand {
+    std::string name = "given in the case file";
+    grit_sand_parameters parameters{};
+};
+// name and parameters of a table that may have other keys.
+NamedSand read_sand_parameters(TomlTable& table);
+
+void read_sand(TomlTable table, CaseFile& file);
+void read_umat(TomlTable table, CaseFile& file);
+// After the sand.
+void read_start(TomlTable table, CaseFile& file);
+
+// A UMAT of the classic layout (PROPS 16, STATEV 14), or of the second one, with the sand and the start
+// of the case. Throws element::BadCase.
+void fill_umat(CaseFile& file, bool radian);
+
+// law, own_law and point of the case. Throws element::BadCase.
+void make_material(CaseFile& file);
+
+}  // namespace cli

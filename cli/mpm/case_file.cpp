@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/mpm/case_file.hpp"
+
+#include <cctype>
+#include <set>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "cli/mpm/body_reader.hpp"
+#include "cli/mpm/grid_reader.hpp"
+#include "cli/mpm/load_reader.hpp"
+#include "cli/mpm/words.hpp"
+#include "cli/process/exit_code.hpp"
+
+namespace cli {
+namespace {
+
+using namespace grit::mpm;
+
+// Names become parts of file names, and of keys in [override].
+void check_name(const TomlTable& table, const std::string& key, const std::string& name) {
+    for (const char c : name)
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-')
+            table.fail(key, fmt::format("{} may have letters, digits, _ and - only, got \"{}\"",
+                                        table.full(key), name));
+    if (name.empty()) table.fail(key, table.full(key) + " is empty");
+}
+
+bool has_pulses(const Case& plan) {
+    for (const TractionPlan& traction : plan.tractions)
+        if (std::holds_alternative<PulseTrain>(traction.stress)) return true;
+    return false;
+}
+
+StageEnd read_until(TomlTable table, const Case& plan) {
+    StageEnd out;
+    read_members(table, "stage.until", end_members(), out);
+    if (table.given().empty())
+        table.fail("", fmt::format("{} must say what ends the stage", table.full("")));
+    if (table.has("kinetic_share") && !table.has("unbalanced_share"))
+        table.fail("kinetic_share", fmt::format("{} needs unbalanced_share: a body that turns back "
+                                                "has no kinetic energy either",
+                                                table.full("kinetic_share")));
+    if (out.unbalanced_share > 0.0 && plan.settings.scheme == Scheme::musl)
+        table.fail("unbalanced_share", fmt::format("{} is not measured with the scheme musl",
+                                                   table.full("unbalanced_share")));
+    if (out.blows > 0 && !has_pulses(plan))
+        table.fail("blows", fmt::format("{} needs a traction with pulses", table.full("blows")));
+    table.finish();
+    return out;
+}
+
+// Names alone: loads and motions refer to them.
+void read_stage_names(TomlTable& root, Case& plan) {
+    for (TomlTable& table : root.tables_if("stage")) {
+        StagePlan stage;
+        stage.name = table.string("name");
+        check_name(table, "name", stage.name);
+        for (const StagePlan& other : plan.stages)
+            if (other.name == stage.name)
+                table.fail("name", fmt::format("{}: there is a stage \"{}\" already",
+                                               table.full("name"), stage.name));
+        plan.stages.push_back(stage);
+    }
+    if (plan.stages.empty()) root.fail("stage", "stage is missing: a case needs a [[stage]]");
+}
+
+void read_stages(TomlTable& root, Case& plan) {
+    std::size_t i = 0;
+    for (TomlTable& table : root.tables_if("stage")) {
+        StagePlan& stage = plan.stages[i++];
+        table.has("name");
+        stage.local_damping = plan.settings.local_damping;
+        stage.pic_rate = plan.settings.pic_rate;
+        stage.cfl = plan.settings.cfl;
+        read_members(table, "stage", stage_members(), stage);
+        stage.end = read_until(table.table("until"), plan);
+        table.finish();
+    }
+}
+
+void read_bodies(TomlTable& root, Case& plan) {
+    for (TomlTable& table : root.tables_if("body")) {
+        BodyPlan body = read_body(table, plan);
+        check_name(table, "name", body.name);
+        for (const BodyPlan& other : plan.bodies)
+            if (other.name == body.name)
+                table.fail("name", fmt::format("{}: there is a body \"{}\" already",
+                                               table.full("name"), body.name));
+        if (auto* rigid = std::get_if<RigidPlan>(&body.material);
+            rigid && !rigid->from_stage.empty()) {
+            TomlTable inner = table.table("rigid");
+            stage_name(inner, "from_stage", plan);
+        }
+        plan.bodies.push_back(std::move(body));
+    }
+    if (plan.bodies.empty()) root.fail("body", "body is missing: a case needs a [[body]]");
+}
+
+void read_contacts(TomlTable& root, Case& plan) {
+    std::set<std::set<std::string>> pairs;
+    for (TomlTable& table : root.tables_if("contact")) {
+        plan.contacts.push_back(read_contact(table, plan));
+        const ContactPlan& contact = plan.contacts.back();
+        if (!pairs.insert({contact.stiff, contact.soft}).second)
+            table.fail("", fmt::format("{}: \"{}\" and \"{}\" have a contact already",
+                                       table.full(""), contact.stiff, contact.soft));
+    }
+}
+
+// A thousandth of the first stage that says how long it is; 0: none does.
+double kind_interval(const Case& plan) {
+    for (const StagePlan& stage : plan.stages)
+        if (stage.end.time < unlimited) return 1e-3 * stage.end.time;
+    return 0.0;
+}
+
+void read_history(TomlTable table, Case& plan) {
+    if (table.has("body")) plan.history.body = body_name(table, "body", plan);
+    if (const auto depth = choice_if(table, case_word("history", "depth_of")))
+        plan.history.depth_of = static_cast<DepthOf>(*depth);
+    plan.history.interval =
+        number_if(table, case_word("history", "interval_s")).value_or(kind_interval(plan));
+    if (!table.has("interval_s") && plan.history.interval == 0.0)
+        table.fail("", fmt::format("{} is missing: no stage has a time_s to take a thousandth of; "
+                                   "0 is a row after every step",
+                                   table.full("interval_s")));
+    table.finish();
+}
+
+FieldsPlan read_fields(TomlTable table) {
+    FieldsPlan out;
+    out.interval = number_if(table, case_word("fields", "interval_s")).value_or(0.0);
+    std::vector<std::string> names = table.strings_or_none("variables");
+    if (!table.has("variables")) names = mpm_field_names();
+    for (const std::string& name : names) {
+        try {
+            out.variables.push_back(mpm_field(name));
+        } catch (const std::invalid_argument& error) {
+            table.fail("variables", fmt::format("{}: {}", table.full("variables"), error.what()));
+        }
+    }
+    table.finish();
+    return out;
+}
+
+}  // namespace
+
+MpmCaseFile read_mpm_case(const std::filesystem::path& path) {
+    MpmCaseFile out;
+    TomlTable root = TomlTable::of_file(path, &out.inputs);
+    Case& plan = out.plan;
+    plan.name = root.string_if("name").value_or(path.stem().string());
+    check_name(root, "name", plan.name);
+    plan.title = root.string_if("title").value_or(plan.name);
+    read_members(root, "", numerics_members(), plan);
+    read_grid(root.table("grid"), plan);
+    if (auto numerics = root.table_if("numerics")) read_mpm_numerics(std::move(*numerics), plan);
+    if (auto boundary = root.table_if("boundary")) read_boundary(std::move(*boundary), plan);
+    read_stage_names(root, plan);
+    read_bodies(root, plan);
+    for (TomlTable& table : root.tables_if("traction"))
+        plan.tractions.push_back(read_traction(std::move(table), plan));
+    read_contacts(root, plan);
+    read_stages(root, plan);
+    plan.history.body = plan.bodies.front().name;
+    plan.history.interval = kind_interval(plan);
+    if (auto history = root.table_if("history")) read_history(std::move(*history), plan);
+    else if (plan.history.interval == 0.0)
+        root.fail("history", "history.interval_s is missing: no stage has a time_s to take a "
+                             "thousandth of; 0 is a row after every step");
+    if (auto fields = root.table_if("fields")) out.fields = read_fields(std::move(*fields));
+    root.finish();
+    return out;
+}
+
+}  // namespace cli

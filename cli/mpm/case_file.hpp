@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs of the material-point driver as TOML files; verification/mpm/every_key.toml shows and explains
+// every key.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include <adapters/mpm/case/case.hpp>
+
+#include "cli/mpm/fields.hpp"
+
+namespace cli {
+
+// [fields]: files for ParaView.
+struct FieldsPlan {
+    double interval = 0.0;  // between times [s]; 0: the start and the ends of stages alone
+    std::vector<MpmField> variables;
+};
+
+struct MpmCaseFile {
+    grit::mpm::Case plan;
+    std::optional<FieldsPlan> fields;
+    std::vector<std::filesystem::path> inputs;  // all files that were read
+};
+
+// Throws BadInput naming file, line and key.
+MpmCaseFile read_mpm_case(const std::filesystem::path& path);
+
+}  // namespace cli

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/mpm/checkpoint.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+#include <system_error>
+
+#include <adapters/mpm/io/checksum.hpp>
+#include <fmt/format.h>
+
+#include "element/aside_file.hpp"
+
+namespace cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Header {
+    char magic[8];
+    std::uint64_t bytes, checksum;  // of the runner's state
+    std::uint64_t header_checksum;  // of all before
+
+    std::uint64_t own() const {
+        return grit::mpm::checksum(this, offsetof(Header, header_checksum));
+    }
+};
+static_assert(sizeof(Header) == 32);
+constexpr char magic_text[8] = {'g', 'r', 'i', 't', ' ', 'r', 'u', 'n'};
+
+Header header_of(std::string_view runner) {
+    Header header{{}, runner.size(), grit::mpm::checksum(runner.data(), runner.size()), 0};
+    std::memcpy(header.magic, magic_text, sizeof magic_text);
+    header.header_checksum = header.own();
+    return header;
+}
+
+[[noreturn]] void refuse(const fs::path& place, std::string_view why) {
+    throw std::runtime_error(fmt::format("{}: {}", place.string(), why));
+}
+
+[[noreturn]] void cannot_write(const fs::path& place, int error) {
+    throw element::CannotWrite(fmt::format("{}: cannot write this file: {}", place.string(),
+                                           std::generic_category().message(error)));
+}
+
+// What the disk does not hold is lost with the power. Some file systems know no such call for folders.
+void to_disk(int file, const fs::path& place) {
+    if (fsync(file) != 0 && errno != EINVAL && errno != EROFS) cannot_write(place, errno);
+}
+
+void folder_to_disk(const fs::path& place) {
+    const fs::path folder = fs::absolute(place).parent_path();
+    const int handle = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (handle < 0) return;
+    fsync(handle);  // the file itself is complete, whatever this says
+    close(handle);
+}
+
+std::string bytes_of(const fs::path& place) {
+    errno = 0;
+    std::ifstream file(place, std::ios::binary);
+    std::string out{std::istreambuf_iterator<char>(file), {}};
+    if (!file.is_open() || file.bad() || fs::is_directory(place))
+        refuse(place, fmt::format("cannot read this checkpoint: {}",
+                                  std::generic_category().message(errno ? errno : EISDIR)));
+    return out;
+}
+
+}  // namespace
+
+void write_mpm_checkpoint(const fs::path& place, const grit::mpm::Simulation& simulation,
+                          std::string_view runner) {
+    const Header header = header_of(runner);
+    std::ostringstream state;
+    grit::mpm::save(simulation, state);
+    element::AsideFile file(place);
+    file.write({reinterpret_cast<const char*>(&header), sizeof header});
+    file.write(runner);
+    file.write(state.view());
+    file.flush();
+    to_disk(fileno(file.stream()), place);
+    file.complete();
+    folder_to_disk(place);
+}
+
+MpmCheckpoint::MpmCheckpoint(const fs::path& path) : place(path) {
+    const std::string file = bytes_of(place);
+    Header header{};
+    if (file.size() < sizeof header.magic || std::memcmp(file.data(), magic_text, 8) != 0)
+        refuse(place, "this is no checkpoint of grit mpm");
+    if (file.size() < sizeof header)
+        refuse(place,
+               fmt::format("checkpoint: truncated after {} bytes, within its header", file.size()));
+    std::memcpy(&header, file.data(), sizeof header);
+    if (header.header_checksum != header.own())
+        refuse(place, "checkpoint: damaged: the first header's checksum differs");
+    if (file.size() - sizeof header < header.bytes)
+        refuse(place, fmt::format("checkpoint: truncated: {} bytes of the run, {} are there",
+                                  header.bytes, file.size() - sizeof header));
+    runner_state = file.substr(sizeof header, header.bytes);
+    if (header.checksum != grit::mpm::checksum(runner_state.data(), runner_state.size()))
+        refuse(place, "checkpoint: damaged: the checksum of the run's own state differs");
+    simulation_state = file.substr(sizeof header + header.bytes);
+}
+
+void MpmCheckpoint::restore(grit::mpm::Simulation& simulation, grit::mpm::OtherBits bits) const {
+    std::istringstream in(simulation_state);
+    try {
+        grit::mpm::restore(simulation, in, bits);
+    } catch (const std::runtime_error& error) {
+        refuse(place, error.what());
+    }
+}
+
+}  // namespace cli

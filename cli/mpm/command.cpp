@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/mpm/command.hpp"
+
+#include <stdexcept>
+
+#include <adapters/mpm/case/case_words.hpp>
+#include <fmt/format.h>
+
+#include "cli/mpm/case_file.hpp"
+#include "cli/mpm/run.hpp"
+#include "cli/mpm/to_lammps.hpp"
+#include "cli/process/abnormal_end.hpp"
+#include "cli/process/outputs.hpp"
+#include "cli/process/standard_streams.hpp"
+
+namespace cli {
+namespace {
+
+using namespace grit::mpm;
+
+Outputs outputs_of(const MpmRequest& request, const MpmCaseFile& file,
+                   const MpmRunOptions& options) {
+    Outputs outputs;
+    const std::string who = fmt::format("case {} ({})", file.plan.name, request.file.string());
+    outputs.add(options.history, who);
+    outputs.add(options.checkpoint, who);
+    outputs.add(options.failure, who);
+    if (!request.no_plot)
+        for (const char* ending : {".svg", ".png"})
+            outputs.add(options.fields.string() + ending, who);
+    if (options.shown) outputs.add(options.fields.string() + ".pvd", who);
+    outputs.spare(file.inputs);
+    return outputs;
+}
+
+Runner prepare(const MpmRequest& request, const MpmCaseFile& file) {
+    try {
+        Runner runner(file.plan);
+        if (file.fields) runner.check_interval("fields.interval_s", file.fields->interval);
+        return runner;
+    } catch (const std::invalid_argument& error) {
+        throw BadInput(fmt::format("{}: {}", request.file.string(), error.what()));
+    }
+}
+
+// What the steps since the program began cost, and the elements that contact takes.
+void tell_cost(Runner& runner) {
+    Simulation& simulation = runner.simulation();
+    const Seconds spent = simulation.seconds();
+    const double total = spent.total();
+    if (!(total > 0.0)) return;
+    const double done = static_cast<double>(spent.steps) * static_cast<double>(runner.particles());
+    const auto share = [total](double part) { return 100.0 * part / total; };
+    say("{}: {:.3g} particle-steps/s; scatter {:.0f} %, nodes {:.0f} %, contact {:.0f} %, "
+        "material {:.0f} %, rest of gather {:.0f} %\n",
+        runner.description().name, done / total, share(spent.scatter), share(spent.nodes),
+        share(spent.contact), share(spent.material), share(spent.gather - spent.material));
+    for (std::size_t i = 0; i < simulation.penalty_contact_count(); ++i) {
+        const PenaltyPair& pair = simulation.penalty_contact(i);
+        say("{}: {} and {} vertices of penalty lines\n", runner.description().name,
+            pair.vertices(0).size() / 2, pair.vertices(1).size() / 2);
+    }
+}
+
+ExitCode convert(const MpmRequest& request, const Case& plan) {
+    try {
+        write_lammps_files(plan, request.to_lammps);
+    } catch (const std::invalid_argument& error) {
+        throw BadInput(fmt::format("{}: {}", request.file.string(), error.what()));
+    }
+    if (!request.quiet)
+        say("{}: grit-lmp -in {}.in in {}\n", plan.name, plan.name, request.to_lammps.string());
+    return ok;
+}
+
+}  // namespace
+
+ExitCode run_mpm(const MpmRequest& request) {
+    if (!request.keys.empty()) {
+        fmt::print("{}", request.keys == "fix" ? keys_of_fix() : keys_of_cases());
+        return ok;
+    }
+    MpmCaseFile file = read_mpm_case(request.file);
+    const Case& plan = file.plan;
+    if (!request.to_lammps.empty()) return convert(request, plan);
+    if (request.threads) file.plan.settings.threads = *request.threads;
+    if (const int usable = usable_threads(plan.settings.threads);
+        usable < plan.settings.threads && !request.quiet)
+        fmt::print(stderr, "grit: {}: {} threads wanted, {} used: there are no more cores\n",
+                   plan.name, plan.settings.threads, usable);
+    const MpmRunOptions options{request.out / (plan.name + ".csv"),
+                                request.out / (plan.name + ".checkpoint"),
+                                request.out / plan.name,
+                                request.out / (plan.name + "_failure.toml"),
+                                file.fields,
+                                request.checkpoint_minutes,
+                                request.restart,
+                                request.quiet};
+    const Outputs outputs = outputs_of(request, file, options);
+    Runner runner = prepare(request, file);
+    const auto lock = outputs.lock();
+    const RunGuard guard(plan.name + ": Grit");
+    MpmRun run(options, runner);
+    const std::string failure = run.go();
+    if (!failure.empty()) warn("grit: {}: {}\n", plan.name, failure);
+    if (!request.no_plot) run.draw();
+    if (request.quiet) return failure.empty() ? ok : failed_computation;
+    say("{}: {} particles, {} steps, t = {:.4g} s, {:.1f} s of computing -> {}\n", plan.name,
+        runner.particles(), runner.simulation().steps(), runner.simulation().time(), run.seconds(),
+        options.history.string());
+    tell_cost(runner);
+    return failure.empty() ? ok : failed_computation;
+}
+
+}  // namespace cli

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "cli/process/exit_code.hpp"
+
+namespace cli {
+
+struct MpmRequest {
+    std::string keys;  // "cases" or "fix": print their table, and no more
+    std::filesystem::path file;
+    std::filesystem::path out = ".";
+    std::optional<int> threads;  // instead of the case's
+    double checkpoint_minutes = 0.0;
+    bool restart = false;
+    bool no_plot = false;
+    bool quiet = false;
+    std::filesystem::path to_lammps;  // write the case for LAMMPS there, and no more; empty: run it
+};
+
+// Run a case, write DIR/<case>.csv. DIR/<case>.checkpoint is written every so many minutes, and when the
+// run is interrupted, and removed when it is done. Throws BadInput before anything is computed if the
+// case or the checkpoint is wrong, or if a file would be overwritten.
+ExitCode run_mpm(const MpmRequest& request);
+
+}  // namespace cli

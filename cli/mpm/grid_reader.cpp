@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/mpm/grid_reader.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "cli/mpm/words.hpp"
+
+namespace cli {
+namespace {
+
+using namespace grit::mpm;
+
+constexpr double most_nodes = 2e7;  // of the grid
+
+AxisSegment read_segment(TomlTable table, double from) {
+    AxisSegment out{};
+    out.to = number(table, case_word("grid.r", "to_m"));
+    if (!(out.to > from))
+        table.fail("to_m",
+                   fmt::format("{} must be above {:g} m, where the segment begins, got {:g}",
+                               table.full("to_m"), from, out.to));
+    out.growth = number_if(table, case_word("grid.r", "growth")).value_or(1.0);
+    if (table.one_of({"cell_m", "cells"}) == "cells") {
+        out.cells = integer_or(table, case_word("grid.r", "cells"), 1);
+    } else {
+        const double cell = number(table, case_word("grid.r", "cell_m"));
+        if (!(cell <= out.to - from))
+            table.fail("cell_m",
+                       fmt::format("{} must be no longer than its segment, {:g} m, got {:g}",
+                                   table.full("cell_m"), out.to - from, cell));
+        out.cells = cells_for(out.to - from, cell, out.growth);
+    }
+    table.finish();
+    return out;
+}
+
+AxisPlan read_axis(TomlTable& grid, const std::string& name) {
+    AxisPlan out;
+    out.from = grid.number_if(name + "_from_m").value_or(0.0);
+    double from = out.from;
+    for (TomlTable& segment : grid.tables_if(name)) {
+        out.segments.push_back(read_segment(std::move(segment), from));
+        from = out.segments.back().to;
+    }
+    if (out.segments.empty())
+        grid.fail(name, fmt::format("{0} is missing: an axis needs a [[{0}]]", grid.full(name)));
+    return out;
+}
+
+double nodes_of(const AxisPlan& plan) {
+    double sum = 1.0;
+    for (const AxisSegment& segment : plan.segments) sum += segment.cells;
+    return sum;
+}
+
+}  // namespace
+
+void read_grid(TomlTable table, Case& plan) {
+    plan.settings.axisymmetric = choice(table, case_word("grid", "geometry")) != 0;
+    plan.r = read_axis(table, "r");
+    plan.z = read_axis(table, "z");
+    if (plan.settings.axisymmetric && plan.r.from < 0.0)
+        table.fail("r_from_m", fmt::format("{}: an axisymmetric grid must not reach across the "
+                                           "axis r = 0, got {:g}",
+                                           table.full("r_from_m"), plan.r.from));
+    if (const double nodes = nodes_of(plan.r) * nodes_of(plan.z); nodes > most_nodes)
+        table.fail("", fmt::format("{}: a grid has at most {:g} nodes, got {:g}", table.full(""),
+                                   most_nodes, nodes));
+    table.finish();
+}
+
+void read_boundary(TomlTable table, Case& plan) {
+    for (const Spelling& side : words::sides) {
+        CaseWord word = case_word("boundary", "left");
+        word.key = side.word;
+        if (const auto kind = choice_if(table, word))
+            plan.boundary[side.value] = static_cast<Boundary>(*kind);
+    }
+    if (plan.settings.axisymmetric && plan.r.from == 0.0 && table.has("left") &&
+        plan.boundary[0] != Boundary::roller)
+        table.fail("left", table.full("left") + " is the axis r = 0: roller");
+    const bool absorbs =
+        std::find(plan.boundary, plan.boundary + 4, Boundary::absorbing) != plan.boundary + 4;
+    const auto speed = [&](const CaseWord& word) {
+        const std::string key(word.key);
+        const double value = number_if(table, word).value_or(0.0);
+        if (absorbs && value == 0.0)
+            table.fail("", fmt::format("{} is missing: a side is absorbing", table.full(key)));
+        if (!absorbs && value != 0.0)
+            table.fail(key, fmt::format("{} needs a side that is absorbing", table.full(key)));
+        return value;
+    };
+    plan.absorbing = {speed(case_word("boundary", "p_wave_m_per_s")),
+                      speed(case_word("boundary", "s_wave_m_per_s"))};
+    if (absorbs && !(plan.absorbing.p > plan.absorbing.s))
+        table.fail("p_wave_m_per_s",
+                   fmt::format("{} must be above s_wave_m_per_s, {:g}, got {:g}",
+                               table.full("p_wave_m_per_s"), plan.absorbing.s, plan.absorbing.p));
+    table.finish();
+}
+
+void read_mpm_numerics(TomlTable table, Case& plan) {
+    read_members(table, "numerics", numerics_members(), plan);
+    table.finish();
+}
+
+}  // namespace cli

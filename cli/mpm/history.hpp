@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The history of a material-point run as columns of a CSV.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <adapters/mpm/run/run.hpp>
+
+#include "cli/table/table.hpp"
+
+namespace cli {
+
+std::vector<Column> history_columns();
+std::vector<double> history_values(const grit::mpm::HistoryRow& row);
+// What stands above them.
+std::vector<std::string> history_comments(const grit::mpm::Runner& runner);
+
+}  // namespace cli

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/mpm/lammps_script.hpp"
+
+#include <cmath>
+#include <iterator>
+
+#include <adapters/mpm/case/case_words.hpp>
+#include <adapters/mpm/run/history.hpp>
+#include <fmt/format.h>
+#include <grit/contact.h>
+
+#include "cli/process/exit_code.hpp"
+#include "cli/process/version.hpp"
+
+namespace cli {
+namespace {
+
+using namespace grit::mpm;
+
+// Every bit.
+std::string exact(double x) { return fmt::format("{:.17g}", x); }
+const char* word(bool yes) { return yes ? "yes" : "no"; }
+
+std::string of_table(const TimeTable& table) {
+    if (table.time.size() == 1) return exact(table.value[0]);
+    std::string out = fmt::format("table {}", table.time.size());
+    for (std::size_t i = 0; i < table.time.size(); ++i)
+        out += fmt::format(" {} {}", exact(table.time[i]), exact(table.value[i]));
+    return out;
+}
+
+std::string of_pulses(const PulseTrain& p) {
+    return fmt::format("pulses {} {} {} {} {} {} {}", word_of(words::pulse_forms, p.form),
+                       exact(p.peak), exact(p.duration), exact(p.peak_time), exact(p.interval),
+                       exact(p.start), p.count);
+}
+
+std::string of_function(const TimeFunction& function) {
+    if (const auto* pulses = std::get_if<PulseTrain>(&function)) return of_pulses(*pulses);
+    return of_table(std::get<TimeTable>(function));
+}
+
+std::string from(const std::string& stage) {
+    return stage.empty() ? std::string() : fmt::format(" from {}", stage);
+}
+
+class FixWords {
+  public:
+    template <class... Args> void add(fmt::format_string<Args...> text, Args&&... args) {
+        out += " &\n    ";
+        out += fmt::format(text, std::forward<Args>(args)...);
+    }
+    std::string out;
+};
+
+void add_grid(const Case& plan, FixWords& fix) {
+    for (const char direction : {'r', 'z'})
+        for (const AxisSegment& segment : (direction == 'r' ? plan.r : plan.z).segments)
+            fix.add("grid {} {} {} {}", direction, exact(segment.to), segment.cells,
+                    exact(segment.growth));
+    for (const Spelling& side : words::sides) {
+        const Boundary kind = plan.boundary[side.value];
+        for (const Spelling& word : words::boundaries)
+            if (word.value == static_cast<int>(kind) && !word.in_fix)
+                throw BadInput(fmt::format("fix grit/mpm of LAMMPS has no {} sides", word.word));
+        if (kind != Boundary::free)
+            fix.add("boundary {} {}", side.word, word_of(words::boundaries, kind));
+    }
+}
+
+// As the fix reads it; empty: nothing that it could read.
+template <class Plan> std::string value_of(const Member<Plan>& member, const Plan& plan) {
+    const double value = member.get(plan);
+    switch (member.word->kind) {
+        case Kind::yes_or_no: return word(value != 0.0);
+        case Kind::choice: return std::string(word_of(member.word->words, static_cast<int>(value)));
+        default: return std::isfinite(value) ? exact(value) : std::string();
+    }
+}
+
+// The number of threads is the host's.
+void add_numerics(const Case& plan, FixWords& fix) {
+    std::string_view before;
+    for (const Member<Case>& member : numerics_members()) {
+        const std::string value = value_of(member, plan);
+        if (value.empty() || member.fix == "threads") continue;
+        if (member.fix == before) fix.out += ' ' + value;
+        else fix.add("{} {}", member.fix, value);
+        before = member.fix;
+    }
+}
+
+std::string of_sand(const SandPlan& plan) {
+    std::string out = "sand custom";
+    for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i) {
+        double value = NAN;
+        grit_sand_parameter_get(&plan.parameters, i, &value);
+        if (!std::isnan(value))
+            out += fmt::format(" &\n        {} {}", grit_sand_parameter_describe(i)->name,
+                               exact(value));
+    }
+    return out + fmt::format(" &\n        tolerance {} evaluation_limit {} intergranular {}",
+                             exact(plan.options.tolerance), plan.options.evaluation_limit,
+                             word_of(words::on_off, plan.options.intergranular_off));
+}
+
+void add_bodies(const Case& plan, const std::string& stem, FixWords& fix) {
+    for (std::size_t i = 0; i < plan.bodies.size(); ++i) {
+        const BodyPlan& body = plan.bodies[i];
+        std::string material = "rigid";
+        if (const auto* elastic = std::get_if<ElasticPlan>(&body.material))
+            material = fmt::format("{} {} {}", elastic->neo_hooke ? "neo_hooke" : "elastic",
+                                   exact(elastic->youngs_modulus), exact(elastic->poissons_ratio));
+        if (const auto* sand = std::get_if<SandPlan>(&body.material)) material = of_sand(*sand);
+        fix.add("body {} type {} {}", body.name, i + 1, material);
+        if (const auto* rigid = std::get_if<RigidPlan>(&body.material))
+            fix.add("motion {} {} {}{}", body.name, of_table(rigid->velocity_r),
+                    of_table(rigid->velocity_z), from(rigid->from_stage));
+        fix.add("points {} {}_{}.points", body.name, stem, body.name);
+    }
+}
+
+void add_contacts(const Case& plan, FixWords& fix) {
+    for (const ContactPlan& contact : plan.contacts) {
+        if (contact.penalty) throw BadInput("fix grit/mpm of LAMMPS has no penalty contact");
+        const bool geo = contact.law == GRIT_CONTACT_GEO;
+        std::string more;
+        for (const Member<ContactPlan>& member : contact_members()) {
+            if (member.fix.empty() || (member.fix == "power" && !geo) ||
+                (member.fix == "distance" && !geo && !contact.gated))
+                continue;
+            more += fmt::format(" {} {}", member.fix, value_of(member, contact));
+        }
+        fix.add("contact {} {} {} {}{}", contact.stiff, contact.soft,
+                word_of(words::contact_laws, contact.law), exact(contact.friction_coefficient),
+                more);
+    }
+}
+
+void add_tractions(const Case& plan, FixWords& fix) {
+    for (std::size_t i = 0; i < plan.tractions.size(); ++i) {
+        const TractionPlan& t = plan.tractions[i];
+        fix.add("traction {} traction_{} {} {} {} {}{}", t.body, i + 1,
+                word_of(words::edges, t.edge), exact(t.direction.r), exact(t.direction.z),
+                of_function(t.stress), from(t.from_stage));
+    }
+}
+
+std::string of_stage(const StagePlan& stage) {
+    std::string out = fmt::format("fix_modify mpm stage {}", stage.name);
+    for (const Member<StagePlan>& member : stage_members())
+        out += fmt::format(" {} {}", member.fix, value_of(member, stage));
+    for (const Member<StageEnd>& member : end_members())
+        if (member.get(stage.end) != member.get(StageEnd()))
+            out += fmt::format(" {} {}", member.fix, value_of(member, stage.end));
+    out += fmt::format("\nrun ${{most_steps}}\n"
+                       "print \"stage {}: depth $(f_mpm[5]) m at $(f_mpm[3]) s\"\n",
+                       stage.name);
+    return out;
+}
+
+// Numbers one after the other as ranges.
+std::string id_list(const std::vector<int>& ids) {
+    std::string out;
+    for (std::size_t i = 0; i < ids.size();) {
+        std::size_t end = i + 1;
+        while (end < ids.size() && ids[end] == ids[end - 1] + 1) ++end;
+        out += end - i == 1 ? fmt::format(" &\n    {}", ids[i])
+                            : fmt::format(" &\n    {}:{}", ids[i], ids[end - 1]);
+        i = end;
+    }
+    return out;
+}
+
+std::string columns_comment() {
+    std::string out = "# Columns:";
+    int number = 1;
+    for (const HistoryColumn& column : history_columns())
+        out += fmt::format("{}{} {}{}", number % 6 == 1 ? "\n#   " : ", ", number, column.name,
+                           *column.unit ? fmt::format(" [{}]", column.unit) : ""),
+            ++number;
+    out += "\n";
+    return out;
+}
+
+}  // namespace
+
+std::string lammps_fix(const Case& plan, const std::string& stem) {
+    FixWords fix;
+    fix.out = fmt::format("fix mpm all grit/mpm {}",
+                          word_of(words::geometries, plan.settings.axisymmetric));
+    add_grid(plan, fix);
+    add_numerics(plan, fix);
+    std::string stages = fmt::format("stages {}", plan.stages.size());
+    for (const StagePlan& stage : plan.stages) stages += fmt::format(" {}", stage.name);
+    fix.add("{}", stages);
+    add_bodies(plan, stem, fix);
+    add_tractions(plan, fix);
+    add_contacts(plan, fix);
+    fix.add("driven {} {}", plan.history.body, word_of(words::depths, plan.history.depth_of));
+    return fmt::format("neigh_modify once yes\n{}\n\n{}"
+                       "thermo_style custom step f_mpm[*]\n"
+                       "thermo_modify format float %.17g line one\n",
+                       fix.out, columns_comment());
+}
+
+std::string lammps_script(const Case& plan, const std::string& stem,
+                          const TractionAtoms& tractions) {
+    std::string out = fmt::format(
+        "# {}\n# Written by Grit {}; needs fix grit/mpm, see docs/lammps.md.\n"
+        "variable thermo_steps index 100\nvariable most_steps index 2000000000\n\n"
+        "units si\ndimension 2\nboundary f f p\natom_style atomic\natom_modify map yes\n"
+        "read_data {}.data\n",
+        plan.title, version(), stem);
+    for (std::size_t i = 0; i < tractions.size(); ++i)
+        out += fmt::format("group traction_{} id{}\n", i + 1, id_list(tractions[i]));
+    out += fmt::format("include {}.fix\nthermo ${{thermo_steps}}\n", stem);
+    for (const StagePlan& stage : plan.stages) out += fmt::format("\n{}", of_stage(stage));
+    return out;
+}
+
+}  // namespace cli

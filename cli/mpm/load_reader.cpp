@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/mpm/load_reader.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <grit/contact.h>
+
+#include "cli/mpm/body_reader.hpp"
+#include "cli/mpm/words.hpp"
+
+namespace cli {
+namespace {
+
+using namespace grit::mpm;
+
+constexpr double kPa = words::kilopascal.si;  // [Pa]
+
+template <class Plans> std::vector<std::string> names_of(const Plans& plans) {
+    std::vector<std::string> out;
+    for (const auto& plan : plans) out.push_back(plan.name);
+    return out;
+}
+
+void read_range(TomlTable& table, const std::string& key, double (&range)[2]) {
+    const auto given = table.numbers_if(key, 2);
+    if (!given) return;
+    if (!((*given)[0] < (*given)[1]))
+        table.fail(key, fmt::format("{} must ascend, got [{:g}, {:g}]", table.full(key),
+                                    (*given)[0], (*given)[1]));
+    range[0] = (*given)[0];
+    range[1] = (*given)[1];
+}
+
+PulseTrain read_pulses(TomlTable table) {
+    PulseTrain out;
+    out.peak = number(table, case_word("traction.pulses", "peak_kPa"));
+    if (const auto form = choice_if(table, case_word("traction.pulses", "form")))
+        out.form = static_cast<PulseForm>(*form);
+    out.duration = number(table, case_word("traction.pulses", "duration_s"));
+    out.peak_time =
+        number_if(table, case_word("traction.pulses", "peak_time_s")).value_or(0.5 * out.duration);
+    if (out.form == PulseForm::half_sine && table.has("peak_time_s") &&
+        out.peak_time != 0.5 * out.duration)
+        table.fail("peak_time_s",
+                   fmt::format("{}: a half sine has its peak at {:g} s, got {:g}",
+                               table.full("peak_time_s"), 0.5 * out.duration, out.peak_time));
+    if (!(out.peak_time < out.duration))
+        table.fail("peak_time_s",
+                   fmt::format("{} must be below duration_s, {:g}, got {:g}",
+                               table.full("peak_time_s"), out.duration, out.peak_time));
+    out.interval =
+        number_if(table, case_word("traction.pulses", "interval_s")).value_or(out.duration);
+    if (!(out.interval >= out.duration))
+        table.fail("interval_s",
+                   fmt::format("{} must be no shorter than duration_s, {:g}, got {:g}",
+                               table.full("interval_s"), out.duration, out.interval));
+    out.count = integer_or(table, case_word("traction.pulses", "count"), 1);
+    out.start = number_if(table, case_word("traction.pulses", "start_s")).value_or(0.0);
+    table.finish();
+    return out;
+}
+
+Vector direction_of(TomlTable& table, Edge edge) {
+    const auto given = table.numbers_if("direction", 2);
+    if (!given) {
+        if (edge == Edge::top) return {0.0, -1.0};
+        if (edge == Edge::bottom) return {0.0, 1.0};
+        return {edge == Edge::right ? -1.0 : 1.0, 0.0};
+    }
+    const double length = std::hypot((*given)[0], (*given)[1]);
+    if (!(length > 0.0)) table.fail("direction", table.full("direction") + " must not be 0");
+    return {(*given)[0] / length, (*given)[1] / length};
+}
+
+// A line in the grid; closed if its last point is its first.
+PenaltyLine read_line(TomlTable table, const Case& plan) {
+    PenaltyLine out;
+    const std::vector<double> r = table.numbers("r_m"), z = table.numbers("z_m", r.size());
+    for (std::size_t i = 0; i < r.size(); ++i) {
+        if (!(r[i] >= plan.r.from && r[i] <= plan.r.to() && z[i] >= plan.z.from &&
+              z[i] <= plan.z.to()))
+            table.fail("r_m", fmt::format("{} leaves the grid at ({:g}, {:g}) m", table.full(""),
+                                          r[i], z[i]));
+        out.points.push_back({r[i], z[i]});
+    }
+    out.closed = r.size() > 2 && r.front() == r.back() && z.front() == z.back();
+    if (out.closed) out.points.pop_back();
+    if (out.points.size() < 2)
+        table.fail("r_m", fmt::format("{} needs two points at least, got {}", table.full(""),
+                                      out.points.size()));
+    table.finish();
+    return out;
+}
+
+PenaltyPlan read_penalty(TomlTable& table, const Case& plan) {
+    PenaltyPlan out{};
+    out.modulus = kPa * table.number("modulus_kPa");
+    if (!(out.modulus > 0.0))
+        table.fail("modulus_kPa", fmt::format("{} must be positive, got {:g}",
+                                              table.full("modulus_kPa"), out.modulus / kPa));
+    out.stiffness_multiple =
+        number_if(table, case_word("contact", "stiffness_multiple")).value_or(1.0);
+    out.stiff_line = read_line(table.table("stiff_line"), plan);
+    out.soft_line = read_line(table.table("soft_line"), plan);
+    return out;
+}
+
+}  // namespace
+
+std::string body_name(TomlTable& table, const std::string& key, const Case& plan) {
+    return table.choice(key, names_of(plan.bodies));
+}
+
+std::string stage_name(TomlTable& table, const std::string& key, const Case& plan) {
+    return table.choice(key, names_of(plan.stages));
+}
+
+TractionPlan read_traction(TomlTable table, const Case& plan) {
+    TractionPlan out;
+    out.body = body_name(table, "body", plan);
+    if (plan.bodies[plan.body(out.body)].rigid())
+        table.fail("body", fmt::format("{}: \"{}\" is rigid, no load moves it", table.full("body"),
+                                       out.body));
+    out.edge = static_cast<Edge>(choice(table, case_word("traction", "edge")));
+    read_range(table, "r_m", out.r);
+    read_range(table, "z_m", out.z);
+    out.direction = direction_of(table, out.edge);
+    if (table.one_of({"stress_kPa", "pulses"}) == "pulses") {
+        out.stress = read_pulses(table.table("pulses"));
+        if (table.has("time_s"))
+            table.fail("time_s", table.full("time_s") + " belongs to stress_kPa, not to pulses");
+    } else {
+        out.stress = read_time_table(table, "stress_kPa", kPa);
+    }
+    if (table.has("from_stage")) out.from_stage = stage_name(table, "from_stage", plan);
+    table.finish();
+    return out;
+}
+
+ContactPlan read_contact(TomlTable table, const Case& plan) {
+    ContactPlan out;
+    out.stiff = body_name(table, "stiff", plan);
+    out.soft = body_name(table, "soft", plan);
+    if (out.stiff == out.soft)
+        table.fail("soft", fmt::format("{} must be another body than stiff", table.full("soft")));
+    if (plan.bodies[plan.body(out.stiff)].rigid() && plan.bodies[plan.body(out.soft)].rigid())
+        table.fail("soft", fmt::format("{}: both bodies are rigid", table.full("soft")));
+    const int law = choice(table, case_word("contact", "law"));
+    if (law == words::penalty_law_word) {
+        out.law = GRIT_CONTACT_FRICTIONAL;
+        out.friction_coefficient =
+            number_if(table, case_word("contact", "friction_coefficient")).value_or(0.0);
+        out.penalty = read_penalty(table, plan);
+        table.finish();
+        return out;
+    }
+    out.law = law;
+    read_members(table, "contact", contact_members(), out);
+    if (law == GRIT_CONTACT_FRICTIONAL) {
+        if (table.has("penalty_power"))
+            table.fail("penalty_power",
+                       fmt::format("{} belongs to the geo law, not to the frictional one",
+                                   table.full("penalty_power")));
+        if (table.has("distance") && !out.gated)
+            table.fail("distance",
+                       fmt::format("{}: the frictional law measures none unless it is gated",
+                                   table.full("distance")));
+    }
+    table.finish();
+    return out;
+}
+
+}  // namespace cli

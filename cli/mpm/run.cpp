@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/mpm/run.hpp"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "cli/mpm/checkpoint.hpp"
+#include "cli/mpm/history.hpp"
+#include "cli/mpm/pictures.hpp"
+#include "cli/mpm/replay_case.hpp"
+#include "cli/plot/picture_maker.hpp"
+#include "cli/process/abnormal_end.hpp"
+#include "cli/process/exit_code.hpp"
+#include "cli/process/standard_streams.hpp"
+
+namespace cli {
+
+using namespace grit::mpm;
+
+MpmRun::MpmRun(const MpmRunOptions& wanted, Runner& work)
+    : options(wanted), runner(work), progress(wanted.quiet), fields(work.simulation()),
+      saved(Clock::now()) {
+    if (options.shown) field_files.emplace(options.fields, options.shown->variables, fields);
+    if (options.restart) resume();
+    history.emplace(options.history, history_comments(runner), history_columns());
+    const std::size_t columns = history_columns().size();
+    for (auto row = done.history.begin(); row != done.history.end();) {
+        const auto end = row + static_cast<std::ptrdiff_t>(columns);
+        history->row({row, end});
+        row = end;
+    }
+}
+
+void MpmRun::resume() {
+    try {
+        const MpmCheckpoint checkpoint(options.checkpoint);
+        done = saved_run_of(checkpoint.runner(), runner.description().stages.size(),
+                            history_columns().size());
+        runner.resume(done.state);
+        checkpoint.restore(runner.simulation());
+        if (field_files) field_files->resume(done.frames);
+    } catch (const std::runtime_error& error) {
+        throw BadInput(error.what());
+    }
+}
+
+std::string MpmRun::go() {
+    const std::string failure = compute();
+    progress.finish();
+    for (const std::string& text : done.ends) history->comment(text);
+    if (!failure.empty()) history->comment("STOPPED EARLY: " + failure);
+    history->complete();
+    // What it was kept for is done.
+    std::error_code nobody_needs_it;
+    if (failure.empty()) std::filesystem::remove(options.checkpoint, nobody_needs_it);
+    return failure;
+}
+
+// Whatever goes wrong here, the history so far is worth keeping.
+std::string MpmRun::compute() {
+    try {
+        if (runner.row_is_due()) {
+            row();
+            frame();
+        }
+        while (!runner.finished()) {
+            if (RunGuard::interrupted()) {
+                const std::string problem = save();
+                return "interrupted" + here() + (problem.empty() ? "" : "; " + problem);
+            }
+            step();
+        }
+    } catch (const MaterialFailure& error) {
+        return error.what() + replay(error);
+    } catch (const std::exception& error) {
+        return error.what() + here();
+    }
+    return {};
+}
+
+std::string MpmRun::replay(const MaterialFailure& error) {
+    try {
+        write_replay_case(options.failure, error, runner.simulation());
+    } catch (const std::exception& problem) {
+        return fmt::format("; its replay case could not be written: {}", problem.what());
+    }
+    return fmt::format("; to be replayed by grit element {}", options.failure.string());
+}
+
+void MpmRun::draw() {
+    const Case& plan = runner.description();
+    Table table{history_columns()};
+    const std::size_t width = table.columns.size();
+    for (std::size_t i = 0; i < done.history.size(); ++i)
+        table.columns[i % width].values.push_back(done.history[i]);
+    PictureMaker maker(options.fields.parent_path(), options.quiet);
+    maker.draw(options.fields.filename().string(), picture_of_history(table, plan.title));
+    if (!options.shown) return;
+    for (const MpmField& field : options.shown->variables) {
+        const FieldPicture picture{
+            field,
+            fmt::format("{}, t = {:.4g} s", plan.title, runner.simulation().time()),
+            {0.0, 0.0, 0.0, 0.0},
+            plan.settings.axisymmetric};
+        const std::filesystem::path stem = options.fields.string() + "_" + field.name;
+        const std::string problem = draw_field(stem, picture, fields);
+        if (problem.empty()) continue;
+        warn("grit: no picture: {}\n", problem);
+        return;
+    }
+}
+
+std::string MpmRun::here() {
+    const Simulation& simulation = runner.simulation();
+    return fmt::format(" (after step {}, t = {:.6g} s)", simulation.steps(), simulation.time());
+}
+
+void MpmRun::row() {
+    const std::vector<double> values = history_values(runner.row());
+    history->row(values);
+    done.history.insert(done.history.end(), values.begin(), values.end());
+}
+
+void MpmRun::frame() {
+    if (!field_files) return;
+    field_files->write();
+    done.frames = field_files->times();
+    if (options.shown->interval > 0.0)
+        done.next_frame = next_multiple(options.shown->interval, runner.simulation().time());
+}
+
+void MpmRun::step() {
+    const int stage = runner.state().stage;
+    runner.step();
+    RunGuard::done(stage + 1, static_cast<int>(runner.simulation().steps()));
+    if (runner.row_is_due()) row();
+    const bool ended = runner.state().stage != stage;
+    if (ended) stage_ended(stage);
+    const bool frame_due = options.shown && options.shown->interval > 0.0 &&
+                           runner.simulation().time() >= done.next_frame;
+    if (ended || frame_due) frame();
+    if (progress(runner)) history->flush();
+    const std::chrono::duration<double, std::ratio<60>> since = Clock::now() - saved;
+    if (options.checkpoint_minutes > 0.0 && since.count() >= options.checkpoint_minutes)
+        if (const std::string problem = save(); !problem.empty()) {
+            progress.finish();
+            warn("grit: {}: {}\n", runner.description().name, problem);
+        }
+}
+
+void MpmRun::stage_ended(int stage) {
+    constexpr const char* words[] = {"nothing", "its time", "its depth", "its blows", "rest"};
+    const Case& plan = runner.description();
+    done.ends.push_back(fmt::format("stage {} ended by {}{}",
+                                    plan.stages.at(static_cast<std::size_t>(stage)).name,
+                                    words[static_cast<int>(runner.ended())], here()));
+    progress.finish();
+    if (!options.quiet) warn("{}: {}\n", plan.name, done.ends.back());
+}
+
+std::string MpmRun::save() {
+    saved = Clock::now();  // after a failure too: the next one is due as late
+    try {
+        done.state = runner.state();
+        write_mpm_checkpoint(options.checkpoint, runner.simulation(), bytes_of(done));
+    } catch (const std::exception& error) {
+        return fmt::format("the checkpoint could not be written: {}", error.what());
+    }
+    return {};
+}
+
+}  // namespace cli

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/mpm/vtu_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <bit>
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "element/aside_file.hpp"
+
+namespace cli {
+namespace {
+
+constexpr std::string_view byte_order =
+    std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
+
+// RFC 4648.
+std::string base64(const std::string& bytes) {
+    constexpr char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string out;
+    out.reserve(4 * (bytes.size() / 3 + 1));
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t have = std::min<std::size_t>(3, bytes.size() - i);
+        std::uint32_t three = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            three = three << 8 | (k < have ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+        for (std::size_t k = 0; k < 4; ++k)
+            out += k <= have ? letters[three >> (18 - 6 * k) & 63u] : '=';
+    }
+    return out;
+}
+
+std::string escaped(const std::string& text) {
+    std::string out;
+    for (const char c : text) switch (c) {
+            case '&': out += "&amp;"; break;
+            case '<': out += "&lt;"; break;
+            case '>': out += "&gt;"; break;
+            case '"': out += "&quot;"; break;
+            default: out += c;
+        }
+    return out;
+}
+
+// Length and numbers as one block of base64: the header_type of the file is UInt64.
+template <class Number>
+void write_array(element::AsideFile& file, std::string_view type, const std::string& attributes,
+                 const std::vector<Number>& values) {
+    const std::uint64_t length = values.size() * sizeof(Number);
+    std::string bytes(sizeof length + length, '\0');
+    std::memcpy(bytes.data(), &length, sizeof length);
+    if (length > 0) std::memcpy(bytes.data() + sizeof length, values.data(), length);
+    file.write(fmt::format("<DataArray type=\"{}\" {} format=\"binary\">{}</DataArray>\n", type,
+                           attributes, base64(bytes)));
+}
+
+// z = 0 to pairs.
+std::vector<double> in_space(const std::vector<double>& pairs) {
+    std::vector<double> out;
+    out.reserve(pairs.size() / 2 * 3);
+    for (std::size_t i = 0; i < pairs.size(); i += 2)
+        out.insert(out.end(), {pairs[i], pairs[i + 1], 0.0});
+    return out;
+}
+
+void write_cells(element::AsideFile& file, std::size_t cells) {
+    constexpr std::uint8_t quadrilateral = 9;
+    std::vector<std::int64_t> connectivity(4 * cells), offsets(cells);
+    for (std::size_t i = 0; i < 4 * cells; ++i) connectivity[i] = static_cast<std::int64_t>(i);
+    for (std::size_t i = 0; i < cells; ++i) offsets[i] = static_cast<std::int64_t>(4 * (i + 1));
+    file.write("<Cells>\n");
+    write_array(file, "Int64", "Name=\"connectivity\"", connectivity);
+    write_array(file, "Int64", "Name=\"offsets\"", offsets);
+    write_array(file, "UInt8", "Name=\"types\"", std::vector<std::uint8_t>(cells, quadrilateral));
+    file.write("</Cells>\n");
+}
+
+std::string opening(std::string_view type) {
+    return fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"{}\" version=\"1.0\" "
+                       "byte_order=\"{}\" header_type=\"UInt64\">\n",
+                       type, byte_order);
+}
+
+constexpr std::string_view pvd_closing = "</Collection>\n</VTKFile>\n";
+
+std::string lines_of(const std::vector<PvdEntry>& entries) {
+    std::string out;
+    for (const PvdEntry& entry : entries)
+        out += fmt::format("<DataSet timestep=\"{:.17g}\" part=\"{}\" file=\"{}\"/>\n", entry.time,
+                           entry.part, escaped(entry.file));
+    return out;
+}
+
+[[noreturn]] void cannot_write(const std::filesystem::path& place, int error) {
+    throw element::CannotWrite(fmt::format("{}: cannot write this file: {}", place.string(),
+                                           std::generic_category().message(error)));
+}
+
+}  // namespace
+
+void write_vtu(const std::filesystem::path& place, const VtuSheet& sheet) {
+    const std::size_t cells = sheet.corners.size() / 8;
+    element::AsideFile file(place);
+    file.write(opening("UnstructuredGrid"));
+    file.write("<UnstructuredGrid>\n<FieldData>\n");
+    write_array(file, "Float64", "Name=\"TimeValue\" NumberOfTuples=\"1\"",
+                std::vector<double>{sheet.time});
+    file.write(fmt::format("</FieldData>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n"
+                           "<Points>\n",
+                           4 * cells, cells));
+    write_array(file, "Float64", "Name=\"corners\" NumberOfComponents=\"3\"",
+                in_space(sheet.corners));
+    file.write("</Points>\n");
+    write_cells(file, cells);
+    file.write("<CellData>\n");
+    for (const VtuArray& array : sheet.arrays)
+        write_array(file, "Float64",
+                    fmt::format("Name=\"{}\" NumberOfComponents=\"{}\"", escaped(array.name),
+                                array.components == 2 ? 3 : array.components),
+                    array.components == 2 ? in_space(array.values) : array.values);
+    file.write("</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
+    file.complete();
+}
+
+PvdFile::PvdFile(const std::filesystem::path& place, const std::vector<PvdEntry>& entries)
+    : name(place) {
+    const std::string text = opening("Collection") + "<Collection>\n" + lines_of(entries);
+    element::AsideFile whole(place);
+    whole.write(text);
+    whole.write(pvd_closing);
+    whole.complete();
+    file = open(place.c_str(), O_WRONLY | O_CLOEXEC);
+    if (file < 0) cannot_write(place, errno);
+    end = text.size();
+}
+
+PvdFile::~PvdFile() {
+    if (file >= 0) close(file);
+}
+
+void PvdFile::add(const std::vector<PvdEntry>& entries) {
+    const std::string text = lines_of(entries);
+    try {
+        put(text + std::string(pvd_closing), end);
+    } catch (const element::CannotWrite&) {
+        put(std::string(pvd_closing), end);
+        if (ftruncate(file, static_cast<off_t>(end + pvd_closing.size())) != 0)
+            cannot_write(name, errno);
+        throw;
+    }
+    end += text.size();
+}
+
+// A second call is for the signals and disks that end a first one early.
+void PvdFile::put(const std::string& text, std::size_t at) {
+    for (std::size_t done = 0; done < text.size();) {
+        const ssize_t written =
+            pwrite(file, text.data() + done, text.size() - done, static_cast<off_t>(at + done));
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) cannot_write(name, written < 0 ? errno : ENOSPC);
+        done += static_cast<std::size_t>(written);
+    }
+}
+
+}  // namespace cli

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Keys of material-point cases, read as the table of their words says: in SI units, within their range.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include <adapters/mpm/case/case_words.hpp>
+
+#include "cli/toml/toml_table.hpp"
+
+namespace cli {
+
+// The table is the one that the key stands in.
+double number(TomlTable& table, const grit::mpm::CaseWord& word);
+std::optional<double> number_if(TomlTable& table, const grit::mpm::CaseWord& word);
+int integer_or(TomlTable& table, const grit::mpm::CaseWord& word, int otherwise);
+// The value of a word.
+int choice(TomlTable& table, const grit::mpm::CaseWord& word);
+std::optional<int> choice_if(TomlTable& table, const grit::mpm::CaseWord& word);
+
+// Sets what is given.
+template <class Plan>
+void read_member(TomlTable& table, const grit::mpm::Member<Plan>& member, Plan& plan) {
+    const grit::mpm::CaseWord& word = *member.word;
+    const std::string key(word.key);
+    using grit::mpm::Kind;
+    if (!table.has(key)) return;
+    switch (word.kind) {
+        case Kind::yes_or_no: return member.set(plan, table.boolean_or(key, false) ? 1.0 : 0.0);
+        case Kind::choice: return member.set(plan, choice(table, word));
+        case Kind::integer: return member.set(plan, integer_or(table, word, 0));
+        default: member.set(plan, number(table, word));
+    }
+}
+
+// All of a section.
+template <class Plan>
+void read_members(TomlTable& table, std::string_view section,
+                  std::span<const grit::mpm::Member<Plan>> members, Plan& plan) {
+    for (const grit::mpm::Member<Plan>& member : members)
+        if (member.word->section == section) read_member(table, member, plan);
+}
+
+}  // namespace cli

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/plot/panels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "cli/plot/thinning.hpp"
+
+namespace cli {
+namespace {
+
+// An axis: column, factor and name. Pictures follow the laboratory: compression positive, percent.
+struct Axis {
+    const char* column;
+    double factor;
+    const char* label;
+    bool from_zero = false;
+    bool log = false;
+};
+
+constexpr Axis eps_a = {"axial_strain", -100.0, "axial compression −ε_{11} [%]"};
+constexpr Axis eps_v = {"volumetric_strain", -100.0, "volumetric compression −ε_v [%]"};
+constexpr Axis q = {"axial_deviator", 1.0, "q = σ_a − σ_r [kPa]"};
+constexpr Axis p = {"p", 1.0, "effective mean pressure p [kPa]"};
+constexpr Axis log_p = {"p", 1.0, "effective mean pressure p [kPa]", false, true};
+constexpr Axis e = {"void_ratio", 1.0, "void ratio e [–]"};
+constexpr Axis pw = {"pore_pressure", 1.0, "excess pore pressure [kPa]"};
+constexpr Axis phi = {"mobilised_friction", 1.0, "mobilised friction [°]"};
+constexpr Axis log_sigma_a = {"stress_11", -1.0, "axial stress −σ_{11} [kPa]", false, true};
+constexpr Axis sigma_a = {"stress_11", -1.0, "axial stress −σ_{11} [kPa]"};
+constexpr Axis gamma_12 = {"gamma_12", 100.0, "shear strain γ [%]"};
+constexpr Axis tau_12 = {"stress_12", 1.0, "shear stress τ [kPa]"};
+constexpr Axis sigma_n = {"stress_22", -1.0, "normal stress −σ_{22} [kPa]"};
+constexpr Axis gamma = {"shear_strain", 100.0, "shear strain γ [%]"};
+constexpr Axis tau = {"shear_stress", 1.0, "shear stress τ [kPa]"};
+constexpr Axis amplitude = {"gamma_amplitude", 1.0, "shear strain amplitude [–]", false, true};
+constexpr Axis ratio = {"G/G_0", 1.0, "G/G_0 [–]", true};
+constexpr Axis damping = {"damping", 1.0, "damping ratio [–]", true};
+
+using Axes = std::vector<std::pair<Axis, Axis>>;
+
+const std::map<std::string, Axes>& kinds() {
+    static const std::map<std::string, Axes> all = {
+        {"triaxial", {{eps_a, q}, {eps_a, eps_v}, {p, q}, {log_p, e}}},
+        {"triaxial_undrained", {{eps_a, q}, {p, q}, {eps_a, pw}, {eps_a, phi}}},
+        {"oedometer", {{log_sigma_a, e}, {eps_a, sigma_a}, {p, q}, {log_p, e}}},
+        {"isotropic", {{log_p, e}, {eps_v, p}}},
+        {"shear", {{gamma_12, tau_12}, {gamma_12, eps_v}, {sigma_n, tau_12}, {gamma_12, e}}},
+        {"shear_constant_volume",
+         {{gamma_12, tau_12}, {sigma_n, tau_12}, {gamma_12, p}, {gamma_12, phi}}},
+        {"cyclic", {{eps_a, q}, {p, q}, {eps_a, eps_v}, {log_p, e}}},
+        {"cyclic_undrained", {{eps_a, q}, {p, q}, {eps_a, pw}, {eps_a, phi}}},
+        {"degradation", {{amplitude, ratio}, {amplitude, damping}, {gamma, tau}, {log_p, e}}},
+    };
+    return all;
+}
+
+bool of_cycles(const std::string& column) {
+    return column == "gamma_amplitude" || column == "G/G_0" || column == "damping";
+}
+
+const std::vector<double>* column(const Curve& curve, const char* name) {
+    return of_cycles(name) ? curve.cycles.find(name) : curve.table.find(name);
+}
+
+Series series_of(const Curve& curve, const Axis& x, const Axis& y) {
+    Series out;
+    out.label = curve.label;
+    out.colour = curve.colour;
+    out.points = curve.points;
+    const std::vector<double>*xs = column(curve, x.column), *ys = column(curve, y.column);
+    if (!xs || !ys) return out;
+    for (std::size_t i = 0; i < xs->size(); ++i) {
+        out.x.push_back(x.factor * (*xs)[i]);
+        out.y.push_back(y.factor * (*ys)[i]);
+    }
+    return out.points ? spaced(out) : thinned(out, x.log);
+}
+
+}  // namespace
+
+const std::vector<std::string>& picture_names() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> out;
+        for (const auto& [name, axes] : kinds()) out.push_back(name);
+        return out;
+    }();
+    return names;
+}
+
+std::string picture_of(const std::string& test, bool cyclic) {
+    if (test == "k0_consolidation") return "oedometer";
+    if (test == "oedometer" || test == "isotropic") return test;
+    if (test == "simple_shear_constant_stress") return "shear";
+    if (test == "simple_shear_constant_volume") return "shear_constant_volume";
+    const bool undrained = test.ends_with("undrained") || test.ends_with("volume");
+    if (cyclic) return undrained ? "cyclic_undrained" : "cyclic";
+    return undrained ? "triaxial_undrained" : "triaxial";
+}
+
+std::string picture_of_path(const Table& path) {
+    const auto range = [&](const char* name) {
+        const auto [low, high] = std::minmax_element(path.at(name).begin(), path.at(name).end());
+        return *high - *low;
+    };
+    constexpr double nothing = 1e-6;
+    const double axial = range("strain_11"), shear = range("gamma_12");
+    const double strain = std::max(axial, shear), volume = range("volumetric_strain");
+    if (shear > axial) return volume < nothing * strain ? "shear_constant_volume" : "shear";
+    if (range("strain_22") + range("strain_33") < nothing * axial) return "oedometer";
+    if (range("axial_deviator") < nothing * range("p")) return "isotropic";
+    return volume < nothing * strain ? "triaxial_undrained" : "triaxial";
+}
+
+std::vector<std::string> columns_of_picture(const std::string& kind) {
+    std::vector<std::string> out;
+    for (const auto& [x, y] : kinds().at(kind))
+        for (const Axis& axis : {x, y})
+            if (!of_cycles(axis.column)) out.emplace_back(axis.column);
+    return out;
+}
+
+std::size_t panels_of(const std::string& kind) { return kinds().at(kind).size(); }
+
+Panel panel_of_curves(const std::string& kind, std::size_t number,
+                      const std::vector<Curve>& curves) {
+    const auto& [x, y] = kinds().at(kind).at(number);
+    Panel out;
+    out.x_label = x.label;
+    out.y_label = y.label;
+    out.log_x = x.log;
+    out.y_from_zero = y.from_zero;
+    for (const Curve& curve : curves) out.series.push_back(series_of(curve, x, y));
+    return out;
+}
+
+Picture picture_of_curves(const std::string& kind, const std::string& title,
+                          const std::vector<Curve>& curves) {
+    Picture out;
+    out.title = title;
+    for (std::size_t i = 0; i < panels_of(kind); ++i)
+        out.panels.push_back(panel_of_curves(kind, i, curves));
+    return out;
+}
+
+}  // namespace cli

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/plot/picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "cli/plot/gnuplot.hpp"
+#include "cli/plot/tics.hpp"
+
+namespace cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Okabe & Ito 2008: distinct for colour-blind readers and in grey.
+constexpr const char* colours[] = {"#0072B2", "#D55E00", "#009E73",
+                                   "#CC79A7", "#56B4E9", "#E69F00"};
+constexpr const char* data_colour = "#222222";
+
+const char* colour_of(const Series& series) {
+    if (series.colour < 0) return data_colour;
+    return colours[static_cast<std::size_t>(series.colour) % std::size(colours)];
+}
+
+bool drawable(const Series& series, const Panel& panel, std::size_t i) {
+    return std::isfinite(series.x[i]) && std::isfinite(series.y[i]) &&
+           (!panel.log_x || series.x[i] > 0.0);
+}
+
+std::size_t drawable_rows(const Series& series, const Panel& panel) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < series.x.size(); ++i) count += drawable(series, panel, i);
+    return count;
+}
+
+std::string data(const Picture& picture) {
+    fmt::memory_buffer out;
+    const auto to = std::back_inserter(out);
+    for (std::size_t p = 0; p < picture.panels.size(); ++p)
+        for (std::size_t s = 0; s < picture.panels[p].series.size(); ++s) {
+            const Series& series = picture.panels[p].series[s];
+            fmt::format_to(to, "$d{}_{} << EOD\n", p, s);
+            for (std::size_t i = 0; i < series.x.size(); ++i)
+                if (drawable(series, picture.panels[p], i))
+                    fmt::format_to(to, "{:.8g} {:.8g}\n", series.x[i], series.y[i]);
+                else fmt::format_to(to, "\n");  // breaks the line
+            fmt::format_to(to, "EOD\n");
+        }
+    return fmt::to_string(out);
+}
+
+std::string label(const char* axis, const std::string& text, bool shown) {
+    return shown ? fmt::format("set {} {}\n", axis, gnuplot_quoted(text))
+                 : fmt::format("unset {}\n", axis);
+}
+
+std::string plots_of(const Panel& panel, std::size_t number) {
+    std::string out;
+    for (std::size_t s = 0; s < panel.series.size(); ++s) {
+        const Series& series = panel.series[s];
+        if (drawable_rows(series, panel) == 0) continue;
+        out += out.empty() ? "plot " : ", \\\n     ";
+        out += fmt::format("$d{}_{} using 1:2 with ", number, s);
+        out += series.points
+                   ? fmt::format("points pt 6 ps 0.7 lw 1.2 lc rgb '{}'", colour_of(series))
+                   : fmt::format("lines lw 2.2 lc rgb '{}'", colour_of(series));
+        out += series.label.empty() ? " notitle" : " title " + gnuplot_quoted(series.label);
+    }
+    return out.empty() ? "set multiplot next\n" : out + "\n";
+}
+
+int labels_of(const Panel& panel) {
+    return static_cast<int>(
+        std::count_if(panel.series.begin(), panel.series.end(), [&](const Series& series) {
+            return !series.label.empty() && drawable_rows(series, panel) > 0;
+        }));
+}
+
+// Tics of the x axis: gnuplot's own, or ours where it would write too few or too many.
+std::string x_tics(const Panel& panel, bool narrow) {
+    const std::string linear = "unset logscale x\nset autoscale x\nset format x\n";
+    if (!panel.log_x && !narrow) return linear + "set xtics autofreq\n";
+    double low = INFINITY, high = -INFINITY;
+    for (const Series& series : panel.series)
+        for (std::size_t i = 0; i < series.x.size(); ++i)
+            if (drawable(series, panel, i)) {
+                low = std::min(low, series.x[i]);
+                high = std::max(high, series.x[i]);
+            }
+    if (!(high > low)) return linear + "set xtics autofreq\n";
+    std::string out;
+    for (const double tic : panel.log_x ? logarithmic_tics(low, high) : even_tics(low, high))
+        out += fmt::format("{}{:g}", out.empty() ? "" : ", ", tic);
+    return fmt::format(
+        "{}set xtics ({})\n",
+        panel.log_x ? "set logscale x\nset autoscale xfix\nset format x '%g'\n" : linear, out);
+}
+
+// Panels in rows and columns, and what surrounds them [px].
+struct Layout {
+    explicit Layout(const Picture& picture)
+        : columns(std::min(picture.columns, static_cast<int>(picture.panels.size()))),
+          rows((static_cast<int>(picture.panels.size()) + columns - 1) / columns),
+          top(40 + 20 * labels_of(picture.panels.front())), width(columns * picture.width),
+          height(rows * picture.height + top),
+          keys(std::any_of(picture.panels.begin(), picture.panels.end(),
+                           [](const Panel& panel) { return panel.own_key; })),
+          left(keys ? 122 : 96), gap_x(picture.labels_above ? 62
+                                       : keys               ? 130
+                                                            : 104),
+          gap_y(picture.labels_above ? 52
+                : keys               ? 132
+                                     : 76) {}
+
+    std::string margins() const {
+        return fmt::format("margins {:.4f},{:.4f},{:.4f},{:.4f} spacing {:.4f},{:.4f}",
+                           part(left, width), 1.0 - part(26, width), part(70, height),
+                           1.0 - part(top + 24, height), part(gap_x, width), part(gap_y, height));
+    }
+    static double part(int pixels, int whole) { return static_cast<double>(pixels) / whole; }
+
+    int columns, rows, top, width, height;
+    bool keys;  // of panels, above them
+    int left, gap_x, gap_y;
+};
+
+std::string panel_script(const Picture& picture, const Layout& layout, std::size_t number) {
+    const Panel& panel = picture.panels[number];
+    const bool named = !picture.labels_above;
+    std::string out = label("xlabel", panel.x_label, named);
+    out += label("ylabel", panel.y_label, named);
+    out += panel.title.empty() ? "unset title\n"
+                               : fmt::format("set title {} noenhanced font ',11' offset 0,-0.8\n",
+                                             gnuplot_quoted(panel.title));
+    out += x_tics(panel, picture.labels_above);
+    out += panel.y_from_zero ? "set yrange [0:*]\n" : "set yrange [*:*]\n";
+    if (panel.own_key)
+        out += "set key at graph 0.5,1.02 center bottom horizontal maxcols 3 Left reverse "
+               "samplen 1.2 noenhanced font ',10'\n";
+    else
+        out += number == 0
+                   ? fmt::format("set key at screen 0.5,{:.4f} center top Left reverse samplen "
+                                 "1.6 noenhanced\n",
+                                 1.0 - Layout::part(30, layout.height))
+                   : "unset key\n";
+    return out + plots_of(panel, number);
+}
+
+std::string sheet(const Picture& picture, const Layout& layout) {
+    std::string out =
+        fmt::format("reset\nset encoding utf8\n"
+                    "set border 3 lw 1 lc rgb '#444444'\n"
+                    "set tics nomirror out scale 0.6 textcolor rgb '#222222' font ',11'\n"
+                    "set grid lt 1 lw 0.6 lc rgb '#e4e4e4'\n"
+                    "set multiplot layout {},{} title {} {} font ',15' {}\n",
+                    layout.rows, layout.columns, gnuplot_quoted(picture.title),
+                    picture.title_in_markup ? "enhanced" : "noenhanced", layout.margins());
+    for (std::size_t i = 0; i < picture.panels.size(); ++i) out += panel_script(picture, layout, i);
+    return out + "unset multiplot\n";
+}
+
+}  // namespace
+
+std::string draw(const fs::path& stem, const Picture& picture) {
+    const Layout layout(picture);
+    return draw_with_gnuplot(stem, layout.width, layout.height, data(picture),
+                             sheet(picture, layout));
+}
+
+}  // namespace cli

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/process/exit_code.hpp"
+
+namespace cli {
+
+struct PlotRequest {
+    std::vector<std::filesystem::path> runs;  // lines
+    std::vector<std::filesystem::path> data;  // points: laboratory sheets, references
+    std::string only;                         // rows of the data whose first cell it is
+    std::string kind = "triaxial";
+    std::string title;
+    std::filesystem::path out = "plot";  // stem of the picture's files
+};
+
+// Runs and laboratory data in one picture. Throws BadInput.
+ExitCode plot(const PlotRequest& request);
+
+}  // namespace cli

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/plot/tics.hpp"
+
+#include <cmath>
+
+namespace cli {
+namespace {
+
+constexpr std::size_t few = 3;
+
+std::vector<double> of_digits(double low, double high, const std::vector<int>& digits) {
+    std::vector<double> out;
+    for (double decade = std::pow(10.0, std::floor(std::log10(low))); decade <= high;
+         decade *= 10.0)
+        for (const int digit : digits)
+            if (digit * decade >= low * (1.0 - 1e-9) && digit * decade <= high * (1.0 + 1e-9))
+                out.push_back(digit * decade);
+    return out;
+}
+
+}  // namespace
+
+std::vector<double> even_tics(double low, double high) {
+    const double unit = std::pow(10.0, std::floor(std::log10(high - low)) - 1.0);
+    std::vector<double> out;
+    for (const double step :
+         {50.0 * unit, 20.0 * unit, 10.0 * unit, 5.0 * unit, 2.0 * unit, unit}) {
+        out.clear();
+        for (double i = std::ceil(low / step - 1e-9); i * step <= high * (1.0 + 1e-9); ++i)
+            out.push_back(i * step);
+        if (out.size() >= few + 1) break;
+    }
+    return out;
+}
+
+std::vector<double> logarithmic_tics(double low, double high) {
+    if (!(high > low * (1.0 + 1e-9))) return {low};
+    for (const std::vector<int>& digits : {std::vector<int>{1}, {1, 2, 5}, {1, 2, 3, 5, 7}}) {
+        const std::vector<double> out = of_digits(low, high, digits);
+        if (out.size() >= few) return out;
+    }
+    return even_tics(low, high);
+}
+
+}  // namespace cli

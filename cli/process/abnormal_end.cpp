@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/process/abnormal_end.hpp"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "cli/process/exit_code.hpp"
+#include "element/aside_file.hpp"
+#include "element/output_lock.hpp"
+
+namespace cli {
+namespace {
+
+// All that the handlers look at. They may not allocate, nor trust the state of the program.
+std::array<char, 1024> culprit;
+volatile sig_atomic_t running = 0, asked_to_stop = 0;
+volatile long last_step = 0;
+volatile int last_increment = 0;
+std::array<char, 65536> stack_of_handlers;  // for a stack that overflows
+
+void say(const char* how) {
+    std::array<char, 1400> line{};
+    const int length =
+        std::snprintf(line.data(), line.size(), "\ngrit: %s %s after step %ld, increment %d\n",
+                      culprit.data(), how, last_step, last_increment);
+    if (write(STDERR_FILENO, line.data(), static_cast<std::size_t>(length)) < 0) return;
+}
+
+void remove_unfinished() {
+    element::remove_aside_files();
+    element::leave_output_locks();
+}
+
+void at_exit() {
+    if (!running) return;
+    say("ended the program (exit or STOP)");
+    remove_unfinished();
+    _exit(failed_computation);
+}
+
+void at_crash(int signal) {
+    const char* how = signal == SIGSEGV   ? "crashed (segmentation fault)"
+                      : signal == SIGFPE  ? "crashed (floating-point or integer exception)"
+                      : signal == SIGABRT ? "aborted the program"
+                                          : "crashed (bus error or illegal instruction)";
+    if (running) say(how);
+    remove_unfinished();
+    if (running) _exit(failed_computation);
+    ::signal(signal, SIG_DFL);
+    raise(signal);
+}
+
+void at_interrupt(int signal) {
+    if (running && !asked_to_stop) {
+        asked_to_stop = 1;
+        return;
+    }
+    remove_unfinished();
+    _exit(128 + signal);
+}
+
+void handle(int signal, void (*handler)(int)) {
+    struct sigaction action {};
+    action.sa_handler = handler;
+    action.sa_flags = SA_ONSTACK;
+    sigaction(signal, &action, nullptr);
+}
+
+}  // namespace
+
+void handle_abnormal_ends() {
+    stack_t stack{};
+    stack.ss_sp = stack_of_handlers.data();
+    stack.ss_size = stack_of_handlers.size();
+    sigaltstack(&stack, nullptr);
+    for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) handle(signal, at_crash);
+    for (const int signal : {SIGINT, SIGTERM}) handle(signal, at_interrupt);
+    // A file that may not grow and a reader that went away are errors of who writes.
+    for (const int signal : {SIGXFSZ, SIGPIPE}) handle(signal, SIG_IGN);
+    std::atexit(at_exit);
+}
+
+RunGuard::RunGuard(const std::string& what) {
+    std::strncpy(culprit.data(), what.c_str(), culprit.size() - 1);
+    done(0, 0);
+    asked_to_stop = 0;
+    running = 1;
+}
+
+RunGuard::~RunGuard() { running = 0; }
+
+void RunGuard::done(long step, int increment) {
+    last_step = step;
+    last_increment = increment;
+}
+
+bool RunGuard::interrupted() { return asked_to_stop != 0; }
+
+}  // namespace cli

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/sand/parameter_units.hpp"
+
+namespace cli {
+
+Unit unit_of(const grit_sand_parameter_info& info) {
+    const std::string unit = info.unit;
+    if (unit == "rad") return {"deg", degree};
+    if (unit == "stress") return {"kPa", 1.0};
+    return {unit, 1.0};
+}
+
+}  // namespace cli

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/table/columns.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "cli/sand/parameter_units.hpp"
+#include "element/errors.hpp"
+#include "element/nearest.hpp"
+
+namespace cli {
+namespace {
+
+using element::Record;
+using element::Vector6;
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+// What a column may need, computed once for each row.
+struct Derived {
+    const Record& record;
+    const Setting& setting;
+    grit_sand_invariants invariants{};
+    double density_factor = unknown;      // f_d [-]
+    double small_strain_shear = unknown;  // G_0 [kPa]
+    ShearPair shear{};
+};
+
+// sigma_11 - (sigma_22 + sigma_33)/2, and the same of strain.
+double axial_difference(const Vector6& v) { return v[0] - 0.5 * (v[1] + v[2]); }
+
+// Of any law: what follows from the stress alone.
+grit_sand_invariants invariants_of(const Vector6& stress) {
+    grit_sand_invariants out{};
+    const element::Matrix3 T = element::stress_tensor(stress);
+    const Eigen::Vector3d s = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(T).eigenvalues();
+    const element::Matrix3 deviator = T - T.trace() / 3.0 * element::Matrix3::Identity();
+    out.p = -T.trace() / 3.0;
+    out.q = std::sqrt(1.5) * deviator.norm();
+    out.mobilised_friction_angle = out.p > 0.0 ? std::asin((s[2] - s[0]) / -(s[2] + s[0])) : 0.0;
+    const double cube = 13.5 * -deviator.determinant();
+    out.lode_angle =
+        out.q > 0.0 ? std::acos(std::clamp(cube / (out.q * out.q * out.q), -1.0, 1.0)) / 3.0 : 0.0;
+    out.tan_psi = out.rho = out.relative_density = unknown;
+    return out;
+}
+
+// Shear modulus of M at the reversal of a strain that had swept the memory: m_R L_1212. Of the basic
+// model, which has no memory: L_1212.
+double shear_modulus_after_reversal(const element::GritLaw& sand, const Record& record) {
+    grit_sand_parameters parameters;
+    grit_sand_parameters_init(&parameters, sizeof parameters);
+    grit_sand_parameters_of(&sand.sand(), &parameters);
+    double L[36];
+    grit_sand_stiffness(&sand.sand(), record.effective_stress.data(), record.void_ratio, L,
+                        nullptr);
+    return (sand.intergranular_strain() ? parameters.reversal_stiffness : 1.0) * L[21];
+}
+
+Derived derive(const Record& record, const Setting& setting, const element::GritLaw* sand) {
+    Derived out{record, setting};
+    if (sand) {
+        out.invariants = sand->invariants({record.stress, record.state});
+        grit_sand_scalar_factors factors{};
+        factors.struct_size = sizeof factors;
+        grit_sand_factors(&sand->sand(), record.effective_stress.data(), record.void_ratio,
+                          &factors);
+        out.density_factor = factors.f_d;
+        out.small_strain_shear = shear_modulus_after_reversal(*sand, record);
+    } else {
+        out.invariants = invariants_of(record.effective_stress);
+    }
+    out.shear = shear_of(record, setting.shear);
+    return out;
+}
+
+struct Definition {
+    const char* name;
+    const char* unit;
+    double (*of)(const Derived&);
+    bool of_a_point = true;  // otherwise of the way to it
+};
+
+const Record& r(const Derived& d) { return d.record; }
+double real(long count) { return static_cast<double>(count); }
+
+constexpr Definition definitions[] = {
+    {"stage", "", [](const Derived& d) -> double { return d.setting.stage; }, false},
+    {"step", "", [](const Derived& d) { return real(r(d).step); }, false},
+    {"increment", "", [](const Derived& d) -> double { return r(d).increment; }, false},
+    {"time", "s", [](const Derived& d) { return r(d).time; }},
+    {"axial_strain", "-", [](const Derived& d) { return r(d).strain[0]; }},
+    {"volumetric_strain", "-", [](const Derived& d) { return r(d).strain.head<3>().sum(); }},
+    {"shear_strain", "-", [](const Derived& d) { return d.shear.strain; }},
+    {"p", "kPa", [](const Derived& d) { return d.invariants.p; }},
+    {"q", "kPa", [](const Derived& d) { return d.invariants.q; }},
+    {"axial_deviator", "kPa",
+     [](const Derived& d) { return -axial_difference(r(d).total_stress); }},
+    {"shear_stress", "kPa", [](const Derived& d) { return d.shear.stress; }},
+    {"void_ratio", "-", [](const Derived& d) { return r(d).void_ratio; }},
+    {"relative_density", "-", [](const Derived& d) { return d.invariants.relative_density; }},
+    {"mobilised_friction", "deg",
+     [](const Derived& d) { return d.invariants.mobilised_friction_angle / degree; }},
+    {"lode_angle", "deg", [](const Derived& d) { return d.invariants.lode_angle / degree; }},
+    {"rho", "-", [](const Derived& d) { return d.invariants.rho; }},
+    {"f_d", "-", [](const Derived& d) { return d.density_factor; }},
+    {"pore_pressure", "kPa", [](const Derived& d) { return r(d).pore_pressure; }},
+    {"p_total", "kPa", [](const Derived& d) { return -r(d).total_stress.head<3>().sum() / 3.0; }},
+    {"secant_G", "kPa", [](const Derived& d) { return d.setting.secant; }, false},
+    {"G_0", "kPa", [](const Derived& d) { return d.small_strain_shear; }},
+    {"stress_11", "kPa", [](const Derived& d) { return r(d).effective_stress[0]; }},
+    {"stress_22", "kPa", [](const Derived& d) { return r(d).effective_stress[1]; }},
+    {"stress_33", "kPa", [](const Derived& d) { return r(d).effective_stress[2]; }},
+    {"stress_12", "kPa", [](const Derived& d) { return r(d).effective_stress[3]; }},
+    {"stress_13", "kPa", [](const Derived& d) { return r(d).effective_stress[4]; }},
+    {"stress_23", "kPa", [](const Derived& d) { return r(d).effective_stress[5]; }},
+    {"strain_11", "-", [](const Derived& d) { return r(d).strain[0]; }},
+    {"strain_22", "-", [](const Derived& d) { return r(d).strain[1]; }},
+    {"strain_33", "-", [](const Derived& d) { return r(d).strain[2]; }},
+    {"gamma_12", "-", [](const Derived& d) { return r(d).strain[3]; }},
+    {"gamma_13", "-", [](const Derived& d) { return r(d).strain[4]; }},
+    {"gamma_23", "-", [](const Derived& d) { return r(d).strain[5]; }},
+    {"newton_iterations", "", [](const Derived& d) { return real(r(d).iterations); }, false},
+    {"rate_evaluations", "", [](const Derived& d) { return real(r(d).evaluations); }, false},
+    {"halvings", "", [](const Derived& d) { return real(r(d).cut_backs); }, false},
+};
+
+}  // namespace
+
+const std::vector<std::string>& standard_column_names() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> out;
+        for (const Definition& definition : definitions) out.emplace_back(definition.name);
+        return out;
+    }();
+    return names;
+}
+
+ShearPair shear_of(const Record& record, bool loaded_by_shear) {
+    if (loaded_by_shear) return {record.total_stress[3], record.strain[3]};
+    return {0.5 * axial_difference(record.total_stress), axial_difference(record.strain)};
+}
+
+Columns::Columns(const element::GritLaw* law, const std::vector<std::string>& state_names)
+    : sand(law) {
+    for (const Definition& definition : definitions)
+        heads.push_back({definition.name, definition.unit, {}, {}});
+    for (std::size_t i = 0; i < state_names.size(); ++i) {
+        const auto taken = [&](const Column& column) { return column.name == state_names[i]; };
+        if (std::any_of(heads.begin(), heads.end(), taken)) continue;
+        heads.push_back({state_names[i], "", {}, {}});
+        states.push_back(i);
+    }
+}
+
+std::vector<double> Columns::row(const Record& record, const Setting& setting) const {
+    const Derived derived = derive(record, setting, sand);
+    std::vector<double> out;
+    for (const Definition& definition : definitions) out.push_back(definition.of(derived));
+    for (const std::size_t i : states) out.push_back(record.state[i]);
+    return out;
+}
+
+element::Vocabulary Columns::words(bool loaded_by_shear) const {
+    return [this_ = *this, loaded_by_shear](const std::string& name) -> element::Quantity {
+        std::vector<std::string> known;
+        for (const Definition& definition : definitions) {
+            if (!definition.of_a_point) continue;
+            if (definition.name == name)
+                return [&definition, loaded_by_shear, sand = this_.sand](const Record& record) {
+                    const Setting setting{0, loaded_by_shear, unknown};
+                    return definition.of(derive(record, setting, sand));
+                };
+            known.emplace_back(definition.name);
+        }
+        for (std::size_t i = 0; i < this_.states.size(); ++i) {
+            known.push_back(this_.heads[std::size(definitions) + i].name);
+            if (known.back() == name)
+                return
+                    [place = this_.states[i]](const Record& record) { return record.state[place]; };
+        }
+        throw element::BadCase("a condition speaks of columns of the result, got \"" + name + "\"" +
+                               element::suggestion(name, known));
+    };
+}
+
+}  // namespace cli
