@@ -69,7 +69,7 @@ endforeach()
 file(GLOB parts RELATIVE ${SOURCE}/tests ${SOURCE}/tests/*)
 foreach(part IN LISTS parts)
   if(NOT part STREQUAL "architecture")
-    check_folder(tests/${part} ${third_party} "\"((support/)?[a-z_0-9]+|\\.\\./larger)\\.hp?p?\"")
+    check_folder(tests/${part} ${third_party} "\"((support/|paths/)?[a-z_0-9]+|\\.\\./larger)\\.hp?p?\"")
     check_folder(tests/${part}/kernel ${third_party}
                  "\"(support|${part}|tests/${part}/support)/[a-z_0-9/]+\\.hpp\"")
   endif()

@@ -62,8 +62,11 @@ TEST(TwoRunsOfMaterialPoints, AreOneThatIsRefusedByName) {
     const std::string run = GRIT_CLI " mpm --no-plot --quiet --out ";
     const std::string plan = " " GRIT_MPM_CASES "/every_key_override.toml";
     const Answer answer =
-        here.grit("sand list > /dev/null; " + run + "out" + plan + " & sleep 0.05; " + run + "out" +
-                  plan + "; second=$?; wait $!; echo $? + $second; " + run + "plain" + plan);
+        here.grit("sand list > /dev/null; " + run + "out" + plan +
+                  " & for try in $(seq 100000); do [ -e out/.grit-lock ] && break; done; "
+                  "kill -STOP $!; " +
+                  run + "out" + plan + "; second=$?; kill -CONT $!; wait $!; echo $? + $second; " +
+                  run + "plain" + plan);
     EXPECT_TRUE(answer.says("0 + 1\n") || answer.says("1 + 0\n")) << answer.text;
     EXPECT_TRUE(answer.says("grit: out/every_key_override.")) << answer.text;
     EXPECT_EQ(here.files("out"), here.files("plain"));
