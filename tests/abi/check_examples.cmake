@@ -18,7 +18,9 @@ run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${WORK}/outside -B ${WORK}/build
     -DCMAKE_C_COMPILER=${CC} -DCMAKE_PREFIX_PATH=${WORK}/prefix)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/first_update)
-if(NOT output MATCHES "stress     -115\\.852 -100\\.286 -100\\.286 kPa")
+file(READ ${SOURCE}/../README.md readme)
+string(FIND "${readme}" "${output}" at)
+if(at EQUAL -1)
   message(FATAL_ERROR "first_update printed\n${output}, the README says otherwise")
 endif()
 
