@@ -61,11 +61,15 @@ function(grit_hidden target)
                POSITION_INDEPENDENT_CODE ON)
 endfunction()
 
-# Code inside libgrit: hidden symbols, IEEE arithmetic as written, no contraction behind our back.
+# Code inside libgrit, of the room of this folder: hidden symbols, IEEE arithmetic as written, no contraction behind our back.
 function(grit_library_part target)
   add_library(${target} OBJECT ${ARGN})
   grit_warnings(${target})
-  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include)
+  cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME room)
+  set(seen support ${room})
+  list(REMOVE_DUPLICATES seen)
+  grit_sees(${target} PRIVATE ${seen})
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/include)
   target_compile_definitions(${target} PRIVATE GRIT_BUILDING)
   target_compile_options(
     ${target} PRIVATE "$<IF:$<BOOL:${GRIT_SANITIZE}>,-O1;${GRIT_QUICK_FLAGS},-O3>" -ffp-contract=off

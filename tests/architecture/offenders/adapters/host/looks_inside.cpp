@@ -1,2 +1,0 @@
-// A host that looks inside.
-#include "umat/model/material.hpp"

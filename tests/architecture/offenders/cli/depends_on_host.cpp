@@ -1,2 +1,0 @@
-// A program that depends on a host.
-#include "adapters/host/entry.hpp"

@@ -1,2 +1,0 @@
-// A header of the product that needs C++.
-#include <vector>

@@ -1,2 +1,0 @@
-// What all share knows one of them.
-#include "umat/model/material.hpp"

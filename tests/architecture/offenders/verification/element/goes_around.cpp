@@ -1,2 +1,0 @@
-// An element test that goes around the ABI.
-#include <umat/model/material.hpp>
