@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include <adapters/lammps/fix_case.hpp>
-#include <cli/process/exit_code.hpp>
 #include <cli/mpm/case_file.hpp>
+#include <cli/process/exit_code.hpp>
 #include <fmt/format.h>
 
 #include "support/folder.hpp"
