@@ -10,9 +10,9 @@
 namespace element {
 namespace {
 
-constexpr const char* known[] = {"s1",  "s2",  "s3",  "s12",  "s13", "s23", "e1",  "e2", "e3",
-                                 "g12", "g13", "g23", "p",    "q",   "P",   "Q",   "ev", "eq",
-                                 "eP",  "eQ",  "pw",  "time", "sI",  "sII", "sIII"};
+constexpr const char* quantities[] = {"s1",  "s2",  "s3",  "s12",  "s13", "s23", "e1",  "e2", "e3",
+                                      "g12", "g13", "g23", "p",    "q",   "P",   "Q",   "ev", "eq",
+                                      "eP",  "eQ",  "pw",  "time", "sI",  "sII", "sIII"};
 
 double principal(const Vector6& stress, int from_smallest) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
@@ -56,9 +56,9 @@ std::size_t state_number(const std::string& name) {
 
 Vocabulary incremental_driver_words(std::vector<std::string> state_names) {
     return [names = std::move(state_names)](const std::string& name) -> Quantity {
-        const auto* const found = std::find(std::begin(known), std::end(known), name);
-        if (found != std::end(known)) {
-            const auto index = static_cast<std::size_t>(found - std::begin(known));
+        const auto* const found = std::find(std::begin(quantities), std::end(quantities), name);
+        if (found != std::end(quantities)) {
+            const auto index = static_cast<std::size_t>(found - std::begin(quantities));
             return [index](const Record& record) { return known_quantity(index, record); };
         }
         const auto of_state = [](std::size_t index) -> Quantity {
@@ -72,7 +72,7 @@ Vocabulary incremental_driver_words(std::vector<std::string> state_names) {
         const auto state = std::find(names.begin(), names.end(), name);
         if (state != names.end()) return of_state(static_cast<std::size_t>(state - names.begin()));
         std::string list;
-        for (const char* each : known) list += std::string(" ") + each;
+        for (const char* each : quantities) list += std::string(" ") + each;
         throw BadCase(text("unknown quantity \"%s\"; known are%s, v1 v2 ... and the names of the "
                            "state variables",
                            name.c_str(), list.c_str()));

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t most = 4000;
 // Parts of the picture, which is some 400 pixels high, and lines are two of them wide.
-constexpr double apart = 0.04, beside = 5e-4, cell = 1e-3;
+constexpr double apart = 0.04, beside = 5e-4, square_side = 1e-3;
 constexpr std::size_t gap = std::numeric_limits<std::size_t>::max();  // here the line is broken
 
 struct Point {
@@ -107,7 +107,7 @@ class Ink {
   public:
     // Draws a stretch. Whether it was to be seen beside what is there.
     bool draw(const Point& a, const Point& b) {
-        const double steps = std::ceil(2.0 * distance(a, b) / cell) + 1.0;
+        const double steps = std::ceil(2.0 * distance(a, b) / square_side) + 1.0;
         bool seen = false;
         for (double k = 0.0; k <= steps; ++k) {
             const double t = k / steps;
@@ -120,8 +120,8 @@ class Ink {
     }
 
   private:
-    static constexpr auto across = static_cast<std::size_t>(1.0 / cell) + 2;
-    static std::size_t square(double part) { return static_cast<std::size_t>(part / cell); }
+    static constexpr auto across = static_cast<std::size_t>(1.0 / square_side) + 2;
+    static std::size_t square(double part) { return static_cast<std::size_t>(part / square_side); }
     std::vector<bool> inked = std::vector<bool>(across * across, false);
 };
 

@@ -6,7 +6,7 @@
 namespace cli {
 namespace {
 
-constexpr std::size_t few = 3;
+constexpr std::size_t fewest = 3;
 
 std::vector<double> of_digits(double low, double high, const std::vector<int>& digits) {
     std::vector<double> out;
@@ -28,7 +28,7 @@ std::vector<double> even_tics(double low, double high) {
         out.clear();
         for (double i = std::ceil(low / step - 1e-9); i * step <= high * (1.0 + 1e-9); ++i)
             out.push_back(i * step);
-        if (out.size() >= few + 1) break;
+        if (out.size() >= fewest + 1) break;
     }
     return out;
 }
@@ -37,7 +37,7 @@ std::vector<double> logarithmic_tics(double low, double high) {
     if (!(high > low * (1.0 + 1e-9))) return {low};
     for (const std::vector<int>& digits : {std::vector<int>{1}, {1, 2, 5}, {1, 2, 3, 5, 7}}) {
         const std::vector<double> out = of_digits(low, high, digits);
-        if (out.size() >= few) return out;
+        if (out.size() >= fewest) return out;
     }
     return even_tics(low, high);
 }

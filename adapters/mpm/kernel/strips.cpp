@@ -23,7 +23,8 @@ void Strips::sort(const GridView& grid, Particles& particles) {
     for (std::size_t i = 1; i < place.size(); ++i) place[i] += place[i - 1];
     for (int s = 0; s <= strips; ++s) {
         const int row = std::min(s * rows, grid.z.cells);
-        start[static_cast<std::size_t>(s)] = place[static_cast<std::size_t>(row * grid.r.cells)];
+        start[static_cast<std::size_t>(s)] =
+            place[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.r.cells)];
     }
     for (std::size_t p = 0; p < n; ++p)
         order[static_cast<std::size_t>(place[static_cast<std::size_t>(cell[p])]++)] =
