@@ -92,7 +92,11 @@ std::string BothHosts::start(int processes, const std::string& program) {
 
 Answer BothHosts::lammps(int processes, const std::string& script) const {
     folder.write("script.in", script);
-    return folder.run(start(processes, GRIT_LMP " -in script.in -log none"));
+    Answer answer = folder.run(start(processes, GRIT_LMP " -in script.in -log said.log"));
+    // The first rank that ends with an error may end the others before they have written what they said;
+    // LAMMPS closes its log before that.
+    if (answer.status != 0) answer.text += folder.read("said.log");
+    return answer;
 }
 
 Told BothHosts::in_lammps(int r, int z, const std::string& script_given) const {
