@@ -99,7 +99,7 @@ enum {
     GRIT_TANGENT_CONTINUUM = 1, /* M of (G1) at the end, along the increment */
     GRIT_TANGENT_CONSISTENT = 2 /* derivative of the stress by the strain increment */
 };
-#define GRIT_SAND_DEFAULT_TOLERANCE 3e-5 /* whole paths within 2e-4 of the exact stress */
+#define GRIT_SAND_DEFAULT_TOLERANCE 3e-4 /* whole paths within 2e-4 of the exact stress */
 typedef struct grit_sand_options {
     size_t struct_size;    /* set by init */
     double tolerance;      /* of the stress, see grit_sand_update; [1e-12, 0.1] */

@@ -3,12 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "support/workplace.hpp"
 
 namespace {
 
-// A second or so.
+// Long enough to be stopped on its way.
 const std::string cycles = "[[stage]]\ntest = \"triaxial_undrained\"\n"
                            "axial_strain_amplitude = -1e-4\ncycles = 800\nrecord_every = 100\n";
 
@@ -24,12 +25,17 @@ class TwoRuns : public testing::Test {
     }
     Workplace here;
     const std::string run = GRIT_CLI " element --no-plot --quiet --out out x.toml";
+    // In the background, up to where its files are begun.
+    const std::string begun =
+        "sand list > /dev/null; " + run +
+        " & for try in $(seq 100000); do set -- out/x.csv.*.part; [ -e $1 ] && break; done; ";
 };
 
 TEST_F(TwoRuns, OfOneCaseAreOneThatIsRefusedByName) {
-    for (const std::string delay : {"0", "0.02", "0.3"}) {
-        const Answer answer = here.grit("sand list > /dev/null; " + run + " & sleep " + delay +
-                                        "; " + run + "; second=$?; wait $!; echo $? + $second;");
+    for (const std::string& first : std::vector<std::string>{
+             "sand list > /dev/null; " + run + " & ", begun + "kill -STOP $!; "}) {
+        const Answer answer =
+            here.grit(first + run + "; second=$?; kill -CONT $!; wait $!; echo $? + $second;");
         EXPECT_TRUE(answer.says("0 + 1\n") || answer.says("1 + 0\n")) << answer.text;
         EXPECT_TRUE(answer.says("grit: out/x.csv: another run of grit is writing this file"))
             << answer.text;
@@ -49,8 +55,7 @@ TEST_F(TwoRuns, OfDifferentCasesDoNotDisturbEachOther) {
 }
 
 TEST_F(TwoRuns, AreNoneWhereTheFirstWasKilled) {
-    const Answer answer = here.grit("sand list > /dev/null; " + run +
-                                    " & sleep 0.3; kill -KILL $!; wait $!; ls -a out; " + run);
+    const Answer answer = here.grit(begun + "kill -KILL $!; wait $!; ls -a out; " + run);
     EXPECT_EQ(answer.status, 0) << answer.text;
     EXPECT_TRUE(answer.says(".part\n")) << answer.text;
     leave_the_result_of_one();

@@ -58,7 +58,7 @@ class Batch {
         if (any(shorter)) {
             const Segment<Lanes> start = first_segment<Lanes, igs>(m, path, x.T);
             const auto end = short_increment<Lanes, igs>(m, control, path, start,
-                                                         allowed_error(control, path, start),
+                                                         allowed_error(m, control, path, start),
                                                          select(shorter, Lanes(0.0), Lanes(1.0)));
             spent = select(shorter & !end.accepted, end.evaluations, Lanes(0.0));
             done = write_ends(q, lane_points, x, path, end_of(path, start, end));
@@ -77,7 +77,7 @@ class Batch {
         if (!x.ordinary) return take(0);
         const StraightPath<double> path = straight_path(m, x.strain_increment, x.h, x.e);
         const Segment<double> start = first_segment<double, igs>(m, path, x.T);
-        const double allowed = allowed_error(control, path, start);
+        const double allowed = allowed_error(m, control, path, start);
         const auto quick = short_increment<double, igs>(m, control, path, start, allowed, 0.0);
         if (write_ends(q, lane_points, x, path, end_of(path, start, quick))) return;
         const auto end =

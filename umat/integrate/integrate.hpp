@@ -65,10 +65,13 @@ inline Integrated<Real> integrate(const Material& m, const Control& control,
 }
 
 template <class Real>
-GRIT_INLINE PlainOf<Real> allowed_error(const Control& control, const StraightPath<Real>& path,
+GRIT_INLINE PlainOf<Real> allowed_error(const Material& m, const Control& control,
+                                        const StraightPath<Real>& path,
                                         const Segment<Real>& first) {
-    return allowed_error<PlainOf<Real>>(control, value(path.length),
-                                        first.relative_rate / value(first.at.ds));
+    using Plain = PlainOf<Real>;
+    const Plain length = value(path.length);
+    return allowed_error<Plain>(control, length, first.relative_rate / value(first.at.ds),
+                                first.memory * min(m.inverse_R * length, Plain(longest_averaged)));
 }
 
 template <class Real, bool igs>
@@ -76,7 +79,7 @@ inline Integrated<Real> integrate(const Material& m, const Control& control,
                                   const StraightPath<Real>& path, const Tensor<PlainOf<Real>>& T_0,
                                   const PlainOf<Real>& advised_step, const PlainOf<Real>& spent) {
     const Segment<Real> first = first_segment<Real, igs>(m, path, T_0);
-    const auto allowed = allowed_error(control, path, first);
+    const auto allowed = allowed_error(m, control, path, first);
     const auto quick = short_increment<Real, igs>(m, control, path, first, allowed, spent);
     return integrate<Real, igs>(m, control, path, first, quick, allowed, advised_step);
 }

@@ -17,6 +17,7 @@ template <class Real> struct Segment {
     Waypoint<Real> at;
     Marched<Real> y, rate;  // rate: per step of the course
     Stiffness<PlainOf<Real>, PlainOf<Real>> stiffness;
+    PlainOf<Real> memory;                       // see memory_of; without h, 0
     PlainOf<Real> stress_scale, relative_rate;  // |rate of T| over the scale
 };
 
@@ -29,9 +30,11 @@ GRIT_INLINE void start_stress(const Material& m, const StraightPath<Real>& path,
     if constexpr (igs) {
         g.h = mobilisation_at_start(m, g.course);
         g.at = waypoint(m, g.course.loading, g.h, g.e);
+        g.memory = memory_of(g.h, g.course.loading);
     } else {
         g.h = no_mobilisation(g.e);
         g.at = basic_waypoint(m, g.e);
+        g.memory = PlainOf<Real>(0.0);
     }
     const Marched<Stress> y = marched(m, T);
     const Stiffness<Stress, Real> k = stiffness(m, y, g.e);

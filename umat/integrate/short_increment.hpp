@@ -42,8 +42,7 @@ template <class Real, bool igs> class ShortSegment {
         // Stiffness changes by up to m_R chi (1 - rho): more than h itself where rho is near 1.
         change = Plain(0.0);
         if constexpr (igs)
-            change = min(m.m_R * m.chi * memory_of(start.h, start.course.loading), Plain(1.0)) *
-                     (m.inverse_R * length);
+            change = min(m.m_R * m.chi * start.memory, Plain(1.0)) * (m.inverse_R * length);
         const Plain growth = start.relative_rate / value(start.at.ds) * length;
         const Plain second = 0.1 * growth * square(growth + change);
         const Plain third = 0.5 * square(growth) * min(growth + change, Plain(1.0));

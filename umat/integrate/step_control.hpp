@@ -50,25 +50,31 @@ template <class Real> struct Integrated {
 
 // Constants of the step control, calibrated so that single calls deliver what was asked: see the
 // table of docs/accuracy.md.
-constexpr double error_safety = 10.0;        // of the embedded method's error ...
-constexpr double change_safety = 60.0;       // ... times the change of the rate
-constexpr double heun_safety = 1.5;          // of Euler's error times the change of the rate
+constexpr double error_safety = 10.0;   // of the embedded method's error ...
+constexpr double change_safety = 60.0;  // ... times the change of the rate
+constexpr double heun_safety = 1.5;     // of Euler's error times the change of the rate, by h ...
+constexpr double heun_stress_safety = 5.0;   // ... and by the stress
 constexpr double third_order_safety = 0.07;  // of what the stress makes of the increment
-constexpr double midpoint_safety = 0.25;     // of a method of second order for one of third
-constexpr double roughness_safety = 1.0;     // of what a quadrature might miss
-constexpr double longest_averaged = 2.0;     // in R: beyond, waypoints are too rough as a rule
+constexpr double midpoint_safety = 0.5;      // of a method of second order for one of third
+constexpr double axis_safety =
+    0.2;  // of the change of the stress times that of its ratio, past the axis
+constexpr double roughness_safety = 1.0;  // of what a quadrature might miss
+constexpr double longest_averaged = 2.0;  // in R: beyond, waypoints are too rough as a rule
 constexpr double resolution = 0.1;  // largest error of a falling stress, of what is left of it
 constexpr double start_reach = 3.0;
 constexpr double growth_reach = 0.7;  // longest step, in relative stress change / tolerance^(1/5)
-constexpr double slowest_rate =
-    10.0;  // of relative stress change per strain that is told from none
+constexpr double slowest_rate = 3.0;  // of relative stress change per strain that is told from none
+constexpr double turning_share = 0.1;  // of the tolerance, for a turn of h by R
 constexpr double smallest_fraction = 1e-13;
 
 // What the call may add to the error: the tolerance times the share of the stress it changes, so that errors
-// over many small increments sum to what one large increment is allowed. rate: |dT/ds| over the stress scale.
+// over many small increments sum to what one large increment is allowed; or a share for h, which has turned after a few R
+// however many calls that takes. rate: |dT/ds| over the stress scale; turning: the strain that moves h, over R.
 template <class Plain>
-GRIT_INLINE Plain allowed_error(const Control& control, const Plain& length, const Plain& rate) {
-    return control.tolerance * min(length * max(rate, Plain(slowest_rate)), Plain(1.0));
+GRIT_INLINE Plain allowed_error(const Control& control, const Plain& length, const Plain& rate,
+                                const Plain& turning) {
+    const Plain share = length * max(rate, Plain(slowest_rate));
+    return control.tolerance * min(max(share, turning_share * turning), Plain(1.0));
 }
 
 GRIT_KERNEL_END

@@ -61,6 +61,15 @@ std::vector<Test> tests() {
             r.push_back(
                 {"drained cycles", true, 0.4, 100, memory, cycles(oedometric, amplitude, 5)});
         }
+        // Many within R: each turns h, and errors of one sign add up.
+        for (const double amplitude : {3e-6, 1e-5, 3e-5, 5e-5}) {
+            r.push_back({"small undrained cycles", false, 0.4, 100, memory,
+                         cycles(undrained, amplitude, 50)});
+            r.push_back({"small simple shear cycles", false, 0.4, 100, memory,
+                         cycles(sheared, amplitude, 50)});
+            r.push_back({"small isotropic cycles", false, 0.4, 100, memory,
+                         cycles(isotropic, amplitude, 50)});
+        }
     }
     return r;
 }

@@ -41,7 +41,8 @@ double error(const StrainPath& path, const Course& course, const Course& exact);
 double opening_pressure(const grit_sand& sand);
 
 // Laboratory tests of every sand of the catalogue that has h, and of those with h switched off: oedometer and
-// isotropic compression with unloading and reloading, undrained, drained, simple shear, cycles of three sizes.
+// isotropic compression with unloading and reloading, undrained, drained, simple shear, cycles of three sizes, and many
+// within R.
 // In about so many calls.
 std::vector<StrainPath> laboratory_paths(int calls);
 

@@ -15,7 +15,7 @@ using namespace grit::mpm;
 
 const double box[2][2] = {{0.0, 30.0}, {0.0, 30.0}};
 
-std::string refusal_of(std::vector<std::string> words) {
+std::string refusal_of(const std::vector<std::string>& words) {
     try {
         grit::lammps::read_fix(words, box);
     } catch (const std::invalid_argument& refused) {
@@ -24,7 +24,7 @@ std::string refusal_of(std::vector<std::string> words) {
     return {};
 }
 
-std::string refusal_of_stage(std::vector<std::string> words) {
+std::string refusal_of_stage(const std::vector<std::string>& words) {
     try {
         grit::lammps::read_stage(words, {}, Scheme::usl);
     } catch (const std::invalid_argument& refused) {
