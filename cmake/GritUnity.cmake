@@ -11,10 +11,6 @@ function(grit_unity target)
   endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${GRIT_UNITY} UNITY_BUILD_BATCH_SIZE ${unity_BATCH})
   set_source_files_properties(${unity_EXCEPT} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-  # A local name may be one that another file of the batch keeps to itself: only clang minds.
-  if(GRIT_UNITY AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
-    target_compile_options(${target} PRIVATE -Wno-shadow)
-  endif()
 endfunction()
 
 # The sources of a test, six at a time: each in a namespace of its own, after the headers of all, so that tests
