@@ -13,7 +13,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "element/aside_file.hpp"
+#include "element/atomic_file.hpp"
 
 namespace element {
 namespace {
