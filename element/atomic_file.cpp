@@ -3,42 +3,20 @@
 
 #include <unistd.h>
 
-#include <array>
-#include <atomic>
 #include <cerrno>
-#include <cstring>
 #include <random>
+#include <string>
 #include <system_error>
+
+#include "element/signal_safe_names.hpp"
 
 namespace element {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Fixed memory, for a signal handler may not allocate. Names that do not fit are removed by their
-// destructors alone.
-struct Slot {
-    std::atomic<bool> taken{false}, listed{false};
-    std::array<char, 4096> name{};
-};
-std::array<Slot, 32> slots;
-
-int list(const fs::path& path) {
-    const std::string& name = path.native();
-    for (std::size_t i = 0; i < slots.size() && name.size() < slots[i].name.size(); ++i) {
-        if (slots[i].taken.exchange(true)) continue;
-        std::strcpy(slots[i].name.data(), name.c_str());
-        slots[i].listed = true;
-        return static_cast<int>(i);
-    }
-    return -1;
-}
-
-void unlist(int slot) {
-    if (slot < 0) return;
-    slots[static_cast<std::size_t>(slot)].listed = false;
-    slots[static_cast<std::size_t>(slot)].taken = false;
-}
+// Names that do not fit are removed by their destructors alone.
+constinit SignalSafeNames<32> incomplete_files;
 
 constexpr std::size_t token_length = 16;
 
@@ -67,8 +45,7 @@ bool is_name_beside(std::string_view name, std::string_view of) {
 }  // namespace
 
 void remove_incomplete_files() noexcept {
-    for (const Slot& slot : slots)
-        if (slot.listed) unlink(slot.name.data());
+    incomplete_files.for_each([](const char* name, int) { unlink(name); });
 }
 
 void remove_left_behind(const fs::path& place) noexcept try {
@@ -83,13 +60,13 @@ void remove_left_behind(const fs::path& place) noexcept try {
 AtomicPath::AtomicPath(fs::path destination) : place(std::move(destination)), beside(place) {
     beside.replace_filename(name_beside(place.filename().string()));
     beside = fs::absolute(beside);  // whatever a library does to the current folder
-    slot = list(beside);
+    slot = incomplete_files.add(beside);
 }
 
 AtomicPath::~AtomicPath() {
     std::error_code nobody_is_left_to_ask;
     if (!beside.empty()) fs::remove(beside, nobody_is_left_to_ask);
-    unlist(slot);
+    incomplete_files.remove(slot);
 }
 
 void AtomicPath::complete() {
@@ -97,7 +74,7 @@ void AtomicPath::complete() {
     fs::rename(beside, place, refused);
     if (refused) fail(place, refused.value());
     beside.clear();
-    unlist(slot);
+    incomplete_files.remove(slot);
     slot = -1;
 }
 

@@ -30,7 +30,7 @@ class AtomicPath {
 
   private:
     std::filesystem::path place, beside;
-    int slot = -1;  // in the list for remove_incomplete_files
+    int slot = -1;  // among the names for remove_incomplete_files
 };
 
 class AtomicFile {
