@@ -67,13 +67,14 @@ TEST(SignalSafeNames, ShareNoPlaceHoweverManyThreadsAddThem) {
     for (unsigned seed = 0; seed < 6; ++seed)
         threads.emplace_back([&, seed] {
             std::mt19937 random(seed);
-            for (int i = 0; i < 20000; ++i) {
-                const std::string name(1 + random() % 50, static_cast<char>('a' + seed));
+            for (int i = 0; i < 200000; ++i) {
+                const std::string name(1 + random() % 4000, static_cast<char>('a' + seed));
                 const int place = table.add(name, static_cast<int>(seed));
                 if (place == table.none) continue;
                 std::atomic<int>& owner = owners[static_cast<std::size_t>(place)];
                 two += ++owner != 1;
                 ++got;
+                std::this_thread::yield();  // whoever else took the place has it now
                 --owner;
                 table.remove(place);
             }
