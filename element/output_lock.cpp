@@ -5,15 +5,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
-#include <atomic>
 #include <cerrno>
 #include <cstdint>
-#include <cstring>
 #include <string_view>
 #include <system_error>
 
-#include "element/aside_file.hpp"
+#include "element/atomic_file.hpp"
+#include "element/signal_safe_names.hpp"
 
 namespace element {
 namespace {
@@ -41,30 +39,8 @@ Answer lock_bytes(int file, off_t first, off_t count) {
 
 Answer lock_all(int file) { return lock_bytes(file, 0, 0); }
 
-// Fixed memory, for a signal handler may not allocate. What does not fit stays behind, empty.
-struct LockSlot {
-    std::atomic<bool> taken{false};
-    std::atomic<int> file{-1};  // -1: nobody's
-    std::array<char, 4096> name{};
-};
-std::array<LockSlot, 8> lock_slots;
-
-int list_lock(const fs::path& path, int file) {
-    const std::string& name = path.native();
-    for (std::size_t i = 0; i < lock_slots.size() && name.size() < lock_slots[i].name.size(); ++i) {
-        if (lock_slots[i].taken.exchange(true)) continue;
-        std::strcpy(lock_slots[i].name.data(), name.c_str());
-        lock_slots[i].file = file;
-        return static_cast<int>(i);
-    }
-    return -1;
-}
-
-void unlist_lock(int slot) {
-    if (slot < 0) return;
-    lock_slots[static_cast<std::size_t>(slot)].file = -1;
-    lock_slots[static_cast<std::size_t>(slot)].taken = false;
-}
+// What does not fit stays behind, empty.
+constinit SignalSafeNames<8> held_locks;
 
 // FNV-1a. A byte of the lock file stands for a name; it need not be there to be locked.
 off_t byte_of(std::string_view name) {
@@ -96,7 +72,7 @@ OutputLock::Folder* OutputLock::open_folder(const fs::path& folder) {
     const fs::path path = folder / ".grit-lock";
     const int file = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (file < 0) return nullptr;
-    folders.push_back({path, file, list_lock(path, file)});
+    folders.push_back({path, file, held_locks.add(path, file)});
     return &folders.back();
 }
 
@@ -126,7 +102,7 @@ OutputLock::OutputLock(const std::vector<fs::path>& outputs) {
 
 void OutputLock::release() {
     for (const Folder& folder : folders) {
-        unlist_lock(folder.slot);
+        held_locks.remove(folder.slot);
         remove_if_last(folder.file, folder.lock.c_str());
         close(folder.file);
     }
@@ -136,8 +112,7 @@ void OutputLock::release() {
 OutputLock::~OutputLock() { release(); }
 
 void leave_output_locks() noexcept {
-    for (const LockSlot& slot : lock_slots)
-        if (slot.file >= 0) remove_if_last(slot.file, slot.name.data());
+    held_locks.for_each([](const char* path, int file) { remove_if_last(file, path); });
 }
 
 }  // namespace element

@@ -21,7 +21,7 @@ class OutputLock {
     struct Folder {
         std::filesystem::path lock;
         int file;
-        int slot;  // in the list for leave_output_locks
+        int slot;  // among the names for leave_output_locks
     };
     Folder* open_folder(const std::filesystem::path& folder);
     void release();

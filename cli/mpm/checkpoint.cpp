@@ -15,7 +15,7 @@
 #include <adapters/mpm/io/checksum.hpp>
 #include <fmt/format.h>
 
-#include "element/aside_file.hpp"
+#include "element/atomic_file.hpp"
 
 namespace cli {
 namespace {
@@ -80,7 +80,7 @@ void write_mpm_checkpoint(const fs::path& place, const grit::mpm::Simulation& si
     const Header header = header_of(runner);
     std::ostringstream state;
     grit::mpm::save(simulation, state);
-    element::AsideFile file(place);
+    element::AtomicFile file(place);
     file.write({reinterpret_cast<const char*>(&header), sizeof header});
     file.write(runner);
     file.write(state.view());

@@ -11,7 +11,7 @@
 
 namespace cli {
 
-// Written aside, on the disk before it takes the place of the one before; throws element::CannotWrite,
+// Written beside, on the disk before it takes the place of the one before; throws element::CannotWrite,
 // which leaves that one as it is.
 void write_mpm_checkpoint(const std::filesystem::path& place,
                           const grit::mpm::Simulation& simulation, std::string_view runner);

@@ -28,7 +28,7 @@ struct FieldPicture {
     int height = 700;              // [px]
 };
 
-// stem.svg and stem.png, written aside and renamed: domains of particles, coloured by the field; bodies
+// stem.svg and stem.png, written beside and renamed: domains of particles, coloured by the field; bodies
 // without it are grey. Of a vector its length. Returns what went wrong, empty if nothing.
 std::string draw_field(const std::filesystem::path& stem, const FieldPicture& picture,
                        const MpmFields& fields);

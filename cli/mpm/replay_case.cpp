@@ -11,7 +11,7 @@
 #include <grit/sand_operators.h>
 
 #include "cli/sand/parameter_units.hpp"
-#include "element/aside_file.hpp"
+#include "element/atomic_file.hpp"
 
 namespace cli {
 namespace {
@@ -117,7 +117,7 @@ void write_replay_case(const std::filesystem::path& place, const mpm::MaterialFa
     const auto* sand =
         dynamic_cast<const mpm::Sand*>(simulation.body(failure.body()).material.get());
     if (!sand) throw std::invalid_argument("the body that failed is not of sand");
-    element::AsideFile file(place);
+    element::AtomicFile file(place);
     file.write(replay_case(failure.update(), *sand, failure.what()));
     file.complete();
 }

@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-#include "element/aside_file.hpp"
+#include "element/atomic_file.hpp"
 
 namespace cli {
 namespace {
@@ -51,7 +51,7 @@ std::string escaped(const std::string& text) {
 
 // Length and numbers as one block of base64: the header_type of the file is UInt64.
 template <class Number>
-void write_array(element::AsideFile& file, std::string_view type, const std::string& attributes,
+void write_array(element::AtomicFile& file, std::string_view type, const std::string& attributes,
                  const std::vector<Number>& values) {
     const std::uint64_t length = values.size() * sizeof(Number);
     std::string bytes(sizeof length + length, '\0');
@@ -70,7 +70,7 @@ std::vector<double> in_space(const std::vector<double>& pairs) {
     return out;
 }
 
-void write_cells(element::AsideFile& file, std::size_t cells) {
+void write_cells(element::AtomicFile& file, std::size_t cells) {
     constexpr std::uint8_t quadrilateral = 9;
     std::vector<std::int64_t> connectivity(4 * cells), offsets(cells);
     for (std::size_t i = 0; i < 4 * cells; ++i) connectivity[i] = static_cast<std::int64_t>(i);
@@ -107,7 +107,7 @@ std::string lines_of(const std::vector<PvdEntry>& entries) {
 
 void write_vtu(const std::filesystem::path& place, const VtuSheet& sheet) {
     const std::size_t cells = sheet.corners.size() / 8;
-    element::AsideFile file(place);
+    element::AtomicFile file(place);
     file.write(opening("UnstructuredGrid"));
     file.write("<UnstructuredGrid>\n<FieldData>\n");
     write_array(file, "Float64", "Name=\"TimeValue\" NumberOfTuples=\"1\"",
@@ -132,7 +132,7 @@ void write_vtu(const std::filesystem::path& place, const VtuSheet& sheet) {
 PvdFile::PvdFile(const std::filesystem::path& place, const std::vector<PvdEntry>& entries)
     : name(place) {
     const std::string text = opening("Collection") + "<Collection>\n" + lines_of(entries);
-    element::AsideFile whole(place);
+    element::AtomicFile whole(place);
     whole.write(text);
     whole.write(pvd_closing);
     whole.complete();

@@ -21,7 +21,7 @@ struct VtuSheet {
     std::vector<VtuArray> arrays;
 };
 
-// Written aside and renamed; throws element::CannotWrite.
+// Written beside and renamed; throws element::CannotWrite.
 void write_vtu(const std::filesystem::path& place, const VtuSheet& sheet);
 
 struct PvdEntry {
@@ -34,7 +34,7 @@ struct PvdEntry {
 // call of the system, so that what a killed program leaves is a list of all frames it finished.
 class PvdFile {
   public:
-    // Written aside and renamed. All throw element::CannotWrite.
+    // Written beside and renamed. All throw element::CannotWrite.
     PvdFile(const std::filesystem::path& place, const std::vector<PvdEntry>& entries);
     PvdFile(const PvdFile&) = delete;
     PvdFile& operator=(const PvdFile&) = delete;

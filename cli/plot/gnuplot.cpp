@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "element/aside_file.hpp"
+#include "element/atomic_file.hpp"
 
 extern char** environ;
 
@@ -59,9 +59,9 @@ fs::path with(fs::path stem, const char* ending) { return stem += ending; }
 
 std::string draw_with_gnuplot(const fs::path& stem, int width, int height, const std::string& data,
                               const std::string& drawing) {
-    element::AsideFile script(with(stem, ".gnuplot"));
-    const element::AsidePath log(with(stem, ".log"));
-    element::AsidePath svg(with(stem, ".svg")), png(with(stem, ".png"));
+    element::AtomicFile script(with(stem, ".gnuplot"));
+    const element::AtomicPath log(with(stem, ".log"));
+    element::AtomicPath svg(with(stem, ".svg")), png(with(stem, ".png"));
     script.write(data);
     script.write(fmt::format("set terminal svg size {},{} dynamic enhanced font 'sans-serif,13' "
                              "background '#ffffff'\nset output {}\n{}unset output\n",

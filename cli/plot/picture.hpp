@@ -33,7 +33,7 @@ struct Picture {
     std::vector<Panel> panels;
 };
 
-// stem.svg and stem.png, written aside and renamed. Returns what went wrong, empty if nothing.
+// stem.svg and stem.png, written beside and renamed. Returns what went wrong, empty if nothing.
 std::string draw(const std::filesystem::path& stem, const Picture& picture);
 
 }  // namespace cli

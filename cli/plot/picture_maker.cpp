@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "cli/process/standard_streams.hpp"
-#include "element/aside_file.hpp"
+#include "element/atomic_file.hpp"
 
 namespace cli {
 

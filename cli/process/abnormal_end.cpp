@@ -10,7 +10,7 @@
 #include <cstring>
 
 #include "cli/process/exit_code.hpp"
-#include "element/aside_file.hpp"
+#include "element/atomic_file.hpp"
 #include "element/output_lock.hpp"
 
 namespace cli {
@@ -32,7 +32,7 @@ void say(const char* how) {
 }
 
 void remove_unfinished() {
-    element::remove_aside_files();
+    element::remove_incomplete_files();
     element::leave_output_locks();
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cli/table/table.hpp"
-#include "element/aside_file.hpp"
+#include "element/atomic_file.hpp"
 
 namespace cli {
 
@@ -21,7 +21,7 @@ class TableFile {
     void complete() { file.complete(); }
 
   private:
-    element::AsideFile file;
+    element::AtomicFile file;
 };
 
 void write_table(const std::filesystem::path& path, const std::vector<std::string>& comments,

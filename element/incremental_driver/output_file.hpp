@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "element/aside_file.hpp"
+#include "element/atomic_file.hpp"
 #include "element/record.hpp"
 
 namespace incremental_driver {
@@ -21,7 +21,7 @@ class OutputFile {
     long rows() const { return count; }
 
   private:
-    element::AsideFile file;
+    element::AtomicFile file;
     long count = 0;
 };
 

@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include <element/aside_file.hpp>
+#include <element/atomic_file.hpp>
 
 namespace {
 

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include <element/aside_file.hpp>
+#include <element/atomic_file.hpp>
 
 #include "support/no_room.hpp"
 #include "support/sand_box.hpp"

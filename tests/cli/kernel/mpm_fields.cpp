@@ -12,7 +12,7 @@
 #include <numbers>
 #include <random>
 
-#include <element/aside_file.hpp>
+#include <element/atomic_file.hpp>
 #include <fmt/format.h>
 
 #include "cli/mpm/field_files.hpp"

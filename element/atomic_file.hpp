@@ -17,28 +17,28 @@ struct CannotWrite : std::runtime_error {
 };
 
 // The name beside, for others to write to.
-class AsidePath {
+class AtomicPath {
   public:
-    explicit AsidePath(std::filesystem::path place);
-    AsidePath(const AsidePath&) = delete;
-    AsidePath& operator=(const AsidePath&) = delete;
-    ~AsidePath();
+    explicit AtomicPath(std::filesystem::path place);
+    AtomicPath(const AtomicPath&) = delete;
+    AtomicPath& operator=(const AtomicPath&) = delete;
+    ~AtomicPath();
 
-    const std::filesystem::path& path() const { return aside; }
+    const std::filesystem::path& path() const { return beside; }
     const std::filesystem::path& destination() const { return place; }
     void complete();  // throws CannotWrite
 
   private:
-    std::filesystem::path place, aside;
-    int slot = -1;  // in the list for remove_aside_files
+    std::filesystem::path place, beside;
+    int slot = -1;  // among the names for remove_incomplete_files
 };
 
-class AsideFile {
+class AtomicFile {
   public:
-    explicit AsideFile(const std::filesystem::path& place);  // throws CannotWrite
-    AsideFile(const AsideFile&) = delete;
-    AsideFile& operator=(const AsideFile&) = delete;
-    ~AsideFile();
+    explicit AtomicFile(const std::filesystem::path& place);  // throws CannotWrite
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+    ~AtomicFile();
 
     void write(std::string_view text);
     std::FILE* stream() { return file; }
@@ -47,7 +47,7 @@ class AsideFile {
     void complete();  // throws CannotWrite
 
   private:
-    AsidePath name;
+    AtomicPath name;
     std::FILE* file = nullptr;
 };
 
@@ -55,6 +55,6 @@ class AsideFile {
 void remove_left_behind(const std::filesystem::path& place) noexcept;
 
 // All of this program that are not complete. May be called by a signal handler.
-void remove_aside_files() noexcept;
+void remove_incomplete_files() noexcept;
 
 }  // namespace element

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <element/aside_file.hpp>
+#include <element/atomic_file.hpp>
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -16,13 +16,13 @@ namespace {
 namespace fs = std::filesystem;
 using namespace element;
 
-class AsideFiles : public testing::Test {
+class AtomicFiles : public testing::Test {
   protected:
-    AsideFiles() {
-        std::string pattern = (fs::temp_directory_path() / "grit_aside_XXXXXX").string();
+    AtomicFiles() {
+        std::string pattern = (fs::temp_directory_path() / "grit_atomic_XXXXXX").string();
         folder = mkdtemp(pattern.data());
     }
-    ~AsideFiles() override { fs::remove_all(folder); }
+    ~AtomicFiles() override { fs::remove_all(folder); }
 
     bool is_empty() const { return fs::is_empty(folder); }
 
@@ -36,8 +36,8 @@ class AsideFiles : public testing::Test {
     fs::path folder;
 };
 
-TEST_F(AsideFiles, AppearWhenTheyAreComplete) {
-    AsideFile file(folder / "a.csv");
+TEST_F(AtomicFiles, AppearWhenTheyAreComplete) {
+    AtomicFile file(folder / "a.csv");
     file.write("1,2\n");
     EXPECT_FALSE(fs::exists(folder / "a.csv"));
     file.complete();
@@ -46,8 +46,8 @@ TEST_F(AsideFiles, AppearWhenTheyAreComplete) {
     EXPECT_EQ(files(), std::set<std::string>{"a.csv"});
 }
 
-TEST_F(AsideFiles, OfTheSameNameDoNotMix) {
-    AsideFile first(folder / "a.csv"), second(folder / "a.csv");
+TEST_F(AtomicFiles, OfTheSameNameDoNotMix) {
+    AtomicFile first(folder / "a.csv"), second(folder / "a.csv");
     for (int i = 0; i < 10000; ++i) {
         first.write("1\n");
         second.write("22\n");
@@ -60,7 +60,7 @@ TEST_F(AsideFiles, OfTheSameNameDoNotMix) {
     EXPECT_EQ(files(), std::set<std::string>{"a.csv"});
 }
 
-TEST_F(AsideFiles, LeftByAKilledProgramAreKnownFromOthers) {
+TEST_F(AtomicFiles, LeftByAKilledProgramAreKnownFromOthers) {
     const std::set<std::string> others = {"a.csv.part", "a.csv.0123456789abcdeX.part",
                                           "b.csv.0123456789abcdef.part", "a.csv",
                                           "a.csv.0123456789abcdef"};
@@ -70,34 +70,34 @@ TEST_F(AsideFiles, LeftByAKilledProgramAreKnownFromOthers) {
     EXPECT_EQ(files(), others);
 }
 
-TEST_F(AsideFiles, VanishWhenTheyAreNot) {
+TEST_F(AtomicFiles, VanishWhenTheyAreNot) {
     {
-        AsideFile file(folder / "a.csv");
-        const AsidePath name(folder / "b.svg");
+        AtomicFile file(folder / "a.csv");
+        const AtomicPath name(folder / "b.svg");
         std::ofstream(name.path()) << "half";
         EXPECT_FALSE(is_empty());
     }
     EXPECT_TRUE(is_empty());
 }
 
-TEST_F(AsideFiles, VanishOnASignalToo) {
-    AsideFile file(folder / "a.csv");
-    remove_aside_files();
+TEST_F(AtomicFiles, VanishOnASignalToo) {
+    AtomicFile file(folder / "a.csv");
+    remove_incomplete_files();
     EXPECT_TRUE(is_empty());
 }
 
-TEST_F(AsideFiles, LeaveNothingWhereTheirPlaceIsTaken) {
+TEST_F(AtomicFiles, LeaveNothingWhereTheirPlaceIsTaken) {
     fs::create_directory(folder / "a.csv");
     {
-        AsideFile file(folder / "a.csv");
+        AtomicFile file(folder / "a.csv");
         EXPECT_THROW(file.complete(), CannotWrite);
     }
     EXPECT_EQ(files(), std::set<std::string>{"a.csv"});
-    EXPECT_THROW(AsideFile(folder / "no" / "a.csv"), CannotWrite);
+    EXPECT_THROW(AtomicFile(folder / "no" / "a.csv"), CannotWrite);
 }
 
-TEST_F(AsideFiles, SayWhenTheDiskIsFull) {
-    AsideFile file(folder / "a.csv");
+TEST_F(AtomicFiles, SayWhenTheDiskIsFull) {
+    AtomicFile file(folder / "a.csv");
     file.write("1,2\n");
     rlimit before{};
     getrlimit(RLIMIT_FSIZE, &before);

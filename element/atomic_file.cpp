@@ -1,56 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "element/aside_file.hpp"
+#include "element/atomic_file.hpp"
 
 #include <unistd.h>
 
-#include <array>
-#include <atomic>
 #include <cerrno>
-#include <cstring>
 #include <random>
+#include <string>
 #include <system_error>
+
+#include "element/signal_safe_names.hpp"
 
 namespace element {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Fixed memory, for a signal handler may not allocate. Names that do not fit are removed by their
-// destructors alone.
-struct Slot {
-    std::atomic<bool> taken{false}, listed{false};
-    std::array<char, 4096> name{};
-};
-std::array<Slot, 32> slots;
-
-int list(const fs::path& path) {
-    const std::string& name = path.native();
-    for (std::size_t i = 0; i < slots.size() && name.size() < slots[i].name.size(); ++i) {
-        if (slots[i].taken.exchange(true)) continue;
-        std::strcpy(slots[i].name.data(), name.c_str());
-        slots[i].listed = true;
-        return static_cast<int>(i);
-    }
-    return -1;
-}
-
-void unlist(int slot) {
-    if (slot < 0) return;
-    slots[static_cast<std::size_t>(slot)].listed = false;
-    slots[static_cast<std::size_t>(slot)].taken = false;
-}
+// Names that do not fit are removed by their destructors alone.
+constinit SignalSafeNames<32> incomplete_files;
 
 constexpr std::size_t token_length = 16;
 
 // "NAME.0123456789abcdef.part": no two programs write to the same.
-std::string aside_name(const std::string& name) {
+std::string name_beside(const std::string& name) {
     std::random_device random;
     char token[token_length + 1];
     std::snprintf(token, sizeof token, "%08x%08x", random(), random());
     return name + '.' + token + ".part";
 }
 
-bool is_aside_name(std::string_view name, std::string_view of) {
+bool is_name_beside(std::string_view name, std::string_view of) {
     constexpr std::string_view end = ".part";
     if (name.size() != of.size() + 1 + token_length + end.size() || !name.starts_with(of) ||
         name[of.size()] != '.' || !name.ends_with(end))
@@ -66,60 +44,59 @@ bool is_aside_name(std::string_view name, std::string_view of) {
 
 }  // namespace
 
-void remove_aside_files() noexcept {
-    for (const Slot& slot : slots)
-        if (slot.listed) unlink(slot.name.data());
+void remove_incomplete_files() noexcept {
+    incomplete_files.for_each([](const char* name, int) { unlink(name); });
 }
 
 void remove_left_behind(const fs::path& place) noexcept try {
     for (const fs::directory_entry& entry :
          fs::directory_iterator(fs::absolute(place).parent_path()))
-        if (is_aside_name(entry.path().filename().native(), place.filename().native()))
+        if (is_name_beside(entry.path().filename().native(), place.filename().native()))
             fs::remove(entry.path());
 } catch (const std::exception&) {
     return;  // they are in nobody's way
 }
 
-AsidePath::AsidePath(fs::path destination) : place(std::move(destination)), aside(place) {
-    aside.replace_filename(aside_name(place.filename().string()));
-    aside = fs::absolute(aside);  // whatever a library does to the current folder
-    slot = list(aside);
+AtomicPath::AtomicPath(fs::path destination) : place(std::move(destination)), beside(place) {
+    beside.replace_filename(name_beside(place.filename().string()));
+    beside = fs::absolute(beside);  // whatever a library does to the current folder
+    slot = incomplete_files.add(beside);
 }
 
-AsidePath::~AsidePath() {
+AtomicPath::~AtomicPath() {
     std::error_code nobody_is_left_to_ask;
-    if (!aside.empty()) fs::remove(aside, nobody_is_left_to_ask);
-    unlist(slot);
+    if (!beside.empty()) fs::remove(beside, nobody_is_left_to_ask);
+    incomplete_files.remove(slot);
 }
 
-void AsidePath::complete() {
+void AtomicPath::complete() {
     std::error_code refused;
-    fs::rename(aside, place, refused);
+    fs::rename(beside, place, refused);
     if (refused) fail(place, refused.value());
-    aside.clear();
-    unlist(slot);
+    beside.clear();
+    incomplete_files.remove(slot);
     slot = -1;
 }
 
-AsideFile::AsideFile(const fs::path& place) : name(place) {
+AtomicFile::AtomicFile(const fs::path& place) : name(place) {
     file = std::fopen(name.path().c_str(), "wx");
     if (!file) fail(place, errno);
 }
 
-AsideFile::~AsideFile() {
+AtomicFile::~AtomicFile() {
     if (file) std::fclose(file);
 }
 
-void AsideFile::write(std::string_view text) {
+void AtomicFile::write(std::string_view text) {
     if (std::fwrite(text.data(), 1, text.size(), file) != text.size())
         fail(name.destination(), errno);
 }
 
-void AsideFile::flush() {
+void AtomicFile::flush() {
     if (std::fflush(file) != 0 || std::ferror(file) != 0) fail(name.destination(), errno);
 }
 
-void AsideFile::complete() {
+void AtomicFile::complete() {
     flush();
     const bool closed = std::fclose(file) == 0;
     file = nullptr;

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/element/element_options.hpp"
+
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/element/element_command.hpp"
+#include "cli/element/incremental_driver_command.hpp"
+
+namespace cli {
+
+void add_element_command(CLI::App& app, Command& asked) {
+    CLI::App* element =
+        app.add_subcommand("element", "Run element tests, see docs/element-tests.md");
+    const auto request = std::make_shared<ElementRequest>();
+    CLI::Option* cases = element->add_option("CASE", request->cases,
+                                             "TOML files; several are compared in one picture");
+    CLI::Option* out = element->add_option("--out", request->out,
+                                           "Folder for data and pictures, made if missing [.]");
+    element->add_flag("--no-plot", request->no_plot, "Data only");
+    element->add_flag("--quiet", request->quiet, "The table of references alone");
+    CLI::Option* residuals = element->add_flag(
+        "--residuals", request->residuals, "Print the residuals of Newton's method for every row");
+    const auto driver = std::make_shared<IncrementalDriverRequest>();
+    CLI::Option* folder =
+        element->add_option("--incremental-driver", driver->folder,
+                            "Folder of incrementalDriver's input files, see "
+                            "docs/incremental-driver.md; output goes there or to --out");
+    folder->excludes(cases)->excludes(residuals);
+    CLI::Option* umat = element->add_option("--umat", request->umat.library,
+                                            "Library with a UMAT or VUMAT, instead of Grit's sand");
+    element
+        ->add_option("--layout", request->umat.layout,
+                     "PROPS and STATEV of that library [classic], see docs/umat.md")
+        ->check(CLI::IsMember({"classic", "radian"}))
+        ->needs(umat)
+        ->excludes(folder);
+    element->callback([&asked, request, driver, cases, folder, out] {
+        if (!*cases && !*folder) throw CLI::RequiredError("CASE or --incremental-driver");
+        if (!*folder) {
+            asked = [request] { return run_element_tests(*request); };
+            return;
+        }
+        if (*out) driver->out = request->out;
+        driver->umat = request->umat.library;
+        driver->no_plot = request->no_plot;
+        driver->quiet = request->quiet;
+        asked = [driver] { return run_incremental_driver(*driver); };
+    });
+}
+
+}  // namespace cli

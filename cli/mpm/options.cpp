@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/mpm/options.hpp"
+
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/mpm/command.hpp"
+
+namespace cli {
+
+void add_mpm_command(CLI::App& app, Command& asked) {
+    CLI::App* mpm =
+        app.add_subcommand("mpm", "Run a material-point case, see docs/material-points.md");
+    const auto request = std::make_shared<MpmRequest>();
+    mpm->add_option("CASE", request->file, "TOML file");
+    mpm->add_option("--keys", request->keys,
+                    "Print the keys of case files or the words of fix grit/mpm, as in docs/")
+        ->check(CLI::IsMember({"cases", "fix"}));
+    mpm->add_option("--out", request->out, "Folder for data and pictures, made if missing [.]");
+    mpm->add_option("--threads", request->threads, "Instead of the case's; changes no result")
+        ->check(CLI::Range(1, 1024));
+    mpm->add_option("--checkpoint-minutes", request->checkpoint_minutes,
+                    "Between checkpoints DIR/<case>.checkpoint; without, an interrupted run alone "
+                    "leaves one")
+        ->check(CLI::PositiveNumber);
+    mpm->add_flag("--restart", request->restart, "Go on from the checkpoint in DIR");
+    mpm->add_option("--to-lammps", request->to_lammps,
+                    "Folder for the case as input of LAMMPS, see docs/lammps.md; computes nothing");
+    mpm->add_flag("--no-plot", request->no_plot, "Data only");
+    mpm->add_flag("--quiet", request->quiet, "Nothing but errors");
+    mpm->callback([&asked, request] {
+        if (request->file.empty() && request->keys.empty())
+            throw CLI::RequiredError("CASE or --keys");
+        asked = [request] { return run_mpm(*request); };
+    });
+}
+
+}  // namespace cli

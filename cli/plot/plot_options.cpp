@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/plot/plot_options.hpp"
+
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/plot/plot_command.hpp"
+
+namespace cli {
+
+void add_plot_command(CLI::App& app, Command& asked) {
+    CLI::App* picture = app.add_subcommand("plot", "Draw results and laboratory data together");
+    const auto request = std::make_shared<PlotRequest>();
+    picture->add_option("RUN", request->runs, "CSV files of grit element, drawn as lines");
+    picture->add_option("--data", request->data, "CSV files of laboratories, drawn as points");
+    picture->add_option("--only", request->only, "Rows of the data with this first cell");
+    picture->add_option("--kind", request->kind,
+                        "Kind of picture, see docs/element-tests.md [triaxial]");
+    picture->add_option("--title", request->title, "Above the picture");
+    picture->add_option("--out", request->out, "Stem of the files .svg and .png [plot]");
+    picture->callback([&asked, request] {
+        if (request->runs.empty() && request->data.empty())
+            throw CLI::RequiredError("RUN or --data");
+        asked = [request] { return plot(*request); };
+    });
+}
+
+}  // namespace cli

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/sand/sand_options.hpp"
+
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/sand/sand_command.hpp"
+
+namespace cli {
+
+void add_sand_command(CLI::App& app, Command& asked) {
+    CLI::App* sand = app.add_subcommand("sand", "Sands with published parameters");
+    sand->require_subcommand(1);
+    sand->add_subcommand("list", "Names and status")->callback([&] { asked = list_sands; });
+    CLI::App* show = sand->add_subcommand("show", "Parameters and source of one sand");
+    const auto name = std::make_shared<std::string>();
+    show->add_option("NAME", *name, "As grit sand list prints it")->required();
+    show->callback([&asked, name] { asked = [name] { return show_sand(*name); }; });
+}
+
+}  // namespace cli
