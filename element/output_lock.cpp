@@ -20,12 +20,12 @@ namespace fs = std::filesystem;
 
 // Locks of an open file, not of a process, where there are any: closing another copy releases nothing.
 #ifdef F_OFD_SETLK
-constexpr int set_lock = F_OFD_SETLK;
+constexpr int set_lock = F_OFD_SETLK, get_lock = F_OFD_GETLK;
 #else
-constexpr int set_lock = F_SETLK;
+constexpr int set_lock = F_SETLK, get_lock = F_GETLK;
 #endif
 
-enum class Answer { taken, held_by_another, no_locks_here };
+enum class Answer { taken, held_by_another, another_leaves, no_locks_here };
 
 Answer lock_bytes(int file, off_t first, off_t count) {
     struct flock range {};
@@ -34,7 +34,12 @@ Answer lock_bytes(int file, off_t first, off_t count) {
     range.l_start = first;
     range.l_len = count;
     if (fcntl(file, set_lock, &range) == 0) return Answer::taken;
-    return errno == EACCES || errno == EAGAIN ? Answer::held_by_another : Answer::no_locks_here;
+    if (errno != EACCES && errno != EAGAIN) return Answer::no_locks_here;
+    // All of the file is held by one that leaves, for a moment: see remove_if_last.
+    if (fcntl(file, get_lock, &range) == 0 &&
+        (range.l_type == F_UNLCK || (range.l_start == 0 && range.l_len == 0)))
+        return Answer::another_leaves;
+    return Answer::held_by_another;
 }
 
 Answer lock_all(int file) { return lock_bytes(file, 0, 0); }
@@ -77,13 +82,19 @@ OutputLock::Folder* OutputLock::open_folder(const fs::path& folder) {
 }
 
 OutputLock::OutputLock(const std::vector<fs::path>& outputs) {
-    int attempts = 100;  // where names and files never agree, there is no lock
+    int attempts = 1000;  // where names and files never agree, there is no lock
     for (std::size_t i = 0; i < outputs.size();) {
         Folder* folder = open_folder(folder_of(outputs[i]));
         const Answer answer =
             folder ? lock_bytes(folder->file, byte_of(outputs[i].filename().native()), 1)
                    : Answer::no_locks_here;
-        if (answer == Answer::held_by_another) {
+        if (answer == Answer::another_leaves && attempts-- > 0) {
+            release();
+            usleep(1000);
+            i = 0;
+            continue;
+        }
+        if (answer == Answer::held_by_another || answer == Answer::another_leaves) {
             release();
             throw CannotWrite(outputs[i].string() +
                               ": another run of grit is writing this file: wait for its end, or "

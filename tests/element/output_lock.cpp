@@ -101,4 +101,20 @@ TEST_F(OutputLocks, HaveOneOwnerAtATimeHoweverTheyComeAndGo) {
     EXPECT_TRUE(fs::is_empty(folder));
 }
 
+// One that leaves holds all of the lock file while it removes it: no reason to refuse another file.
+TEST_F(OutputLocks, OfOtherFilesAreNeverRefusedHoweverTheyComeAndGo) {
+    std::atomic<int> refused = 0;
+    std::vector<std::thread> runs;
+    for (const char* name : {"a.csv", "b.csv", "c.csv"})
+        runs.emplace_back([&, file = folder / name] {
+            for (int i = 0; i < 3000; ++i) try {
+                    const OutputLock mine({file});
+                } catch (const CannotWrite&) {
+                    ++refused;
+                }
+        });
+    for (std::thread& run : runs) run.join();
+    EXPECT_EQ(refused, 0);
+}
+
 }  // namespace

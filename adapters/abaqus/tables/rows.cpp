@@ -5,6 +5,10 @@
 #include <cstdio>
 
 #include <grit/radian_layout.h>
+#include <grit/sand.h>
+
+#define WRITTEN(number) #number
+#define AS_WRITTEN(macro) WRITTEN(macro)
 
 namespace grit::abaqus {
 namespace {
@@ -61,8 +65,10 @@ std::vector<Row> parameters(bool radian) {
                   "bulk stiffness of the pore water in the mixture, K_water/n_porosity; 0: drained",
                   "≥ 0"),
         parameter("e_0", "e_0", "–", "initial void ratio, see docs/umat.md", "> 0 if used"),
-        parameter("tol", "tol", "–", "tolerance of the stress; may be missing; 0: 3e-5",
-                  "0 or 1e-12 … 0.1")};
+        parameter(
+            "tol", "tol", "–",
+            "tolerance of the stress; may be missing; 0: " AS_WRITTEN(GRIT_SAND_DEFAULT_TOLERANCE),
+            "0 or 1e-12 … 0.1")};
 }
 
 Row state(int first, int last, const char* symbol, const char* plain, const char* meaning,
