@@ -2,7 +2,7 @@
 #include "cli/table/table.hpp"
 
 #include <cmath>
-#include <fstream>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -14,23 +14,6 @@
 namespace cli {
 namespace {
 
-std::string trimmed(const std::string& text) {
-    const auto first = text.find_first_not_of(" \t\r\"");
-    if (first == std::string::npos) return "";
-    return text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1);
-}
-
-std::vector<std::string> cells_of(const std::string& line) {
-    std::vector<std::string> out;
-    std::size_t from = 0;
-    while (true) {
-        const std::size_t comma = line.find(',', from);
-        out.push_back(trimmed(line.substr(from, comma - from)));
-        if (comma == std::string::npos) return out;
-        from = comma + 1;
-    }
-}
-
 std::vector<std::string> words_of(const std::string& line) {
     std::istringstream words(line);
     std::vector<std::string> out;
@@ -41,60 +24,6 @@ std::vector<std::string> words_of(const std::string& line) {
 // The names above incrementalDriver's columns.
 bool of_incremental_driver(const std::string& header) {
     return header.find(',') == std::string::npos && header.find("stran(") != std::string::npos;
-}
-
-class Reader {
-  public:
-    explicit Reader(const std::filesystem::path& p) : path(p), file(p) {
-        if (!file || std::filesystem::is_directory(path))
-            throw BadInput(fmt::format("{}: cannot read this file", path.string()));
-    }
-
-    Cells read() {
-        std::string line;
-        while (std::getline(file, line)) {
-            if (++number == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
-            if (line.starts_with('#') || trimmed(line).empty()) continue;
-            if (out.rows.empty()) blanks = of_incremental_driver(line);
-            take(line);
-        }
-        if (out.rows.size() < 2)
-            throw BadInput(fmt::format("{}: needs a header and at least one row", path.string()));
-        return std::move(out);
-    }
-
-  private:
-    void take(const std::string& line) {
-        std::vector<std::string> row = blanks ? words_of(line) : cells_of(line);
-        if (out.rows.empty() && row.size() == 1 && line.find(';') != std::string::npos)
-            fail("cells are separated by commas, not by semicolons");
-        // Below the names, incrementalDriver repeats the heading of its test.
-        if (blanks && out.rows.size() == 1 && !element::number_of(row.front())) return;
-        if (!out.rows.empty() && row.size() != out.rows.front().size())
-            fail(fmt::format("{} cells where the header has {}", row.size(),
-                             out.rows.front().size()));
-        out.rows.push_back(std::move(row));
-        out.lines.push_back(number);
-    }
-
-    [[noreturn]] void fail(const std::string& why) const {
-        throw BadInput(fmt::format("{}:{}: {}", path.string(), number, why));
-    }
-
-    std::filesystem::path path;
-    std::ifstream file;
-    Cells out;
-    int number = 0;
-    bool blanks = false;  // separate the cells
-};
-
-Column column_named(const std::string& head) {
-    const std::size_t bracket = head.find(" [");
-    Column out;
-    out.name = head.substr(0, bracket);
-    if (bracket == std::string::npos || !head.ends_with(']')) out.name = head;
-    else out.unit = head.substr(bracket + 2, head.size() - bracket - 3);
-    return out;
 }
 
 }  // namespace
@@ -113,12 +42,31 @@ const std::vector<double>& Table::at(const std::string& name) const {
     throw std::out_of_range("no column " + name);
 }
 
-Cells read_cells(const std::filesystem::path& path) { return Reader(path).read(); }
+Cells read_cells(const std::filesystem::path& path) {
+    bool blanks = false;  // separate the cells
+    const auto cut = [&](const std::string& line,
+                         std::size_t rows) -> std::optional<std::vector<std::string>> {
+        if (rows == 0) blanks = of_incremental_driver(line);
+        if (!blanks) return grit::csv::cells_of(line);
+        std::vector<std::string> words = words_of(line);
+        // Below the names, incrementalDriver repeats the heading of its test.
+        if (rows == 1 && !element::number_of(words.front())) return std::nullopt;
+        return words;
+    };
+    try {
+        return grit::csv::read(path, cut);
+    } catch (const grit::csv::Error& error) {
+        throw BadInput(error.what());
+    }
+}
 
 Table read_table(const std::filesystem::path& path, const std::string& only) {
     const Cells cells = read_cells(path);
     Table out;
-    for (const std::string& head : cells.rows.front()) out.columns.push_back(column_named(head));
+    for (const std::string& cell : cells.rows.front()) {
+        const grit::csv::Head head = grit::csv::head_of(cell);
+        out.columns.push_back({head.name, head.unit, {}, {}});
+    }
     for (std::size_t row = 1; row < cells.rows.size(); ++row) {
         if (!only.empty() && cells.rows[row].front() != only) continue;
         for (std::size_t i = 0; i < out.columns.size(); ++i) {

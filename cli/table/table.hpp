@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "support/tables/csv.hpp"
+
 namespace cli {
 
 struct Column {
@@ -27,11 +29,8 @@ struct Table {
 // If only is not empty, the rows whose first cell it is. Throws BadInput naming file and line.
 Table read_table(const std::filesystem::path& path, const std::string& only = {});
 
-// Cells of a CSV as they are written, the header first, and the lines they stand on.
-struct Cells {
-    std::vector<std::vector<std::string>> rows;
-    std::vector<int> lines;
-};
+// Throws BadInput.
+using grit::csv::Cells;
 Cells read_cells(const std::filesystem::path& path);
 
 }  // namespace cli

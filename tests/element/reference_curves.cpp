@@ -7,15 +7,19 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string>
+#include <vector>
 
 #include "../larger.hpp"
-#include "support/csv.hpp"
 #include "support/lausitz.hpp"
+#include "support/tables/csv.hpp"
 
 namespace {
 
 using namespace tests;
 using namespace element;
+
+using Row = std::vector<double>;
 
 constexpr Control e = Control::strain, s = Control::stress;
 enum Column { strain = 1, stress = 7, void_ratio = 13, memory = 14 };
@@ -67,7 +71,8 @@ struct Worst {
 };
 
 Worst run(const Curve& curve, double tolerance, int parts) {
-    const std::vector<Row> rows = read_rows(std::string("reference/") + curve.file + ".csv");
+    const std::vector<Row> rows =
+        grit::csv::read_numbers(std::string(GRIT_DATA "/reference/") + curve.file + ".csv").rows;
     const GritLaw law = lausitz_law(tolerance, curve.intergranular_strain);
     Sample sample;
     sample.point = law.start(vector(rows[0], stress), rows[0][void_ratio]);

@@ -12,6 +12,7 @@
 #include <element/simulate.hpp>
 
 #include "support/compare.hpp"
+#include "support/tables/csv.hpp"
 
 namespace {
 
@@ -69,30 +70,14 @@ Table of_toml(const std::string& name) {
                                 out.path().string() + " " + (files / (name + ".toml")).string() +
                                 " > /dev/null";
     if (std::system(command.c_str()) != 0) return {};
-    std::ifstream file(out.path(name + ".csv"));
-    std::string line;
-    do std::getline(file, line);
-    while (line.starts_with('#'));
-    const std::string names = line;
-    const auto column = [&](const std::string& wanted) {
-        const std::size_t place = ("," + names).find("," + wanted + " [");
-        EXPECT_NE(place, std::string::npos) << wanted;
-        return static_cast<std::size_t>(
-            std::count(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(place), ','));
-    };
-    std::vector<std::size_t> columns;
-    for (const char* name_of :
-         {"strain_11", "strain_22", "strain_33", "gamma_12", "gamma_13", "gamma_23", "stress_11",
-          "stress_22", "stress_33", "stress_12", "stress_13", "stress_23"})
-        columns.push_back(column(name_of));
+    const grit::csv::Numbers table = grit::csv::read_numbers(out.path(name + ".csv"));
     Table rows;
-    while (std::getline(file, line)) {
-        std::vector<double> values;
-        std::istringstream cells(line);
-        for (std::string cell; std::getline(cells, cell, ',');)
-            values.push_back(std::strtod(cell.c_str(), nullptr));
+    for (const std::vector<double>& values : table.rows) {
         rows.emplace_back(2, 0.0);  // no times
-        for (const std::size_t c : columns) rows.back().push_back(values.at(c));
+        for (const char* name_of :
+             {"strain_11", "strain_22", "strain_33", "gamma_12", "gamma_13", "gamma_23",
+              "stress_11", "stress_22", "stress_33", "stress_12", "stress_13", "stress_23"})
+            rows.back().push_back(values[table.at(name_of)]);
         rows.back().resize(28, 0.0);
     }
     return rows;

@@ -2,7 +2,7 @@
 // Exact responses to piecewise linear strain paths (long double, Dormand-Prince at 1e-13), row by
 // row.
 #include "../larger.hpp"
-#include "support/csv.hpp"
+#include "support/tables/csv.hpp"
 #include "support/update.hpp"
 
 namespace {
@@ -17,7 +17,8 @@ struct Worst {
 
 Worst worst_along(const std::string& file, double tolerance) {
     const Sand sand = sand_named("lausitz");
-    const std::vector<Row> rows = read_rows("reference/strain_driven_" + file + ".csv");
+    const auto rows =
+        grit::csv::read_numbers(GRIT_DATA "/reference/strain_driven_" + file + ".csv").rows;
     EXPECT_GE(rows.size(), 200u);
     State x{stress_from(&rows[0][stress]), strain_from(&rows[0][memory]), rows[0][void_ratio]};
     Worst worst;

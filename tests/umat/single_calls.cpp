@@ -3,7 +3,7 @@
 #include <map>
 
 #include "../larger.hpp"
-#include "support/csv.hpp"
+#include "support/tables/csv.hpp"
 #include "support/update.hpp"
 
 namespace {
@@ -17,7 +17,7 @@ struct Call {
 
 std::map<double, std::vector<Call>> read_calls() {
     std::map<double, std::vector<Call>> calls;
-    for (const Row& row : read_rows("speed_states.csv")) {
+    for (const auto& row : grit::csv::read_numbers(GRIT_DATA "/speed_states.csv").rows) {
         Call c{};
         const double* v = row.data() + 1;
         std::copy(v, v + 6, c.start.stress);

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <stdexcept>
+#include <sstream>
 #include <string>
 
 #include "bars/impact.hpp"
+#include "element/atomic_file.hpp"
 
 namespace {
 
@@ -18,14 +18,12 @@ using namespace bars;
 
 constexpr double powers[] = {1.0, 2.0, 4.0, 6.0, 10.0};
 
-// A file that appears when it is complete.
 template <class Write> void write_file(const std::filesystem::path& path, const Write& write) {
-    const std::filesystem::path aside = path.string() + ".part";
-    std::ofstream out(aside);
-    write(out);
-    out.close();
-    if (!out) throw std::runtime_error("cannot write " + path.string());
-    std::filesystem::rename(aside, path);
+    std::ostringstream text;
+    write(text);
+    element::AtomicFile file(path);
+    file.write(text.str());
+    file.complete();
 }
 
 struct Range {

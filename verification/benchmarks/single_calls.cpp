@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
+
+#include "support/tables/csv.hpp"
 
 namespace benchmarks {
 namespace {
@@ -24,25 +24,24 @@ constexpr double R = 1e-4;  // of Lausitz sand
 
 std::map<double, std::vector<Call>> read_calls(const std::string& path) {
     std::map<double, std::vector<Call>> calls;
-    std::ifstream file(path);
-    std::string line;
-    std::getline(file, line);
-    std::getline(file, line);
-    while (std::getline(file, line)) {
-        std::replace(line.begin(), line.end(), ',', ' ');
-        std::istringstream row(line);
-        double increment;
+    const grit::csv::Numbers table = grit::csv::read_numbers(path);
+    if (table.names.size() != 33) throw std::runtime_error("not the columns of calls: " + path);
+    for (const std::vector<double>& row : table.rows) {
+        const double* next = row.data();
+        const double increment = *next++;
         Call c{};
-        row >> increment;
-        for (double& x : c.stress) row >> x;
-        for (int i = 0; i < 7; ++i) row >> c.state[i];
-        for (double& x : c.strain) row >> x;
-        for (double& x : c.stress_end) row >> x;
-        for (double& x : c.h_end) row >> x;
-        row >> c.e_end;
-        if (row) calls[increment].push_back(c);
+        const auto take = [&](double* to, int count) {
+            std::copy_n(next, count, to);
+            next += count;
+        };
+        take(c.stress, 6);
+        take(c.state, 7);
+        take(c.strain, 6);
+        take(c.stress_end, 6);
+        take(c.h_end, 6);
+        take(&c.e_end, 1);
+        calls[increment].push_back(c);
     }
-    if (calls.empty()) throw std::runtime_error("no states in " + path);
     return calls;
 }
 

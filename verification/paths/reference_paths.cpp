@@ -1,40 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <cstdlib>
+#include <array>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <stdexcept>
+#include <optional>
 
 #include "paths/strain_path.hpp"
+#include "support/tables/csv.hpp"
 
 namespace paths {
 namespace {
 
-// Columns of verification/data/reference.
-enum Column : std::size_t { strain = 1, stress = 7, void_ratio = 13, memory = 14, columns = 20 };
-constexpr std::size_t principal_columns = 11;  // without 12, 13, 23
-using Row = std::vector<double>;
-
-std::vector<Row> rows_of(const std::filesystem::path& file) {
-    std::ifstream in(file);
-    if (!in) throw std::runtime_error("cannot read " + file.string());
-    std::vector<Row> rows;
-    for (std::string line; std::getline(in, line);) {
-        if (line.empty() || line.find_first_of("0123456789") != 0) continue;
-        std::istringstream cells(line);
-        Row row;
-        for (std::string cell; std::getline(cells, cell, ',');)
-            row.push_back(std::strtod(cell.c_str(), nullptr));
-        if (row.size() == principal_columns)
-            row = {row[0], row[1], row[2], row[3], 0,      0,      0,       row[4], row[5], row[6],
-                   0,      0,      0,      row[7], row[8], row[9], row[10], 0,      0,      0};
-        if (row.size() != columns) throw std::runtime_error("columns of " + file.string());
-        rows.push_back(row);
-    }
-    if (rows.size() < 2) throw std::runtime_error("no rows in " + file.string());
-    return rows;
+// Six components of one kind; files of principal values have no shear.
+Six six(const grit::csv::Numbers& table, const std::vector<double>& row,
+        const std::array<const char*, 6>& names) {
+    Six r{};
+    for (std::size_t c = 0; c < 6; ++c)
+        if (const auto place = c < 3 ? table.at(names[c]) : table.find(names[c]))
+            r[c] = row[*place];
+    return r;
 }
+constexpr std::array strain = {"eps11", "eps22", "eps33", "gam12", "gam13", "gam23"};
+constexpr std::array stress = {"s11", "s22", "s33", "s12", "s13", "s23"};
+constexpr std::array memory = {"d11", "d22", "d33", "dg12", "dg13", "dg23"};
 
 StrainPath path_of(const std::filesystem::path& file, int calls) {
     const std::string name = file.stem().string();
@@ -44,18 +31,18 @@ StrainPath path_of(const std::filesystem::path& file, int calls) {
     grit_sand_record_parameters(grit_sand_record_find("lausitz"), 1.0, &p);
     grit_sand_prepare(&p, &path.sand, nullptr);
     path.opening_pressure = opening_pressure(path.sand);
-    const std::vector<Row> rows = rows_of(file);
-    for (std::size_t c = 0; c < 6; ++c) {
-        path.stress[c] = rows[0][stress + c];
-        path.state[c] = rows[0][memory + c];
-    }
-    path.state[GRIT_SAND_VOID_RATIO] = rows[0][void_ratio];
+    const grit::csv::Numbers table = grit::csv::read_numbers(file);
+    const auto& rows = table.rows;
+    path.stress = six(table, rows[0], stress);
+    const Six h = six(table, rows[0], memory);
+    std::copy(h.begin(), h.end(), path.state.begin());
+    path.state[GRIT_SAND_VOID_RATIO] = rows[0][table.at("e")];
     const std::size_t last = rows.size() - 1;
     const std::size_t pieces = calls == 0 ? last : std::min(last, static_cast<std::size_t>(calls));
     for (std::size_t i = 1; i <= pieces; ++i) {
-        const Row &from = rows[(i - 1) * last / pieces], &to = rows[i * last / pieces];
-        Six d;
-        for (std::size_t c = 0; c < 6; ++c) d[c] = to[strain + c] - from[strain + c];
+        Six d = six(table, rows[i * last / pieces], strain);
+        const Six from = six(table, rows[(i - 1) * last / pieces], strain);
+        for (std::size_t c = 0; c < 6; ++c) d[c] -= from[c];
         path.increments.push_back(d);
     }
     return path;

@@ -10,6 +10,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "support/tables/csv.hpp"
+
 namespace fs = std::filesystem;
 
 Workplace::Workplace() {
@@ -49,18 +51,10 @@ Answer Workplace::run(const std::string& name, const std::string& options) const
 }
 
 std::map<std::string, Values> Workplace::result(const std::string& name) const {
-    std::ifstream file(place / "out" / (name + ".csv"));
+    const grit::csv::Numbers table = grit::csv::read_numbers(place / "out" / (name + ".csv"));
     std::map<std::string, Values> out;
-    std::vector<std::string> names;
-    for (std::string line; std::getline(file, line);) {
-        if (line.starts_with('#')) continue;
-        std::istringstream cells(line);
-        const bool header = names.empty();
-        std::size_t i = 0;
-        for (std::string cell; std::getline(cells, cell, ',');)
-            if (header) names.push_back(cell.substr(0, cell.find(" [")));
-            else out[names.at(i++)].push_back(std::strtod(cell.c_str(), nullptr));
-    }
+    for (const std::vector<double>& row : table.rows)
+        for (std::size_t i = 0; i < row.size(); ++i) out[table.names[i]].push_back(row[i]);
     return out;
 }
 

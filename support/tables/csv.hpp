@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Comma-separated tables: comments (#) and empty lines, a header "name [unit],...", rows of as many cells.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace grit::csv {
+
+// What is wrong with a file: its name, the line and why.
+struct Error : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// As they are written, the header first, and the lines they stand on.
+struct Cells {
+    std::vector<std::vector<std::string>> rows;
+    std::vector<int> lines;
+};
+
+inline std::string trimmed(const std::string& text) {
+    const auto first = text.find_first_not_of(" \t\r\"");
+    if (first == std::string::npos) return "";
+    return text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1);
+}
+
+inline std::vector<std::string> cells_of(const std::string& line) {
+    std::vector<std::string> out;
+    for (std::size_t from = 0;;) {
+        const std::size_t comma = line.find(',', from);
+        out.push_back(trimmed(line.substr(from, comma - from)));
+        if (comma == std::string::npos) return out;
+        from = comma + 1;
+    }
+}
+
+// cut(line, rows so far): the cells of a line, or none where it is to be passed over.
+template <class Cut> Cells read(const std::filesystem::path& path, Cut&& cut) {
+    std::ifstream file(path);
+    if (!file || std::filesystem::is_directory(path))
+        throw Error(path.string() + ": cannot read this file");
+    Cells out;
+    int number = 0;
+    for (std::string line; std::getline(file, line);) {
+        if (++number == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
+        if (line.starts_with('#') || trimmed(line).empty()) continue;
+        const auto fail = [&](const std::string& why) {
+            throw Error(path.string() + ':' + std::to_string(number) + ": " + why);
+        };
+        std::optional<std::vector<std::string>> row = cut(line, out.rows.size());
+        if (!row) continue;
+        if (out.rows.empty() && row->size() == 1 && line.find(';') != std::string::npos)
+            fail("cells are separated by commas, not by semicolons");
+        if (!out.rows.empty() && row->size() != out.rows.front().size())
+            fail(std::to_string(row->size()) + " cells where the header has " +
+                 std::to_string(out.rows.front().size()));
+        out.rows.push_back(std::move(*row));
+        out.lines.push_back(number);
+    }
+    if (out.rows.size() < 2) throw Error(path.string() + ": needs a header and at least one row");
+    return out;
+}
+
+inline Cells read(const std::filesystem::path& path) {
+    return read(path,
+                [](const std::string& line, std::size_t) { return std::optional(cells_of(line)); });
+}
+
+// "name [unit]", of which the unit may be missing.
+struct Head {
+    std::string name, unit;
+};
+inline Head head_of(const std::string& cell) {
+    const std::size_t bracket = cell.find(" [");
+    if (bracket == std::string::npos || !cell.ends_with(']')) return {cell, {}};
+    return {cell.substr(0, bracket), cell.substr(bracket + 2, cell.size() - bracket - 3)};
+}
+
+// Tables of numbers alone, as data of tests and results are; "nan" is one.
+struct Numbers {
+    std::vector<std::string> names;
+    std::vector<std::vector<double>> rows;
+
+    std::optional<std::size_t> find(const std::string& name) const {
+        for (std::size_t i = 0; i < names.size(); ++i)
+            if (names[i] == name) return i;
+        return std::nullopt;
+    }
+    std::size_t at(const std::string& name) const {
+        if (const auto place = find(name)) return *place;
+        throw Error("no column " + name);
+    }
+};
+
+inline Numbers read_numbers(const std::filesystem::path& path) {
+    const Cells cells = read(path);
+    Numbers out;
+    for (const std::string& cell : cells.rows.front()) out.names.push_back(head_of(cell).name);
+    for (std::size_t i = 1; i < cells.rows.size(); ++i) {
+        std::vector<double>& row = out.rows.emplace_back();
+        for (const std::string& cell : cells.rows[i]) {
+            char* end = nullptr;
+            row.push_back(std::strtod(cell.c_str(), &end));
+            if (cell.empty() || *end != '\0')
+                throw Error(path.string() + ':' + std::to_string(cells.lines[i]) + ": \"" + cell +
+                            "\" where a number is needed");
+        }
+    }
+    return out;
+}
+
+}  // namespace grit::csv
