@@ -39,7 +39,7 @@ mpm::SandPlan read_sand(Words& words) {
     mpm::SandPlan out{};
     grit_sand_parameters_init(&out.parameters, sizeof out.parameters);
     grit_sand_options_init(&out.options, sizeof out.options);
-    out.options.tolerance = 1e-3;
+    out.options.tolerance = case_word("body.sand", "tolerance").otherwise_number();
     const std::string name = words.word("the name of a sand");
     if (name != "custom") {
         const int record = grit_sand_record_find(name.c_str());

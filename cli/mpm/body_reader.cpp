@@ -116,7 +116,8 @@ SandPlan read_sand_body(TomlTable table) {
     out.parameters.granulate_hardness *= kPa;
     out.parameters.pressure_shift *= kPa;
     grit_sand_options_init(&out.options, sizeof out.options);
-    out.options.tolerance = number_if(table, case_word("body.sand", "tolerance")).value_or(1e-3);
+    const grit::mpm::CaseWord& tolerance = case_word("body.sand", "tolerance");
+    out.options.tolerance = number_if(table, tolerance).value_or(tolerance.otherwise_number());
     const std::string key = table.one_of({"void_ratio", "void_ratio_at_zero_pressure"});
     out.at_zero_pressure = key == "void_ratio_at_zero_pressure";
     out.void_ratio =
