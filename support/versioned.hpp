@@ -9,6 +9,10 @@ namespace grit {
 
 constexpr std::size_t largest_struct = 4096;
 
+inline bool is_possible_size(std::size_t struct_size) {
+    return struct_size >= sizeof(std::size_t) && struct_size <= largest_struct;
+}
+
 // What the first member says. The caller's struct may be shorter than ours: a pointer to it is not followed, nor
 // a reference made of it, before its size is known.
 inline std::size_t size_of_versioned(const void* caller) {
@@ -25,7 +29,7 @@ template <class Struct> inline bool read_versioned(const Struct* caller, Struct&
         ours = *caller;
         return true;
     }
-    if (size < sizeof(std::size_t) || size > largest_struct) return false;
+    if (!is_possible_size(size)) return false;
     const auto* bytes = static_cast<const unsigned char*>(static_cast<const void*>(caller));
     for (std::size_t i = sizeof(Struct); i < size; ++i)
         if (bytes[i] != 0) return false;
@@ -46,7 +50,7 @@ inline const Struct* view_versioned(const Struct* caller, const Struct& defaults
 // Copy a result into the caller's struct as far as it reaches; its struct_size stays.
 template <class Struct> inline bool write_versioned(const Struct& ours, Struct* caller) {
     const std::size_t size = size_of_versioned(caller);
-    if (size < sizeof(std::size_t) || size > largest_struct) return false;
+    if (!is_possible_size(size)) return false;
     std::memcpy(static_cast<void*>(caller), &ours, size < sizeof(Struct) ? size : sizeof(Struct));
     std::memcpy(static_cast<void*>(caller), &size, sizeof size);
     return true;
@@ -55,7 +59,7 @@ template <class Struct> inline bool write_versioned(const Struct& ours, Struct* 
 // What an init function does: the caller's struct becomes defaults, as far as it reaches.
 template <class Struct>
 inline bool init_versioned(const Struct& defaults, Struct* caller, std::size_t struct_size) {
-    if (!caller || struct_size < sizeof(std::size_t) || struct_size > largest_struct) return false;
+    if (!caller || !is_possible_size(struct_size)) return false;
     std::memset(static_cast<void*>(caller), 0, struct_size);
     std::memcpy(static_cast<void*>(caller), &struct_size, sizeof struct_size);
     return write_versioned(defaults, caller);

@@ -32,9 +32,8 @@ class Adding {
 
     grit_status add(std::ptrdiff_t i, grit_error* error) const {
         Domain p;
-        if (const grit_status status = read(i, p, error)) return status;
-        for (const auto* k = p.first; k != p.last; ++k)
-            if (const grit_status status = check_node(i, *k, error)) return status;
+        GRIT_CHECK(read(i, p, error));
+        for (const auto* k = p.first; k != p.last; ++k) GRIT_CHECK(check_node(i, *k, error));
         for (const auto* k = p.first; k != p.last; ++k)
             if (*k >= 0) lower(*k, reach(p, *k));
         return GRIT_OK;
@@ -45,11 +44,8 @@ class Adding {
         const std::ptrdiff_t at = d.index ? d.index[i] : i;
         const std::ptrdiff_t first = d.offset ? d.offset[at] : at * d.nodes_each;
         const std::ptrdiff_t last = d.offset ? d.offset[at + 1] : first + d.nodes_each;
-        if (!(first >= 0 && first <= last))
-            return failure(error, GRIT_BAD_CALL, i,
-                           "particle %td: offset must start at >= 0 and not decrease, got %td and "
-                           "%td",
-                           i, first, last);
+        if (!is_range(first, last))
+            return refuse_range(first, last, i, {"particle", i, "offset"}, error);
         p.first = d.node + first;
         p.last = d.node + last;
         for (int c = 0; c < s.components; ++c) {
@@ -74,10 +70,8 @@ class Adding {
 
     grit_status check_node(std::ptrdiff_t i, std::ptrdiff_t node, grit_error* error) const {
         if (node == -1) return GRIT_OK;
-        if (!(node >= 0 && node < s.nodes))
-            return failure(error, GRIT_BAD_CALL, i,
-                           "particle %td: node id must be in [0, %td), or -1, got %td", i, s.nodes,
-                           node);
+        if (!is_index(node, s.nodes))
+            return refuse_index(node, s.nodes, i, {"particle", i, "node id"}, error, ", or -1");
         double square = 0.0;
         for (int c = 0; c < s.components; ++c) {
             const double x = component(s.position, node, c), n = component(s.normal, node, c);
@@ -129,12 +123,11 @@ class Adding {
 
 grit_status check_domains(const grit_contact_surfaces& s, const grit_contact_domains& d,
                           grit_error* error) {
-    GRIT_REQUIRE(d.body == GRIT_CONTACT_BODY_A || d.body == GRIT_CONTACT_BODY_B,
-                 "body must be 0 (A) or 1 (B), got %d", d.body);
+    GRIT_CHECK(check_body(d.body, "body", error));
     GRIT_REQUIRE(d.sides >= 0 && d.sides <= most_sides, "sides must be in [0, %d], got %d",
                  most_sides, d.sides);
-    GRIT_REQUIRE(d.offset || d.nodes_each >= 0, "nodes_each must be >= 0, got %td", d.nodes_each);
-    GRIT_REQUIRE(d.node, "node is null");
+    if (!d.offset) GRIT_CHECK(check_count(d.nodes_each, "nodes_each", error));
+    GRIT_CHECK(check_given(d.node, "node", error));
     const struct {
         const grit_view& view;
         const char* name;
@@ -142,12 +135,8 @@ grit_status check_domains(const grit_contact_surfaces& s, const grit_contact_dom
                   {s.normal, "normal"},
                   {d.position, "position of the particles"}};
     for (const auto& input : inputs)
-        if (const grit_status bad = check_usable(input.view, s.components, input.name, error))
-            return bad;
-    GRIT_REQUIRE(d.sides == 0 ||
-                     (d.side.base && d.side.row_stride != 0 && d.side.column_stride != 0),
-                 "side needs a base pointer, a row_stride and a column_stride");
-    return GRIT_OK;
+        GRIT_CHECK(check_usable(input.view, s.components, input.name, error));
+    return d.sides == 0 ? GRIT_OK : check_usable(d.side, "side", error);
 }
 
 }  // namespace
@@ -157,16 +146,14 @@ extern "C" grit_status grit_contact_surfaces_add(const grit_contact_surfaces* su
                                                  const grit_contact_domains* domains,
                                                  grit_error* error) {
     using namespace grit;
-    GRIT_REQUIRE(domains, "grit_contact_surfaces_add: domains is null");
-    GRIT_REQUIRE(n >= 0, "grit_contact_surfaces_add: n must be >= 0, got %td", n);
+    GRIT_CHECK(check_given(domains, {"grit_contact_surfaces_add", "domains"}, error));
+    GRIT_CHECK(check_count(n, {"grit_contact_surfaces_add", "n"}, error));
     grit_contact_surfaces s{};
-    if (const grit_status status = read_surfaces(surfaces, s, error)) return status;
+    GRIT_CHECK(read_surfaces(surfaces, s, error));
     grit_contact_domains d{};
-    GRIT_REQUIRE(read_versioned(domains, d),
-                 "grit_contact_domains.struct_size %zu is not understood: set it to sizeof",
-                 domains->struct_size);
+    GRIT_CHECK(read_struct(domains, d, "grit_contact_domains", error));
     if (n == 0) return GRIT_OK;  // an empty array may have no base pointer
-    if (const grit_status status = check_domains(s, d, error)) return status;
+    GRIT_CHECK(check_domains(s, d, error));
     const Adding adding(s, d);
     grit_status result = GRIT_OK;
     for (ptrdiff_t i = 0; i < n; ++i) {

@@ -5,29 +5,28 @@
 #include <grit/contact_distance.h>
 #include <grit/contact_normals.h>
 
-#include "contact/geometry_call.hpp"
-#include "support/versioned.hpp"
-#include "support/views.hpp"
+#include "support/call_checks.hpp"
 
 namespace grit {
 
+inline grit_status check_body(int body, const char* name, grit_error* error) {
+    GRIT_REQUIRE(body == GRIT_CONTACT_BODY_A || body == GRIT_CONTACT_BODY_B,
+                 "%s must be 0 (A) or 1 (B), got %d", name, body);
+    return GRIT_OK;
+}
+
 inline grit_status read_surfaces(const grit_contact_surfaces* caller, grit_contact_surfaces& ours,
                                  grit_error* error) {
-    GRIT_REQUIRE(caller, "surfaces is null");
-    GRIT_REQUIRE(read_versioned(caller, ours),
-                 "grit_contact_surfaces.struct_size %zu is not understood: set it to sizeof",
-                 caller->struct_size);
-    GRIT_REQUIRE(ours.components == 2 || ours.components == 3, "components must be 2 or 3, got %d",
-                 ours.components);
-    GRIT_REQUIRE(ours.reserved == 0, "grit_contact_surfaces.reserved must be 0, got %d",
-                 ours.reserved);
-    GRIT_REQUIRE(ours.nodes >= 0, "nodes must be >= 0, got %td", ours.nodes);
+    GRIT_CHECK(check_given(caller, "surfaces", error));
+    GRIT_CHECK(read_struct(caller, ours, "grit_contact_surfaces", error));
+    GRIT_CHECK(check_dimension(ours.components, error));
+    GRIT_CHECK(check_reserved(ours.reserved, "grit_contact_surfaces.reserved", error));
+    GRIT_CHECK(check_count(ours.nodes, "nodes", error));
     if (ours.nodes == 0) return GRIT_OK;  // an empty array may have no base pointer
-    if (const grit_status s = check_usable(ours.surface, 2, "surface", error)) return s;
-    if (const grit_status s = check_written(ours.surface, ours.nodes, "surface", "nodes", error))
-        return s;
-    GRIT_REQUIRE(!ours.centre.base || ours.centre.component_stride != 0,
-                 "component_stride of centre must not be 0");
+    GRIT_CHECK(check_usable(ours.surface, 2, "surface", error));
+    GRIT_CHECK(check_written(ours.surface, ours.nodes, "surface", "nodes", error));
+    if (ours.centre.base)
+        GRIT_CHECK(check_component_strides({ours.centre.component_stride}, "centre", error));
     return check_written(ours.centre, ours.nodes, "centre", "nodes", error);
 }
 

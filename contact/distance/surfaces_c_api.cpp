@@ -28,9 +28,7 @@ bool is_minimum(double x) { return x > -infinity; }
 grit_status finish_node(const grit_contact_surfaces& s, const grit_contact_distances& q,
                         std::ptrdiff_t i, grit_error* error) {
     const std::ptrdiff_t node = q.index ? q.index[i] : i;
-    if (!(node >= 0 && node < s.nodes))
-        return failure(error, GRIT_BAD_CALL, i, "entry %td of index must be in [0, %td), got %td",
-                       i, s.nodes, node);
+    if (!is_index(node, s.nodes)) return refuse_entry(node, s.nodes, i, "index", error);
     const double from_a = component(s.surface, node, GRIT_CONTACT_BODY_A);
     const double from_b = component(s.surface, node, GRIT_CONTACT_BODY_B);
     if (!(is_minimum(from_a) && is_minimum(from_b)))
@@ -56,12 +54,10 @@ grit_status finish_node(const grit_contact_surfaces& s, const grit_contact_dista
 grit_status check_distances(const grit_contact_surfaces& s, const grit_contact_distances& q,
                             std::ptrdiff_t n, grit_error* error) {
     GRIT_REQUIRE(q.distance.base || q.gap.base, "neither distance nor gap has a base pointer");
-    if (const grit_status bad = check_written(q.distance, n, "distance", "nodes", error))
-        return bad;
-    if (const grit_status bad = check_written(q.gap, n, "gap", "nodes", error)) return bad;
+    GRIT_CHECK(check_written(q.distance, n, "distance", "nodes", error));
+    GRIT_CHECK(check_written(q.gap, n, "gap", "nodes", error));
     if (!q.distance.base) return GRIT_OK;
-    GRIT_REQUIRE(q.stiffer == GRIT_CONTACT_BODY_A || q.stiffer == GRIT_CONTACT_BODY_B,
-                 "stiffer must be 0 (A) or 1 (B), got %d", q.stiffer);
+    GRIT_CHECK(check_body(q.stiffer, "stiffer", error));
     GRIT_REQUIRE(q.measure >= GRIT_CONTACT_SUPPORT && q.measure <= GRIT_CONTACT_NEAREST_CENTRE,
                  "measure must be GRIT_CONTACT_SUPPORT, _EDGE or _NEAREST_CENTRE, got %d",
                  q.measure);
@@ -78,7 +74,7 @@ extern "C" {
 grit_status grit_contact_surfaces_reset(const grit_contact_surfaces* surfaces, grit_error* error) {
     using namespace grit;
     grit_contact_surfaces s{};
-    if (const grit_status status = read_surfaces(surfaces, s, error)) return status;
+    GRIT_CHECK(read_surfaces(surfaces, s, error));
     for (ptrdiff_t i = 0; i < s.nodes; ++i)
         for (int body = 0; body < bodies; ++body) {
             component(s.surface, i, body) = infinity;
@@ -91,8 +87,8 @@ grit_status grit_contact_surfaces_merge(const grit_contact_surfaces* into,
                                         const grit_contact_surfaces* from, grit_error* error) {
     using namespace grit;
     grit_contact_surfaces a{}, b{};
-    if (const grit_status status = read_surfaces(into, a, error)) return status;
-    if (const grit_status status = read_surfaces(from, b, error)) return status;
+    GRIT_CHECK(read_surfaces(into, a, error));
+    GRIT_CHECK(read_surfaces(from, b, error));
     GRIT_REQUIRE(a.nodes == b.nodes, "nodes must be the same to merge, got %td and %td", a.nodes,
                  b.nodes);
     GRIT_REQUIRE(!a.centre.base == !b.centre.base, "one of the surfaces to merge has no centre");
@@ -107,16 +103,14 @@ grit_status grit_contact_surfaces_finish(const grit_contact_surfaces* surfaces, 
                                          const grit_contact_distances* distances,
                                          grit_error* error) {
     using namespace grit;
-    GRIT_REQUIRE(distances, "grit_contact_surfaces_finish: distances is null");
-    GRIT_REQUIRE(n >= 0, "grit_contact_surfaces_finish: n must be >= 0, got %td", n);
+    GRIT_CHECK(check_given(distances, {"grit_contact_surfaces_finish", "distances"}, error));
+    GRIT_CHECK(check_count(n, {"grit_contact_surfaces_finish", "n"}, error));
     grit_contact_surfaces s{};
-    if (const grit_status status = read_surfaces(surfaces, s, error)) return status;
+    GRIT_CHECK(read_surfaces(surfaces, s, error));
     grit_contact_distances q{};
-    GRIT_REQUIRE(read_versioned(distances, q),
-                 "grit_contact_distances.struct_size %zu is not understood: set it to sizeof",
-                 distances->struct_size);
+    GRIT_CHECK(read_struct(distances, q, "grit_contact_distances", error));
     if (n == 0) return GRIT_OK;  // an empty array may have no base pointer
-    if (const grit_status status = check_distances(s, q, n, error)) return status;
+    GRIT_CHECK(check_distances(s, q, n, error));
     grit_status result = GRIT_OK;
     for (ptrdiff_t i = 0; i < n; ++i) {
         const grit_status status = finish_node(s, q, i, result == GRIT_OK ? error : nullptr);

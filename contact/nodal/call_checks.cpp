@@ -3,10 +3,8 @@
 
 #include <cmath>
 
+#include "support/call_checks.hpp"
 #include "support/instruction_set.hpp"
-#include "support/require.hpp"
-#include "support/versioned.hpp"
-#include "support/views.hpp"
 
 namespace grit {
 grit_contact_options default_contact_options() {
@@ -18,19 +16,22 @@ grit_contact_options default_contact_options() {
     return options;
 }
 
+grit_status read_given_options(const grit_contact_options* caller, grit_contact_options& ours,
+                               grit_error* error) {
+    ours = default_contact_options();
+    if (!caller) return GRIT_OK;
+    return read_struct(caller, ours, "grit_contact_options", error,
+                       "call grit_contact_options_init first");
+}
+
 grit_status read_options(const grit_contact_options* caller, grit_contact_options& ours,
                          grit_error* error) {
-    ours = default_contact_options();
-    GRIT_REQUIRE(!caller || read_versioned(caller, ours),
-                 "grit_contact_options.struct_size %zu is not understood: call "
-                 "grit_contact_options_init first",
-                 caller->struct_size);
+    GRIT_CHECK(read_given_options(caller, ours, error));
     return check_contact_options(ours, error);
 }
 
 grit_status check_contact_options(const grit_contact_options& o, grit_error* error) {
-    GRIT_REQUIRE(o.components == 2 || o.components == 3, "components must be 2 or 3, got %d",
-                 o.components);
+    GRIT_CHECK(check_dimension(o.components, error));
     GRIT_REQUIRE(o.law == GRIT_CONTACT_GEO || o.law == GRIT_CONTACT_FRICTIONAL,
                  "law must be GRIT_CONTACT_GEO or GRIT_CONTACT_FRICTIONAL, got %d", o.law);
     GRIT_REQUIRE(o.penalty_power > 0.0 && o.penalty_power <= 1e6,
@@ -49,10 +50,8 @@ grit_status check_contact_options(const grit_contact_options& o, grit_error* err
                  o.gap_tolerance);
     GRIT_REQUIRE(o.rigid >= GRIT_CONTACT_NONE_RIGID && o.rigid <= GRIT_CONTACT_B_RIGID,
                  "rigid must be GRIT_CONTACT_NONE_RIGID, _A_RIGID or _B_RIGID, got %d", o.rigid);
-    GRIT_REQUIRE(is_switch(o.allow_zero_normal), "allow_zero_normal must be 0 or 1, got %d",
-                 o.allow_zero_normal);
-    GRIT_REQUIRE(is_switch(o.validate_only), "validate_only must be 0 or 1, got %d",
-                 o.validate_only);
+    GRIT_CHECK(check_switch(o.allow_zero_normal, "allow_zero_normal", error));
+    GRIT_CHECK(check_switch(o.validate_only, "validate_only", error));
     return check_instruction_set(o.instruction_set, error);
 }
 
@@ -74,10 +73,9 @@ grit_status check_nodes(const grit_contact_nodes& q, const grit_contact_options&
                   {"previous_velocity_b", false, q.previous_velocity_b, o.components},
                   {"position", false, q.position, o.components}};
     for (const auto& input : inputs) {
-        GRIT_REQUIRE(input.view.base || !input.needed, "%s has no base pointer", input.name);
-        GRIT_REQUIRE(!input.view.base || usable(input.view, input.components),
-                     "%s has %d components: component_stride must not be 0", input.name,
-                     input.components);
+        if (input.needed) GRIT_CHECK(check_base(input.view, input.name, error));
+        if (input.view.base)
+            GRIT_CHECK(check_components(input.view, input.components, input.name, error));
     }
     GRIT_REQUIRE(!geo || q.cell_size.base || q.spacing.base,
                  "Geo-contact needs cell_size or spacing: neither has a base pointer");
@@ -90,18 +88,14 @@ grit_status check_nodes(const grit_contact_nodes& q, const grit_contact_options&
                    {"acceleration_a", false, o.rigid != GRIT_CONTACT_A_RIGID, q.acceleration_a},
                    {"acceleration_b", false, o.rigid != GRIT_CONTACT_B_RIGID, q.acceleration_b}};
     for (const auto& output : outputs) {
-        GRIT_REQUIRE(output.view.base || !output.needed, "%s has no base pointer", output.name);
+        if (output.needed) GRIT_CHECK(check_base(output.view, output.name, error));
         if (!output.view.base) continue;
         GRIT_REQUIRE(output.needed || o.time_step > 0.0,
                      "%s is to be corrected: needs time_step > 0 [time], got %g", output.name,
                      o.time_step);
-        GRIT_REQUIRE(output.view.component_stride != 0,
-                     "%s has %d components: component_stride must not be 0", output.name,
-                     o.components);
-        GRIT_REQUIRE(!output.written || !overlaps_itself(output.view, o.components, n),
-                     "%s is written: strides of %td (nodes) and %td (components) put two of its "
-                     "numbers in one place",
-                     output.name, output.view.point_stride, output.view.component_stride);
+        GRIT_CHECK(check_components(output.view, o.components, output.name, error));
+        if (output.written)
+            GRIT_CHECK(check_apart(output.view, o.components, n, output.name, "nodes", error));
     }
     return GRIT_OK;
 }

@@ -10,7 +10,11 @@ namespace grit {
 
 grit_contact_options default_contact_options();
 
-// Options as the caller knows them over the defaults; null gives the defaults.
+// Options as the caller knows them over the defaults; null gives the defaults. Not judged yet.
+grit_status read_given_options(const grit_contact_options* caller, grit_contact_options& ours,
+                               grit_error* error);
+
+// The same, judged.
 grit_status read_options(const grit_contact_options* caller, grit_contact_options& ours,
                          grit_error* error);
 

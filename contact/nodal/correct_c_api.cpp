@@ -6,9 +6,8 @@
 #include "contact/nodal/call_checks.hpp"
 #include "contact/nodal/pair_law.hpp"
 #include "contact/nodal/request.hpp"
+#include "support/call_checks.hpp"
 #include "support/instruction_set.hpp"
-#include "support/require.hpp"
-#include "support/versioned.hpp"
 
 using namespace grit;
 
@@ -29,16 +28,14 @@ grit_status grit_contact_penalty_factor(double s, double d, double k, double* f_
 grit_status grit_contact_correct(const grit_contact_options* options, ptrdiff_t n,
                                  const grit_contact_nodes* nodes, grit_contact_report* reports,
                                  grit_contact_sums* sums, grit_error* error) {
-    GRIT_REQUIRE(nodes, "grit_contact_correct: nodes is null");
-    GRIT_REQUIRE(n >= 0, "grit_contact_correct: n must be >= 0, got %td", n);
+    GRIT_CHECK(check_given(nodes, {"grit_contact_correct", "nodes"}, error));
+    GRIT_CHECK(check_count(n, {"grit_contact_correct", "n"}, error));
     grit_contact_options o;
-    if (const grit_status s = read_options(options, o, error)) return s;
+    GRIT_CHECK(read_options(options, o, error));
     grit_contact_nodes q{};
-    GRIT_REQUIRE(read_versioned(nodes, q),
-                 "grit_contact_nodes.struct_size %zu is not understood: set it to sizeof",
-                 nodes->struct_size);
+    GRIT_CHECK(read_struct(nodes, q, "grit_contact_nodes", error));
     if (n == 0) return GRIT_OK;  // an empty array may have no base pointer
-    if (const grit_status s = check_nodes(q, o, n, error)) return s;
+    GRIT_CHECK(check_nodes(q, o, n, error));
 
     const CorrectionRequest request{&o, &q, n, reports, sums};
     const CorrectionOutcome outcome = GRIT_DISPATCH(o.instruction_set, correct(request));

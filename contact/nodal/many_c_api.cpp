@@ -4,9 +4,8 @@
 
 #include "contact/nodal/call_checks.hpp"
 #include "contact/nodal/request.hpp"
+#include "support/call_checks.hpp"
 #include "support/instruction_set.hpp"
-#include "support/require.hpp"
-#include "support/versioned.hpp"
 
 namespace grit {
 namespace {
@@ -46,22 +45,21 @@ grit_status of_pair(int p, grit_status status, grit_error* error) {
 }
 
 grit_status check_bodies(const grit_contact_bodies& b, grit_error* error) {
-    GRIT_REQUIRE(b.components == 2 || b.components == 3, "components must be 2 or 3, got %d",
-                 b.components);
+    GRIT_CHECK(check_dimension(b.components, error));
     GRIT_REQUIRE(b.count >= 2 && b.count <= most_bodies, "count must be in [2, %d] bodies, got %d",
                  most_bodies, b.count);
     GRIT_REQUIRE(b.mass && b.velocity, "mass and velocity need one view per body, got null");
     GRIT_REQUIRE(b.sweep_tolerance >= 0.0 && b.sweep_tolerance <= 1.0,
                  "sweep_tolerance must be in (0, 1] [-], or 0 for 1e-3, got %g", b.sweep_tolerance);
-    GRIT_REQUIRE(b.sweep_limit >= 0, "sweep_limit must be >= 0, got %d", b.sweep_limit);
-    GRIT_REQUIRE(b.reserved == 0, "grit_contact_bodies.reserved must be 0, got %d", b.reserved);
-    GRIT_REQUIRE(b.validate_only == 0 || b.validate_only == 1,
-                 "validate_only must be 0 or 1, got %d", b.validate_only);
+    GRIT_CHECK(check_count(b.sweep_limit, "sweep_limit", error));
+    GRIT_CHECK(check_reserved(b.reserved, "grit_contact_bodies.reserved", error));
+    GRIT_CHECK(check_switch(b.validate_only, "validate_only", error));
     for (int body = 0; body < b.count; ++body) {
-        GRIT_REQUIRE(b.mass[body].base, "body %d: mass has no base pointer", body);
-        GRIT_REQUIRE(b.velocity[body].base, "body %d: velocity has no base pointer", body);
-        GRIT_REQUIRE(!b.previous_velocity || b.previous_velocity[body].base,
-                     "body %d: previous_velocity has no base pointer", body);
+        GRIT_CHECK(check_base(b.mass[body], {"body", body, "mass"}, error));
+        GRIT_CHECK(check_base(b.velocity[body], {"body", body, "velocity"}, error));
+        if (b.previous_velocity)
+            GRIT_CHECK(
+                check_base(b.previous_velocity[body], {"body", body, "previous_velocity"}, error));
     }
     return check_instruction_set(b.instruction_set, error);
 }
@@ -70,25 +68,17 @@ grit_status check_bodies(const grit_contact_bodies& b, grit_error* error) {
 grit_status read_pair(const grit_contact_bodies& b, std::size_t struct_size,
                       const grit_contact_pair* caller, grit_contact_pair& pair,
                       grit_contact_options& o, std::ptrdiff_t n, grit_error* error) {
-    GRIT_REQUIRE(size_of_versioned(caller) == struct_size && read_versioned(caller, pair),
-                 "grit_contact_pair.struct_size %zu is not understood: set it to sizeof",
-                 size_of_versioned(caller));
-    GRIT_REQUIRE(pair.a >= 0 && pair.a < b.count && pair.b >= 0 && pair.b < b.count &&
-                     pair.a != pair.b,
+    const bool understood =
+        size_of_versioned(caller) == struct_size && read_versioned(caller, pair);
+    GRIT_CHECK(check_understood(understood, caller, "grit_contact_pair", set_it_to_sizeof, error));
+    GRIT_REQUIRE(is_index(pair.a, b.count) && is_index(pair.b, b.count) && pair.a != pair.b,
                  "a and b must be two different bodies of 0 ... %d, got %d and %d", b.count - 1,
                  pair.a, pair.b);
-    grit_contact_options given = default_contact_options();
-    if (pair.options) {
-        GRIT_REQUIRE(read_versioned(pair.options, given),
-                     "grit_contact_options.struct_size %zu is not understood: call "
-                     "grit_contact_options_init first",
-                     pair.options->struct_size);
-    }
-    o = given;
+    GRIT_CHECK(read_given_options(pair.options, o, error));
     o.components = b.components;
     o.instruction_set = b.instruction_set;
     o.validate_only = b.validate_only;
-    if (const grit_status s = check_contact_options(o, error)) return s;
+    GRIT_CHECK(check_contact_options(o, error));
     return n == 0 ? GRIT_OK : check_nodes(nodes_of(b, pair), o, n, error);
 }
 
@@ -124,23 +114,22 @@ extern "C" grit_status grit_contact_correct_many(const grit_contact_bodies* bodi
                                                  const grit_contact_pair* pairs, ptrdiff_t n,
                                                  grit_contact_report* reports,
                                                  grit_contact_sums* sums, grit_error* error) {
-    GRIT_REQUIRE(bodies, "grit_contact_correct_many: bodies is null");
-    GRIT_REQUIRE(n >= 0, "grit_contact_correct_many: n must be >= 0, got %td", n);
+    GRIT_CHECK(check_given(bodies, {"grit_contact_correct_many", "bodies"}, error));
+    GRIT_CHECK(check_count(n, {"grit_contact_correct_many", "n"}, error));
     grit_contact_bodies b{};
-    GRIT_REQUIRE(read_versioned(bodies, b),
-                 "grit_contact_bodies.struct_size %zu is not understood: set it to sizeof",
-                 bodies->struct_size);
-    if (const grit_status s = check_bodies(b, error)) return s;
+    GRIT_CHECK(read_struct(bodies, b, "grit_contact_bodies", error));
+    GRIT_CHECK(check_bodies(b, error));
     GRIT_REQUIRE(pair_count >= 0 && pair_count <= b.count * (b.count - 1) / 2,
                  "pair_count must be in [0, %d] for %d bodies, got %d", b.count * (b.count - 1) / 2,
                  b.count, pair_count);
-    GRIT_REQUIRE(pairs || pair_count == 0, "grit_contact_correct_many: pairs is null");
+    if (pair_count > 0)
+        GRIT_CHECK(check_given(pairs, {"grit_contact_correct_many", "pairs"}, error));
     grit_contact_pair ours[most_pairs] = {};
     grit_contact_options options[most_pairs];
     // The caller's struct may be longer or shorter than ours.
     const std::size_t size = pair_count == 0 ? sizeof *pairs : size_of_versioned(pairs);
-    GRIT_REQUIRE(size % alignof(grit_contact_pair) == 0,
-                 "grit_contact_pair.struct_size %zu is not understood: set it to sizeof", size);
+    GRIT_CHECK(check_understood(size % alignof(grit_contact_pair) == 0, pairs, "grit_contact_pair",
+                                set_it_to_sizeof, error));
     const auto* bytes = reinterpret_cast<const unsigned char*>(pairs);
     for (int p = 0; p < pair_count; ++p) {
         const auto* caller =
@@ -148,7 +137,7 @@ extern "C" grit_status grit_contact_correct_many(const grit_contact_bodies* bodi
         if (const grit_status s = read_pair(b, size, caller, ours[p], options[p], n, error))
             return of_pair(p, s, error);
     }
-    if (const grit_status s = check_agreement(pair_count, ours, options, error)) return s;
+    GRIT_CHECK(check_agreement(pair_count, ours, options, error));
     if (n == 0 || pair_count == 0) return GRIT_OK;
 
     const ManyRequest request{&b, ours, options, pair_count, n, reports, sums};

@@ -5,6 +5,7 @@
 
 #include "contact/normals/regression_request.hpp"
 #include "support/elementary.hpp"
+#include "support/views.hpp"
 
 GRIT_KERNEL_BEGIN
 
@@ -24,8 +25,6 @@ struct CloudFault {
     RegressionFault fault;
     std::ptrdiff_t entry;
 };
-
-GRIT_INLINE bool is_finite(double x) { return x - x == 0.0; }
 
 GRIT_INLINE Lanes load(const double* aligned) {
     Lanes x;
@@ -68,12 +67,12 @@ inline CloudFault gather(const RegressionRequest& q, std::ptrdiff_t first, std::
                          Cloud& cloud) {
     const grit_contact_clouds& in = *q.clouds;
     const int D = cloud.dimensions;
-    const std::ptrdiff_t body_stride = in.body_stride ? in.body_stride : 1;
+    const std::ptrdiff_t body_stride = integer_stride(in.body_stride);
     double origin[3] = {}, sum[3] = {}, total[2] = {};
     std::ptrdiff_t count = 0;
     for (std::ptrdiff_t k = first; k < last; ++k) {
         const std::ptrdiff_t p = in.particle ? in.particle[k] : k;
-        if (!(p >= 0 && p < in.particles)) return {RegressionFault::particle_out_of_range, k};
+        if (!is_index(p, in.particles)) return {RegressionFault::particle_out_of_range, k};
         const int body = in.body[p * body_stride];
         if (body != GRIT_CONTACT_BODY_A && body != GRIT_CONTACT_BODY_B)
             return {RegressionFault::body_unknown, k};

@@ -5,8 +5,7 @@
 
 #include <grit/contact_normals.h>
 
-#include "contact/geometry_call.hpp"
-#include "support/versioned.hpp"
+#include "support/call_checks.hpp"
 
 namespace grit {
 namespace {
@@ -39,8 +38,8 @@ struct Node {
 grit_status read_vector(const grit_view& view, int components, std::ptrdiff_t node,
                         const char* name, Vector& v, grit_error* error, std::ptrdiff_t i) {
     for (int c = 0; c < components; ++c) {
-        v.c[c] = view.base[node * view.point_stride + c * view.component_stride];
-        if (!is_finite_number(v.c[c]))
+        v.c[c] = component(view, node, c);
+        if (!is_finite(v.c[c]))
             return failure(error, GRIT_BAD_STATE, i,
                            "node %td: %s component %d must be finite, got %g", node, name, c,
                            v.c[c]);
@@ -62,15 +61,13 @@ grit_status read_node(const grit_contact_gradients& q, std::ptrdiff_t i, Node& x
     if (q.source == GRIT_CONTACT_NORMAL_OF_B || q.source == GRIT_CONTACT_NORMAL_AVERAGE)
         status = read(q.gradient_b, "gradient_b", x.b);
     if (status) return status;
-    if (q.scale.base) x.scale = q.scale.base[node * q.scale.point_stride];
-    if (!(x.scale >= 0.0 && is_finite_number(x.scale)))
+    if (q.scale.base) x.scale = component(q.scale, node, 0);
+    if (!(x.scale >= 0.0 && is_finite(x.scale)))
         return failure(error, GRIT_BAD_STATE, i, "node %td: scale must be finite and >= 0, got %g",
                        node, x.scale);
-    x.fixed = fixed_of(q.fixed, q.fixed_stride, node);
-    if (!(x.fixed >= 0 && x.fixed < 1 << q.components))
-        return failure(error, GRIT_BAD_CALL, i,
-                       "node %td: fixed must be bits of %d components in [0, %d], got %d", node,
-                       q.components, (1 << q.components) - 1, x.fixed);
+    x.fixed = mask_at(q.fixed, q.fixed_stride, node);
+    if (!is_mask(x.fixed, q.components))
+        return refuse_mask(x.fixed, q.components, i, {"node", node, "fixed"}, error);
     return GRIT_OK;
 }
 
@@ -90,8 +87,7 @@ Vector normal_of(const Node& x, double threshold) {
 }
 
 grit_status check_call(const grit_contact_gradients& q, std::ptrdiff_t n, grit_error* error) {
-    GRIT_REQUIRE(q.components == 2 || q.components == 3, "components must be 2 or 3, got %d",
-                 q.components);
+    GRIT_CHECK(check_dimension(q.components, error));
     GRIT_REQUIRE(q.source >= GRIT_CONTACT_NORMAL_OF_A && q.source <= GRIT_CONTACT_NORMAL_GIVEN,
                  "source must be GRIT_CONTACT_NORMAL_OF_A, _OF_B, _AVERAGE or _GIVEN, got %d",
                  q.source);
@@ -99,15 +95,15 @@ grit_status check_call(const grit_contact_gradients& q, std::ptrdiff_t n, grit_e
                  q.threshold);
     if (n == 0) return GRIT_OK;  // an empty array may have no base pointer
     const bool average = q.source == GRIT_CONTACT_NORMAL_AVERAGE;
-    GRIT_REQUIRE(!(average || q.source == GRIT_CONTACT_NORMAL_OF_A) ||
-                     usable(q.gradient_a, q.components),
-                 "gradient_a needs a base pointer and a component_stride for source %d", q.source);
-    GRIT_REQUIRE(!(average || q.source == GRIT_CONTACT_NORMAL_OF_B) ||
-                     usable(q.gradient_b, q.components),
-                 "gradient_b needs a base pointer and a component_stride for source %d", q.source);
-    GRIT_REQUIRE(q.source != GRIT_CONTACT_NORMAL_GIVEN || usable(q.given, q.components),
-                 "given needs a base pointer and a component_stride for source %d", q.source);
-    if (const grit_status bad = check_usable(q.normal, q.components, "normal", error)) return bad;
+    const auto check_source = [&](const grit_view& view, const char* name) {
+        return check_usable_for("source", q.source, view, q.components, name, error);
+    };
+    if (average || q.source == GRIT_CONTACT_NORMAL_OF_A)
+        GRIT_CHECK(check_source(q.gradient_a, "gradient_a"));
+    if (average || q.source == GRIT_CONTACT_NORMAL_OF_B)
+        GRIT_CHECK(check_source(q.gradient_b, "gradient_b"));
+    if (q.source == GRIT_CONTACT_NORMAL_GIVEN) GRIT_CHECK(check_source(q.given, "given"));
+    GRIT_CHECK(check_usable(q.normal, q.components, "normal", error));
     return check_written(q.normal, n, "normal", "nodes", error);
 }
 
@@ -119,17 +115,14 @@ extern "C" grit_status grit_contact_normals_from_gradients(ptrdiff_t n,
                                                            grit_contact_normal_counts* counts,
                                                            grit_error* error) {
     using namespace grit;
-    GRIT_REQUIRE(gradients, "grit_contact_normals_from_gradients: gradients is null");
-    GRIT_REQUIRE(n >= 0, "grit_contact_normals_from_gradients: n must be >= 0, got %td", n);
+    const char* const name = "grit_contact_normals_from_gradients";
+    GRIT_CHECK(check_given(gradients, {name, "gradients"}, error));
+    GRIT_CHECK(check_count(n, {name, "n"}, error));
     grit_contact_gradients q{};
-    GRIT_REQUIRE(read_versioned(gradients, q),
-                 "grit_contact_gradients.struct_size %zu is not understood: set it to sizeof",
-                 gradients->struct_size);
+    GRIT_CHECK(read_struct(gradients, q, "grit_contact_gradients", error));
     grit_contact_normal_counts found{};
-    GRIT_REQUIRE(!counts || write_versioned(found, counts),
-                 "grit_contact_normal_counts.struct_size %zu is not understood: set it to sizeof",
-                 counts->struct_size);
-    if (const grit_status s = check_call(q, n, error)) return s;
+    GRIT_CHECK(begin_result(found, counts, "grit_contact_normal_counts", error));
+    GRIT_CHECK(check_call(q, n, error));
     const double threshold = q.threshold > 0.0 ? q.threshold : default_threshold;
     grit_status result = GRIT_OK;
     for (ptrdiff_t i = 0; i < n; ++i) {
@@ -144,8 +137,7 @@ extern "C" grit_status grit_contact_normals_from_gradients(ptrdiff_t n,
         const Vector v = normal_of(x, threshold);
         ++(largest(v) > 0.0 ? found.defined : found.undefined);
         const ptrdiff_t node = q.index ? q.index[i] : i;
-        for (int c = 0; c < q.components; ++c)
-            q.normal.base[node * q.normal.point_stride + c * q.normal.component_stride] = v.c[c];
+        for (int c = 0; c < q.components; ++c) component(q.normal, node, c) = v.c[c];
     }
     if (counts) write_versioned(found, counts);
     return result;

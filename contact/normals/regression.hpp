@@ -36,13 +36,13 @@ void write_direction(const RegressionRequest& q, const Cloud& cloud, NodeNormal&
 inline NodeNormal normal_of(const RegressionRequest& q, std::ptrdiff_t node) {
     const grit_contact_clouds& in = *q.clouds;
     NodeNormal r{};
-    const int fixed = in.fixed ? in.fixed[node * (in.fixed_stride ? in.fixed_stride : 1)] : 0;
-    if (!(fixed >= 0 && fixed < 1 << in.components)) {
+    const int fixed = mask_at(in.fixed, in.fixed_stride, node);
+    if (!is_mask(fixed, in.components)) {
         r.fault = RegressionFault::fixed_out_of_range;
         return r;
     }
     const std::ptrdiff_t first = in.offset[node], last = in.offset[node + 1];
-    if (!(first >= 0 && first <= last)) {
+    if (!is_range(first, last)) {
         r.fault = RegressionFault::list_decreasing;
         return r;
     }

@@ -4,10 +4,9 @@
 
 #include <grit/version.h>
 
-#include "contact/geometry_call.hpp"
 #include "contact/normals/regression_request.hpp"
+#include "support/call_checks.hpp"
 #include "support/instruction_set.hpp"
-#include "support/versioned.hpp"
 
 namespace grit {
 namespace {
@@ -32,25 +31,24 @@ double* aligned(void* workspace) {
 }
 
 grit_status check_options(const grit_contact_clouds& q, grit_error* error) {
-    GRIT_REQUIRE(q.components == 2 || q.components == 3, "components must be 2 or 3, got %d",
-                 q.components);
-    GRIT_REQUIRE(q.reserved == 0, "grit_contact_clouds.reserved must be 0, got %d", q.reserved);
-    GRIT_REQUIRE(q.length > 0.0 && is_finite_number(q.length),
+    GRIT_CHECK(check_dimension(q.components, error));
+    GRIT_CHECK(check_reserved(q.reserved, "grit_contact_clouds.reserved", error));
+    GRIT_REQUIRE(q.length > 0.0 && is_finite(q.length),
                  "length must be finite and > 0 [length], got %g", q.length);
     GRIT_REQUIRE(q.ridge == 0.0 || (q.ridge >= 1e-6 && q.ridge <= 1e3),
                  "ridge must be in [1e-6, 1000], or 0 for the default, got %g", q.ridge);
-    GRIT_REQUIRE(q.iteration_limit >= 0, "iteration_limit must be >= 0, got %d", q.iteration_limit);
-    GRIT_REQUIRE(q.particles >= 0, "particles must be >= 0, got %td", q.particles);
+    GRIT_CHECK(check_count(q.iteration_limit, "iteration_limit", error));
+    GRIT_CHECK(check_count(q.particles, "particles", error));
     return check_instruction_set(q.instruction_set, error);
 }
 
 grit_status check_views(const grit_contact_clouds& q, std::ptrdiff_t n, grit_error* error) {
-    GRIT_REQUIRE(q.offset, "offset is null");
-    if (q.particles > 0)
-        if (const grit_status bad = check_usable(q.position, q.components, "position", error))
-            return bad;
-    GRIT_REQUIRE(q.particles == 0 || q.body, "body is null");
-    if (const grit_status bad = check_usable(q.normal, q.components, "normal", error)) return bad;
+    GRIT_CHECK(check_given(q.offset, "offset", error));
+    if (q.particles > 0) {
+        GRIT_CHECK(check_usable(q.position, q.components, "position", error));
+        GRIT_CHECK(check_given(q.body, "body", error));
+    }
+    GRIT_CHECK(check_usable(q.normal, q.components, "normal", error));
     return check_written(q.normal, n, "normal", "nodes", error);
 }
 
@@ -78,22 +76,21 @@ grit_status describe(const RegressionRequest& request, const RegressionOutcome& 
     };
     switch (found.fault) {
         case RegressionFault::list_decreasing:
-            return say("node %td: offset must start at >= 0 and not decrease, got %td and %td",
-                       q.offset[node], q.offset[node + 1]);
+            return refuse_range(q.offset[node], q.offset[node + 1], i, {"node", node, "offset"},
+                                error);
         case RegressionFault::particle_out_of_range:
-            return say("node %td: particle id must be in [0, %td), got %td", q.particles, p);
+            return refuse_index(p, q.particles, i, {"node", node, "particle id"}, error);
         case RegressionFault::body_unknown:
             return say("node %td: body of particle %td must be 0 (A) or 1 (B), got %d", p,
-                       q.body[p * (q.body_stride ? q.body_stride : 1)]);
+                       integer_at(q.body, q.body_stride, p));
         case RegressionFault::weight_out_of_range:
             return say("node %td: weight of particle %td must be 0 or in [%g, %g], got %g", p,
                        smallest_particle_weight, largest_particle_weight,
-                       q.weight.base[p * q.weight.point_stride]);
+                       component(q.weight, p, 0));
         case RegressionFault::position_not_finite:
             for (int c = 0; c < q.components; ++c) {
-                const double x =
-                    q.position.base[p * q.position.point_stride + c * q.position.component_stride];
-                if (!is_finite_number(x))
+                const double x = component(q.position, p, c);
+                if (!is_finite(x))
                     return say("node %td: position component %d of particle %td must be finite, "
                                "got %g",
                                c, p, x);
@@ -104,9 +101,8 @@ grit_status describe(const RegressionRequest& request, const RegressionOutcome& 
                 "node %td: particle %td is more than %g lengths of %g from the first: units?", p,
                 largest_cloud, q.length);
         case RegressionFault::fixed_out_of_range:
-            return say("node %td: fixed must be bits of %d components in [0, %d], got %d",
-                       q.components, (1 << q.components) - 1,
-                       fixed_of(q.fixed, q.fixed_stride, node));
+            return refuse_mask(mask_at(q.fixed, q.fixed_stride, node), q.components, i,
+                               {"node", node, "fixed"}, error);
         case RegressionFault::not_converged:
             return say("node %td: not converged after %d evaluations (iteration_limit)",
                        request.iteration_limit);
@@ -135,22 +131,19 @@ grit_status grit_contact_normals_by_regression(ptrdiff_t n, const grit_contact_c
                                                grit_contact_normal_counts* counts,
                                                grit_error* error) {
     using namespace grit;
-    GRIT_REQUIRE(clouds, "grit_contact_normals_by_regression: clouds is null");
-    GRIT_REQUIRE(n >= 0, "grit_contact_normals_by_regression: n must be >= 0, got %td", n);
+    const char* const name = "grit_contact_normals_by_regression";
+    GRIT_CHECK(check_given(clouds, {name, "clouds"}, error));
+    GRIT_CHECK(check_count(n, {name, "n"}, error));
     grit_contact_clouds q{};
-    GRIT_REQUIRE(read_versioned(clouds, q),
-                 "grit_contact_clouds.struct_size %zu is not understood: set it to sizeof",
-                 clouds->struct_size);
+    GRIT_CHECK(read_struct(clouds, q, "grit_contact_clouds", error));
     grit_contact_normal_counts numbers{};
-    GRIT_REQUIRE(!counts || write_versioned(numbers, counts),
-                 "grit_contact_normal_counts.struct_size %zu is not understood: set it to sizeof",
-                 counts->struct_size);
-    if (const grit_status s = check_options(q, error)) return s;
+    GRIT_CHECK(begin_result(numbers, counts, "grit_contact_normal_counts", error));
+    GRIT_CHECK(check_options(q, error));
     if (n == 0) return GRIT_OK;  // an empty array may have no base pointer
-    if (const grit_status s = check_views(q, n, error)) return s;
-    GRIT_REQUIRE(workspace, "grit_contact_normals_by_regression: workspace is null");
+    GRIT_CHECK(check_views(q, n, error));
+    GRIT_CHECK(check_given(workspace, {name, "workspace"}, error));
     const ptrdiff_t capacity = capacity_of(workspace_size, q.components);
-    if (const grit_status s = check_workspace(q, n, capacity, error)) return s;
+    GRIT_CHECK(check_workspace(q, n, capacity, error));
 
     const RegressionRequest request{&q,
                                     n,

@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/penalty/call_checks.hpp"
 
-#include "support/versioned.hpp"
-
 namespace grit::penalty {
 
 grit_status read_options(const grit_penalty_options* given, grit_penalty_options& o,
                          grit_error* error) {
     GRIT_REQUIRE(given, "options is null: normal_stiffness and depth_max have no default");
-    GRIT_REQUIRE(read_versioned(given, o),
-                 "grit_penalty_options.struct_size %zu is not understood: call "
-                 "grit_penalty_options_init first",
-                 given->struct_size);
-    GRIT_REQUIRE(is_switch(o.axisymmetric), "axisymmetric must be 0 or 1, got %d", o.axisymmetric);
-    GRIT_REQUIRE(is_switch(o.validate_only), "validate_only must be 0 or 1, got %d",
-                 o.validate_only);
+    GRIT_CHECK(read_struct(given, o, "grit_penalty_options", error,
+                           "call grit_penalty_options_init first"));
+    GRIT_CHECK(check_switch(o.axisymmetric, "axisymmetric", error));
+    GRIT_CHECK(check_switch(o.validate_only, "validate_only", error));
     GRIT_REQUIRE(o.normal_stiffness > 0.0 && o.normal_stiffness <= 1e60,
                  "normal_stiffness must be in (0, 1e60] (stress / length), got %g",
                  o.normal_stiffness);
@@ -33,45 +28,33 @@ grit_status read_options(const grit_penalty_options* given, grit_penalty_options
     return GRIT_OK;
 }
 
-grit_status read_surface(const grit_penalty_surface* given, const char* name,
-                         grit_penalty_surface& s, grit_error* error) {
-    GRIT_REQUIRE(given, "%s is null", name);
-    GRIT_REQUIRE(read_versioned(given, s),
-                 "%s: grit_penalty_surface.struct_size %zu is not understood: set it to sizeof",
-                 name, given->struct_size);
-    GRIT_REQUIRE(is_switch(s.closed), "%s: closed must be 0 or 1, got %d", name, s.closed);
-    GRIT_REQUIRE(s.reserved == 0, "%s: reserved must be 0, got %d", name, s.reserved);
-    GRIT_REQUIRE(s.count >= (s.closed ? 3 : 2) && s.count <= largest_count,
-                 "%s: count must be at least %d vertices for %s line, got %td", name,
-                 s.closed ? 3 : 2, s.closed ? "a closed" : "an open", s.count);
-    GRIT_REQUIRE(s.position.base, "%s: position has no base pointer", name);
+grit_status check_vertex_count(std::ptrdiff_t count, bool closed, Named about, grit_error* error) {
+    const int least = closed ? 3 : 2;
+    GRIT_REQUIRE_OF(about, count >= least && count <= largest_count,
+                    " must be at least %d vertices for %s line, got %td", least,
+                    closed ? "a closed" : "an open", count);
     return GRIT_OK;
 }
 
-grit_status check_output(const grit_mutable_view& view, const char* name, const char* member,
-                         std::ptrdiff_t components, grit_error* error) {
-    GRIT_REQUIRE(view.base, "%s: %s has no base pointer", name, member);
-    GRIT_REQUIRE(view.point_stride != 0, "%s: %s is written: point_stride must not be 0", name,
-                 member);
-    GRIT_REQUIRE(components == 1 || view.component_stride != 0,
-                 "%s: %s is written: component_stride must not be 0", name, member);
-    return GRIT_OK;
+grit_status read_surface(const grit_penalty_surface* given, const char* name,
+                         grit_penalty_surface& s, grit_error* error) {
+    GRIT_CHECK(check_given(given, name, error));
+    GRIT_CHECK(read_struct(given, s, {name, "grit_penalty_surface"}, error));
+    GRIT_CHECK(check_switch(s.closed, {name, "closed"}, error));
+    GRIT_CHECK(check_reserved(s.reserved, {name, "reserved"}, error));
+    GRIT_CHECK(check_vertex_count(s.count, s.closed, {name, "count"}, error));
+    return check_base(s.position, {name, "position"}, error);
 }
 
 grit_status check_motion(const grit_penalty_surface& s, const char* name,
                          const grit_penalty_options& o, grit_error* error) {
     const bool friction = o.friction_coefficient > 0.0;
-    if (!o.validate_only)
-        if (const grit_status bad = check_output(s.force, name, "force", 2, error)) return bad;
-    if (s.stiffness.base)
-        if (const grit_status bad = check_output(s.stiffness, name, "stiffness", 1, error))
-            return bad;
+    if (!o.validate_only) GRIT_CHECK(check_output(s.force, 2, {name, "force"}, error));
+    if (s.stiffness.base) GRIT_CHECK(check_output(s.stiffness, 1, {name, "stiffness"}, error));
     if (friction || s.history.base)
-        if (const grit_status bad =
-                check_output(s.history, name, "history", GRIT_PENALTY_HISTORY_SIZE, error))
-            return bad;
-    GRIT_REQUIRE(!friction || s.velocity.base,
-                 "%s: velocity has no base pointer: friction needs it", name);
+        GRIT_CHECK(check_output(s.history, GRIT_PENALTY_HISTORY_SIZE, {name, "history"}, error));
+    if (friction)
+        GRIT_CHECK(check_base(s.velocity, {name, "velocity"}, error, ": friction needs it"));
     for (std::ptrdiff_t i = 0; friction && i < s.count; ++i) {
         for (int c = 0; c < 2; ++c)
             if (const double v = component(s.velocity, i, c); !(std::fabs(v) <= 1e30))

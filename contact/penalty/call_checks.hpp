@@ -3,13 +3,9 @@
 #pragma once
 
 #include "contact/penalty/surface.hpp"
-#include "support/require.hpp"
+#include "support/call_checks.hpp"
 
 namespace grit::penalty {
-
-inline bool is_aligned(const void* memory) {
-    return reinterpret_cast<std::size_t>(memory) % alignof(double) == 0;
-}
 
 grit_status read_options(const grit_penalty_options* given, grit_penalty_options& options,
                          grit_error* error);
@@ -18,9 +14,8 @@ grit_status read_options(const grit_penalty_options* given, grit_penalty_options
 grit_status read_surface(const grit_penalty_surface* given, const char* name,
                          grit_penalty_surface& surface, grit_error* error);
 
-// A view that is written to.
-grit_status check_output(const grit_mutable_view& view, const char* name, const char* member,
-                         std::ptrdiff_t components, grit_error* error);
+// As many vertices as make a line.
+grit_status check_vertex_count(std::ptrdiff_t count, bool closed, Named about, grit_error* error);
 
 // Views and numbers that forces need, besides the positions.
 grit_status check_motion(const grit_penalty_surface& surface, const char* name,

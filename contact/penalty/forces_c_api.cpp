@@ -4,7 +4,6 @@
 #include "contact/penalty/call_checks.hpp"
 #include "contact/penalty/pass.hpp"
 #include "contact/penalty/search.hpp"
-#include "support/versioned.hpp"
 
 namespace grit::penalty {
 namespace {
@@ -53,29 +52,23 @@ grit_status grit_penalty_forces(const grit_penalty_options* options, const grit_
                                 size_t workspace_size, grit_penalty_totals* totals,
                                 grit_error* error) {
     grit_penalty_options o{};
-    if (const grit_status s = read_options(options, o, error)) return s;
+    GRIT_CHECK(read_options(options, o, error));
     grit_penalty_surface surface[2]{};
     const grit_penalty_surface* given[2] = {a, b};
-    for (int i = 0; i < 2; ++i)
-        if (const grit_status s = read_surface(given[i], names[i], surface[i], error)) return s;
-    GRIT_REQUIRE(
-        !totals || (totals->struct_size >= sizeof(size_t) && totals->struct_size <= largest_struct),
-        "grit_penalty_totals.struct_size %zu is not understood: set it to sizeof",
-        totals->struct_size);
+    for (int i = 0; i < 2; ++i) GRIT_CHECK(read_surface(given[i], names[i], surface[i], error));
+    GRIT_CHECK(check_understood(!totals || is_possible_size(size_of_versioned(totals)), totals,
+                                "grit_penalty_totals", set_it_to_sizeof, error));
     const size_t needed = grit_penalty_workspace_size(surface[0].count, surface[1].count);
-    GRIT_REQUIRE(workspace, "workspace is null: %zu bytes are needed", needed);
-    GRIT_REQUIRE(is_aligned(workspace), "workspace must be aligned to %zu bytes", alignof(double));
-    GRIT_REQUIRE(workspace_size >= needed, "workspace must have at least %zu bytes, got %zu",
-                 needed, workspace_size);
+    GRIT_CHECK(check_workspace(workspace, workspace_size, needed, error));
 
     auto* memory = static_cast<char*>(workspace);
     Body body[2];
     for (int i = 0; i < 2; ++i) {
         const grit_penalty_surface& s = surface[i];
-        if (const grit_status bad = check_motion(s, names[i], o, error)) return bad;
+        GRIT_CHECK(check_motion(s, names[i], o, error));
         body[i] = {&s, place_line(memory, s.count, s.closed == 1)};
         const Geometry geometry{s.count, s.closed == 1, o.axisymmetric == 1, s.position};
-        if (const grit_status bad = read_line(geometry, names[i], body[i].line, error)) return bad;
+        GRIT_CHECK(read_line(geometry, names[i], body[i].line, error));
         build_tree(body[i].line);
     }
     ptrdiff_t tests = 0;

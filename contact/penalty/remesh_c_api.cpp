@@ -2,14 +2,13 @@
 // grit_penalty_remesh: merges, counts, then writes the new line.
 #include "contact/penalty/call_checks.hpp"
 #include "contact/penalty/remesh.hpp"
-#include "support/versioned.hpp"
 
 namespace grit::penalty {
 namespace {
 
 grit_status check(const grit_penalty_remeshing& q, grit_error* error) {
-    GRIT_REQUIRE(is_switch(q.closed), "closed must be 0 or 1, got %d", q.closed);
-    GRIT_REQUIRE(q.reserved == 0, "reserved must be 0, got %d", q.reserved);
+    GRIT_CHECK(check_switch(q.closed, "closed", error));
+    GRIT_CHECK(check_reserved(q.reserved, "reserved", error));
     GRIT_REQUIRE(q.longest > 0.0 && q.longest <= largest_length,
                  "longest must be in (0, 1e30] (length), got %g", q.longest);
     GRIT_REQUIRE(q.shortest >= 0.0 && q.shortest <= 0.5 * q.longest,
@@ -18,16 +17,13 @@ grit_status check(const grit_penalty_remeshing& q, grit_error* error) {
     GRIT_REQUIRE(q.tolerance >= 0.0 && q.tolerance <= q.shortest,
                  "tolerance must be in [0, shortest = %g] (length), got %g", q.shortest,
                  q.tolerance);
-    GRIT_REQUIRE(q.count >= (q.closed ? 3 : 2) && q.count <= largest_count,
-                 "count must be at least %d vertices for %s line, got %td", q.closed ? 3 : 2,
-                 q.closed ? "a closed" : "an open", q.count);
-    GRIT_REQUIRE(q.position.base, "position has no base pointer");
-    GRIT_REQUIRE(q.parents, "parents is null");
-    GRIT_REQUIRE(q.weight, "weight is null");
-    if (const grit_status s = check_output(q.new_position, "line", "new_position", 2, error))
-        return s;
-    return q.history.base ? check_output(q.new_history, "line", "new_history",
-                                         GRIT_PENALTY_HISTORY_SIZE, error)
+    GRIT_CHECK(check_vertex_count(q.count, q.closed, "count", error));
+    GRIT_CHECK(check_base(q.position, "position", error));
+    GRIT_CHECK(check_given(q.parents, "parents", error));
+    GRIT_CHECK(check_given(q.weight, "weight", error));
+    GRIT_CHECK(check_output(q.new_position, 2, {"line", "new_position"}, error));
+    return q.history.base ? check_output(q.new_history, GRIT_PENALTY_HISTORY_SIZE,
+                                         {"line", "new_history"}, error)
                           : GRIT_OK;
 }
 
@@ -60,20 +56,15 @@ size_t grit_penalty_remesh_workspace_size(ptrdiff_t count) {
 
 grit_status grit_penalty_remesh(const grit_penalty_remeshing* remeshing, void* workspace,
                                 size_t workspace_size, ptrdiff_t* new_count, grit_error* error) {
-    GRIT_REQUIRE(remeshing, "remeshing is null");
-    GRIT_REQUIRE(new_count, "new_count is null");
+    GRIT_CHECK(check_given(remeshing, "remeshing", error));
+    GRIT_CHECK(check_given(new_count, "new_count", error));
     grit_penalty_remeshing q{};
-    GRIT_REQUIRE(read_versioned(remeshing, q),
-                 "grit_penalty_remeshing.struct_size %zu is not understood: set it to sizeof",
-                 remeshing->struct_size);
-    if (const grit_status s = check(q, error)) return s;
+    GRIT_CHECK(read_struct(remeshing, q, "grit_penalty_remeshing", error));
+    GRIT_CHECK(check(q, error));
     const size_t needed = grit_penalty_remesh_workspace_size(q.count);
-    GRIT_REQUIRE(workspace, "workspace is null: %zu bytes are needed", needed);
-    GRIT_REQUIRE(is_aligned(workspace), "workspace must be aligned to %zu bytes", alignof(double));
-    GRIT_REQUIRE(workspace_size >= needed, "workspace must have at least %zu bytes, got %zu",
-                 needed, workspace_size);
+    GRIT_CHECK(check_workspace(workspace, workspace_size, needed, error));
     const Geometry line{q.count, q.closed == 1, false, q.position};
-    if (const grit_status s = check_vertices(line, "line", error)) return s;
+    GRIT_CHECK(check_vertices(line, "line", error));
 
     auto* kept = static_cast<ptrdiff_t*>(workspace);
     const ptrdiff_t stay = merge_short(line, {q.longest, q.shortest, q.tolerance}, kept);

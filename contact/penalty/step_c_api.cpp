@@ -12,21 +12,22 @@ namespace {
 grit_status largest_ratio(std::ptrdiff_t n, const grit_view* mass, const grit_view* stiffness,
                           const char* name, double& ratio, grit_error* error) {
     ratio = 0.0;
-    GRIT_REQUIRE(n >= 0, "body %s: n must be >= 0 nodes, got %td", name, n);
+    GRIT_CHECK(check_count(n, {name, "n"}, error, " nodes"));
     if (n == 0) return GRIT_OK;
-    GRIT_REQUIRE(mass && mass->base, "body %s: mass has no base pointer", name);
-    GRIT_REQUIRE(stiffness && stiffness->base, "body %s: stiffness has no base pointer", name);
+    static constexpr grit_view none{};
+    GRIT_CHECK(check_base(mass ? *mass : none, {name, "mass"}, error));
+    GRIT_CHECK(check_base(stiffness ? *stiffness : none, {name, "stiffness"}, error));
     for (std::ptrdiff_t i = 0; i < n; ++i) {
         const double m = component(*mass, i, 0), k = component(*stiffness, i, 0);
         if (!(k >= 0.0 && k <= std::numeric_limits<double>::max()))
             return failure(error, GRIT_BAD_STATE, i,
-                           "body %s node %td: stiffness must be >= 0 and finite (force / length), "
+                           "%s node %td: stiffness must be >= 0 and finite (force / length), "
                            "got %g",
                            name, i, k);
         if (k == 0.0) continue;
         if (!(m > 0.0 && m <= std::numeric_limits<double>::max()))
             return failure(error, GRIT_BAD_STATE, i,
-                           "body %s node %td: mass must be > 0 and finite (mass) where there is "
+                           "%s node %td: mass must be > 0 and finite (mass) where there is "
                            "stiffness, got %g",
                            name, i, m);
         ratio = std::max(ratio, k / m);
@@ -57,12 +58,11 @@ grit_status grit_penalty_flush_stiffness(const grit_penalty_options* options,
                                          const grit_penalty_surface* surface, grit_error* error) {
     grit_penalty_options o{};
     grit_penalty_surface s{};
-    if (const grit_status bad = read_options(options, o, error)) return bad;
-    if (const grit_status bad = read_surface(surface, "surface", s, error)) return bad;
-    if (const grit_status bad = check_output(s.stiffness, "surface", "stiffness", 1, error))
-        return bad;
+    GRIT_CHECK(read_options(options, o, error));
+    GRIT_CHECK(read_surface(surface, "surface", s, error));
+    GRIT_CHECK(check_output(s.stiffness, 1, {"surface", "stiffness"}, error));
     const Geometry geometry{s.count, s.closed == 1, o.axisymmetric == 1, s.position};
-    if (const grit_status bad = check_vertices(geometry, "surface", error)) return bad;
+    GRIT_CHECK(check_vertices(geometry, "surface", error));
     const double eps =
         std::max(o.normal_stiffness, o.friction_coefficient > 0.0 ? o.tangential_stiffness : 0.0);
     const ptrdiff_t segments = s.closed ? s.count : s.count - 1;
@@ -82,12 +82,10 @@ grit_status grit_penalty_stable_step(ptrdiff_t n_a, const grit_view* mass_a,
                                      const grit_view* stiffness_a, ptrdiff_t n_b,
                                      const grit_view* mass_b, const grit_view* stiffness_b,
                                      double* step, grit_error* error) {
-    GRIT_REQUIRE(step, "step is null");
+    GRIT_CHECK(check_given(step, "step", error));
     double ratio_a = 0.0, ratio_b = 0.0;
-    if (const grit_status s = largest_ratio(n_a, mass_a, stiffness_a, "a", ratio_a, error))
-        return s;
-    if (const grit_status s = largest_ratio(n_b, mass_b, stiffness_b, "b", ratio_b, error))
-        return s;
+    GRIT_CHECK(largest_ratio(n_a, mass_a, stiffness_a, "body a", ratio_a, error));
+    GRIT_CHECK(largest_ratio(n_b, mass_b, stiffness_b, "body b", ratio_b, error));
     const double squared = ratio_a + ratio_b;
     *step = squared > 0.0 ? 2.0 / std::sqrt(squared)  // (S5)
                           : std::numeric_limits<double>::infinity();

@@ -4,8 +4,7 @@
 
 #include <grit/sand.h>
 
-#include "support/require.hpp"
-#include "support/versioned.hpp"
+#include "support/call_checks.hpp"
 #include "umat/model/material.hpp"
 
 namespace grit {
@@ -31,22 +30,23 @@ inline grit_status read_call(const char* name, const grit_sand* sand,
                              const grit_sand_options* options, std::ptrdiff_t n,
                              const grit_sand_points* points, SandCall& call, grit_error* error) {
     static constexpr grit_sand_points nothing{};
-    GRIT_REQUIRE(sand, "%s: sand is null", name);
-    GRIT_REQUIRE(points, "%s: points is null", name);
-    GRIT_REQUIRE(n >= 0, "%s: n must be >= 0, got %td", name, n);
+    GRIT_CHECK(check_given(sand, {name, "sand"}, error));
+    GRIT_CHECK(check_given(points, {name, "points"}, error));
+    GRIT_CHECK(check_count(n, {name, "n"}, error));
     GRIT_REQUIRE(material_of(*sand).stamp == material_stamp,
                  "%s: sand was not prepared by grit_sand_prepare of major version %d", name,
                  GRIT_VERSION_MAJOR);
     call.options =
         options ? view_versioned(options, default_options, call.own_options) : &default_options;
-    GRIT_REQUIRE(call.options,
-                 "grit_sand_options.struct_size %zu is not understood: call "
-                 "grit_sand_options_init first",
-                 options->struct_size);
+    GRIT_CHECK(check_understood(call.options, options, "grit_sand_options",
+                                "call grit_sand_options_init first", error));
     call.points = view_versioned(points, nothing, call.own_points);
-    GRIT_REQUIRE(call.points,
-                 "grit_sand_points.struct_size %zu is not understood: set it to sizeof",
-                 points->struct_size);
+    return check_understood(call.points, points, "grit_sand_points", set_it_to_sizeof, error);
+}
+
+inline grit_status check_point_components(int components, grit_error* error) {
+    GRIT_REQUIRE(components == 0 || components == 6 || components == 4,
+                 "components must be 6 or 4 (11 22 33 12), got %d", components);
     return GRIT_OK;
 }
 

@@ -27,8 +27,8 @@ extern "C" {
 
 grit_status grit_sand_invariants_of(const grit_sand* sand, const double stress[6],
                                     const double* state, grit_sand_invariants* invariants) {
-    if (!prepared(sand) || !stress || !state || !invariants || !finite(stress, 6) ||
-        !finite(state, GRIT_SAND_STATE_SIZE))
+    if (!prepared(sand) || !stress || !state || !invariants || !are_finite(stress, 6) ||
+        !are_finite(state, GRIT_SAND_STATE_SIZE))
         return GRIT_BAD_CALL;
     const Material& m = material_of(*sand);
     const Tensor<double> T = stress_from_voigt(stress);

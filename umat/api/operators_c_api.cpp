@@ -24,12 +24,12 @@ Tensor<double> stress_in_domain(const Material& m, const double stress[6]) {
 }
 
 bool usable(const grit_sand* sand, const double* stress, double void_ratio) {
-    return prepared(sand) && stress && finite(stress, 6) && void_ratio > 0.0 &&
+    return prepared(sand) && stress && are_finite(stress, 6) && void_ratio > 0.0 &&
            void_ratio <= largest_void_ratio;
 }
 
 bool usable_state(const grit_sand* sand, const double* stress, const double* state) {
-    return state && finite(state, GRIT_SAND_STATE_SIZE) &&
+    return state && are_finite(state, GRIT_SAND_STATE_SIZE) &&
            usable(sand, stress, state[GRIT_SAND_VOID_RATIO]);
 }
 
@@ -84,7 +84,7 @@ grit_status grit_sand_stiffness(const grit_sand* sand, const double stress[6], d
 grit_status grit_sand_intergranular_stiffness(const grit_sand* sand, const double stress[6],
                                               const double* state, const double D[6],
                                               double M[36]) {
-    if (!usable_state(sand, stress, state) || !D || !finite(D, 6) || !M ||
+    if (!usable_state(sand, stress, state) || !D || !are_finite(D, 6) || !M ||
         material_of(*sand).has_intergranular_strain == 0.0)
         return GRIT_BAD_CALL;
     const Material& m = material_of(*sand);
@@ -97,7 +97,7 @@ grit_status grit_sand_intergranular_stiffness(const grit_sand* sand, const doubl
 grit_status grit_sand_rate(const grit_sand* sand, int intergranular_off, const double stress[6],
                            const double* state, const double D[6], double stress_rate[6],
                            double* state_rate) {
-    if (!usable_state(sand, stress, state) || !D || !finite(D, 6) || !stress_rate)
+    if (!usable_state(sand, stress, state) || !D || !are_finite(D, 6) || !stress_rate)
         return GRIT_BAD_CALL;
     const Material& m = material_of(*sand);
     const bool igs = m.has_intergranular_strain != 0.0 && !intergranular_off;
@@ -147,7 +147,7 @@ grit_status grit_sand_wave_modulus(const grit_sand* sand, int intergranular_off,
 }
 
 grit_status grit_sand_rotate(const double Q[9], double* stress, double* state) {
-    if (!Q || !finite(Q, 9) || !is_rotation(Q, false)) return GRIT_BAD_CALL;
+    if (!Q || !are_finite(Q, 9) || !is_rotation(Q, false)) return GRIT_BAD_CALL;
     if (stress) stress_to_voigt(rotated(Q, stress_from_voigt(stress)), stress);
     if (state) strain_to_voigt(rotated(Q, strain_from_voigt(state)), state);
     return GRIT_OK;

@@ -6,8 +6,7 @@
 #include <iterator>
 #include <limits>
 
-#include "support/require.hpp"
-#include "support/versioned.hpp"
+#include "support/call_checks.hpp"
 
 namespace grit {
 namespace {
@@ -154,8 +153,7 @@ using namespace grit;
 extern "C" {
 
 grit_status grit_sand_parameters_init(grit_sand_parameters* parameters, size_t struct_size) {
-    if (!parameters || struct_size < sizeof(size_t) || struct_size > largest_struct)
-        return GRIT_BAD_CALL;
+    if (!parameters || !is_possible_size(struct_size)) return GRIT_BAD_CALL;
     std::memset(parameters, 0, struct_size);
     grit_sand_parameters ours;
     ours.struct_size = sizeof ours;
@@ -191,9 +189,8 @@ grit_status grit_sand_parameter_set(grit_sand_parameters* parameters, int index,
 
 grit_status grit_sand_prepare(const grit_sand_parameters* parameters, grit_sand* sand,
                               grit_error* error) {
-    if (!parameters || !sand)
-        return failure(error, GRIT_BAD_CALL, -1, "grit_sand_prepare: %s is null",
-                       parameters ? "sand" : "parameters");
+    GRIT_CHECK(check_given(parameters, {"grit_sand_prepare", "parameters"}, error));
+    GRIT_CHECK(check_given(sand, {"grit_sand_prepare", "sand"}, error));
     grit_sand_parameters ours;
     grit_sand_parameters_init(&ours, sizeof ours);
     if (!read_versioned(parameters, ours))
@@ -202,7 +199,7 @@ grit_status grit_sand_prepare(const grit_sand_parameters* parameters, grit_sand*
                        "%zu bytes): call grit_sand_parameters_init first",
                        parameters->struct_size, sizeof ours);
     Material material;
-    if (const grit_status s = prepare(ours, material, error)) return s;
+    GRIT_CHECK(prepare(ours, material, error));
     std::memset(sand, 0, sizeof *sand);
     std::memcpy(sand->opaque, &material, sizeof material);
     return GRIT_OK;

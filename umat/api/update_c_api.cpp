@@ -3,10 +3,8 @@
 #define GRIT_TARGET c_api
 #include <cstring>
 
+#include "support/call_checks.hpp"
 #include "support/instruction_set.hpp"
-#include "support/require.hpp"
-#include "support/versioned.hpp"
-#include "support/views.hpp"
 #include "umat/api/call.hpp"
 #include "umat/batch/point.hpp"
 
@@ -18,12 +16,9 @@ grit_status check_options(const grit_sand_options& o, grit_error* error) {
                  "tolerance must be in [1e-12, 0.1], got %g", o.tolerance);
     GRIT_REQUIRE(o.evaluation_limit >= 2 && o.evaluation_limit <= 1000000,
                  "evaluation_limit must be in [2, 1000000], got %d", o.evaluation_limit);
-    GRIT_REQUIRE(is_switch(o.intergranular_off), "intergranular_off must be 0 or 1, got %d",
-                 o.intergranular_off);
-    GRIT_REQUIRE(is_switch(o.stress_is_rotated), "stress_is_rotated must be 0 or 1, got %d",
-                 o.stress_is_rotated);
-    GRIT_REQUIRE(is_switch(o.validate_only), "validate_only must be 0 or 1, got %d",
-                 o.validate_only);
+    GRIT_CHECK(check_switch(o.intergranular_off, "intergranular_off", error));
+    GRIT_CHECK(check_switch(o.stress_is_rotated, "stress_is_rotated", error));
+    GRIT_CHECK(check_switch(o.validate_only, "validate_only", error));
     GRIT_REQUIRE(o.tangent >= GRIT_TANGENT_NONE && o.tangent <= GRIT_TANGENT_CONSISTENT,
                  "tangent must be GRIT_TANGENT_NONE, _CONTINUUM or _CONSISTENT, got %d", o.tangent);
     return check_instruction_set(o.instruction_set, error);
@@ -31,43 +26,29 @@ grit_status check_options(const grit_sand_options& o, grit_error* error) {
 
 grit_status check_points(const grit_sand_points& q, const grit_sand_options& o, std::ptrdiff_t n,
                          grit_error* error) {
-    GRIT_REQUIRE(q.components == 0 || q.components == 6 || q.components == 4,
-                 "components must be 6 or 4 (11 22 33 12), got %d", q.components);
-    GRIT_REQUIRE(q.reserved == 0, "grit_sand_points.reserved must be 0, got %d", q.reserved);
-    GRIT_REQUIRE(q.strain_increment.base, "strain_increment has no base pointer");
-    GRIT_REQUIRE(q.stress.base, "stress has no base pointer");
-    GRIT_REQUIRE(q.state.base, "state has no base pointer");
-    const struct {
-        const grit_mutable_view& view;
-        const char* name;
-    } outputs[] = {{q.stress, "stress"}, {q.state, "state"}, {q.substep, "substep"}};
-    for (const auto& output : outputs)
-        if (const grit_status bad = check_written(output.view, n, output.name, "points", error))
-            return bad;
+    GRIT_CHECK(check_point_components(q.components, error));
+    GRIT_CHECK(check_reserved(q.reserved, "grit_sand_points.reserved", error));
+    GRIT_CHECK(check_base(q.strain_increment, "strain_increment", error));
+    GRIT_CHECK(check_base(q.stress, "stress", error));
+    GRIT_CHECK(check_base(q.state, "state", error));
+    GRIT_CHECK(check_written(q.stress, n, "stress", "points", error));
+    GRIT_CHECK(check_written(q.state, n, "state", "points", error));
+    GRIT_CHECK(check_written(q.substep, n, "substep", "points", error));
     if (o.tangent != GRIT_TANGENT_NONE && !o.validate_only) {
         GRIT_REQUIRE(q.tangent.base, "tangent %d is asked for, but its view has no base pointer",
                      o.tangent);
-        if (const grit_status bad = check_written(q.tangent, n, "tangent", "points", error))
-            return bad;
-        GRIT_REQUIRE(q.tangent.row_stride != 0 && q.tangent.column_stride != 0,
-                     "tangent is written: row_stride and column_stride must not be 0");
+        GRIT_CHECK(check_written(q.tangent, n, "tangent", "points", error));
+        GRIT_CHECK(check_entries_written(q.tangent, "tangent", error));
     }
-    GRIT_REQUIRE(q.stress.component_stride != 0 && q.state.component_stride != 0,
-                 "component_stride of stress and state must not be 0");
-    GRIT_REQUIRE(q.strain_increment.component_stride != 0,
-                 "component_stride of strain_increment must not be 0");
-    return GRIT_OK;
+    GRIT_CHECK(check_component_strides({q.stress.component_stride, q.state.component_stride},
+                                       "stress and state", error));
+    return check_component_strides({q.strain_increment.component_stride}, "strain_increment",
+                                   error);
 }
 
 const char* component_name(int c) {
     static constexpr const char* names[] = {"11", "22", "33", "12", "13", "23"};
     return names[c];
-}
-
-int first_not_finite(const double* x, int n) {
-    for (int c = 0; c < n; ++c)
-        if (!(x[c] - x[c] == 0.0)) return c;
-    return 0;
 }
 
 // Say in words what was found at a point, from the same numbers the kernel saw.
@@ -153,13 +134,12 @@ grit_status grit_sand_update(const grit_sand* sand, const grit_sand_options* opt
                              const grit_sand_points* points, grit_sand_report* reports,
                              grit_error* error) {
     SandCall call;
-    if (const grit_status s = read_call("grit_sand_update", sand, options, n, points, call, error))
-        return s;
+    GRIT_CHECK(read_call("grit_sand_update", sand, options, n, points, call, error));
     const grit_sand_options& o = *call.options;
     const grit_sand_points& q = *call.points;
-    if (const grit_status s = check_options(o, error)) return s;
+    GRIT_CHECK(check_options(o, error));
     if (n == 0) return GRIT_OK;  // an empty array may have no base pointer
-    if (const grit_status s = check_points(q, o, n, error)) return s;
+    GRIT_CHECK(check_points(q, o, n, error));
 
     const Material& m = material_of(*sand);
     const bool igs = m.has_intergranular_strain != 0.0 && !o.intergranular_off;

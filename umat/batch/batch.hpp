@@ -152,7 +152,7 @@ class Batch {
         for (int row = 0; row < 6; ++row) {
             const Six slope = by_strain(dual_end.y.T[row], along);
             for (int c = 0; c < 6; ++c) r.tangent.c[row][c] = slope[c];
-            if (!finite(r.tangent.c[row], 6)) return fail(p, i, end);
+            if (!are_finite(r.tangent.c[row], 6)) return fail(p, i, end);
         }
         write_point(q, i, at, p, r);
     }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include "support/views.hpp"
 #include "umat/batch/request.hpp"
 #include "umat/model/notation.hpp"
 
@@ -59,12 +60,6 @@ constexpr double largest_void_ratio = 1e9;       // of a separated point that is
 constexpr double smallest_increment = 1e-100;    // below it the increment is zero
 constexpr double tolerated_h_excess = 1.01;      // |h| / R scaled back instead of refused
 
-GRIT_INLINE bool finite(const double* x, int n) {
-    double sum = 0.0;  // 0 x is 0 for a finite x, NaN otherwise
-    for (int i = 0; i < n; ++i) sum += 0.0 * x[i];
-    return sum == 0.0;
-}
-
 template <class Real> inline MaskOf<Real> is_rotation(const Real Q[9], bool in_plane) {
     Real worst(0.0);
     for (int i = 0; i < 3; ++i)
@@ -94,11 +89,11 @@ GRIT_INLINE bool is_stress(const Material& m, const double stress[6]) {
 
 inline Fault check_point(const Material& m, const grit_sand_options& options, bool igs,
                          int components, const RawPoint& raw) {
-    if (!finite(raw.strain, 6)) return Fault::strain_not_finite;
-    if (!finite(raw.stress, 6)) return Fault::stress_not_finite;
-    if (!finite(raw.state, GRIT_SAND_STATE_SIZE)) return Fault::state_not_finite;
-    if (!finite(&raw.substep, 1)) return Fault::substep_not_finite;
-    if (raw.rotates && (!finite(raw.Q, 9) || !is_rotation(raw.Q, components == 4)))
+    if (!are_finite(raw.strain, 6)) return Fault::strain_not_finite;
+    if (!are_finite(raw.stress, 6)) return Fault::stress_not_finite;
+    if (!are_finite(raw.state, GRIT_SAND_STATE_SIZE)) return Fault::state_not_finite;
+    if (!are_finite(&raw.substep, 1)) return Fault::substep_not_finite;
+    if (raw.rotates && (!are_finite(raw.Q, 9) || !is_rotation(raw.Q, components == 4)))
         return Fault::rotation_improper;
     const double e = raw.state[GRIT_SAND_VOID_RATIO];
     if (!is_void_ratio(e)) return Fault::void_ratio_out_of_range;
