@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <exception>
 #include <fstream>
 #include <set>
@@ -35,18 +34,21 @@ std::string next_lines(std::ifstream& file) {
     return out;
 }
 
-// The size, the body, and the columns.
+// A row among doubles: their count with this one, the body, the columns.
+constexpr std::size_t before_columns = 2;
+
+int packed_size(std::size_t columns) { return static_cast<int>(before_columns + columns); }
+
 int pack(const PointRow& row, double* to) {
-    const auto size = static_cast<int>(row.columns.size()) + 2;
-    to[0] = size;
+    to[0] = packed_size(row.columns.size());
     to[1] = static_cast<double>(row.body);
-    std::memcpy(to + 2, row.columns.data(), row.columns.size() * sizeof(double));
-    return size;
+    std::copy(row.columns.begin(), row.columns.end(), to + before_columns);
+    return packed_size(row.columns.size());
 }
 
 PointRow unpack(const double* from) {
-    const auto size = static_cast<std::ptrdiff_t>(from[0]);
-    return {static_cast<std::size_t>(from[1]), {from + 2, from + size}};
+    return {static_cast<std::size_t>(from[1]),
+            {from + before_columns, from + static_cast<std::ptrdiff_t>(from[0])}};
 }
 
 }  // namespace
@@ -109,7 +111,7 @@ FixGritMpm::FixGritMpm(LAMMPS* host, int count, char** words) : Fix(host, count,
     size_peratom_cols = static_cast<int>(most_columns);
     peratom_freq = 1;
     nevery = 1;
-    maxexchange = static_cast<int>(most_columns) + 2;
+    maxexchange = packed_size(most_columns);
     FixGritMpm::grow_arrays(atom->nmax);
     atom->add_callback(0);
     atom->add_callback(1);
@@ -446,11 +448,11 @@ int FixGritMpm::pack_restart(int i, double* to) {
 int FixGritMpm::size_restart(int i) {
     int size = 1;
     if (is_mine(i))
-        guarded_here([&] { size = static_cast<int>(run->row(atom->tag[i]).columns.size()) + 2; });
+        guarded_here([&] { size = packed_size(run->row(atom->tag[i]).columns.size()); });
     return size;
 }
 
-int FixGritMpm::maxsize_restart() { return static_cast<int>(most_columns) + 2; }
+int FixGritMpm::maxsize_restart() { return packed_size(most_columns); }
 
 // The rows of fixes follow one another, each with its size in front.
 void FixGritMpm::unpack_restart(int i, int which) {

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "adapters/mpm/case/initial_state.hpp"
-#include "adapters/mpm/io/column_names.hpp"
 #include "adapters/mpm/io/grid_state.hpp"
+#include "adapters/mpm/step/column_names.hpp"
 
 namespace grit::lammps {
 namespace {

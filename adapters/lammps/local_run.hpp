@@ -77,7 +77,6 @@ class LocalRun {
     // There is something to store: it was started, or goes on from a stored run.
     bool has_begun() const { return runner || stored; }
     // The grid is not cut that way.
-    // The grid is not cut that way.
     bool is_cut_anew(const Cuts& cuts) const { return !is_cut(cuts); }
 
     // Asks for the values of all variables, in the same order on all processes: of loads at the begin of the

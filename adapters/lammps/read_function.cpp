@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "adapters/mpm/io/text.hpp"
+#include "adapters/mpm/step/text.hpp"
 
 namespace grit::lammps {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "adapters/mpm/io/text.hpp"
+#include "adapters/mpm/step/text.hpp"
 
 namespace grit::lammps {
 

@@ -7,7 +7,7 @@
 
 #include <adapters/mpm/case/build_case.hpp>
 #include <adapters/mpm/case/fill.hpp>
-#include <adapters/mpm/io/column_names.hpp>
+#include <adapters/mpm/step/column_names.hpp>
 #include <fmt/format.h>
 
 #include "cli/mpm/lammps_script.hpp"

@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-#include <adapters/mpm/io/column_names.hpp>
+#include <adapters/mpm/step/column_names.hpp>
 
 #include "../larger.hpp"
 #include "support/box.hpp"

@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "adapters/mpm/io/text.hpp"
+#include "adapters/mpm/step/text.hpp"
 
 namespace grit::mpm {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "adapters/mpm/io/text.hpp"
+#include "adapters/mpm/step/text.hpp"
 
 namespace grit::mpm {
 namespace c = column;

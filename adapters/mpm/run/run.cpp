@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "adapters/mpm/io/text.hpp"
 #include "adapters/mpm/run/measures.hpp"
+#include "adapters/mpm/step/text.hpp"
 
 namespace grit::mpm {
 namespace {

@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "adapters/mpm/grid/grid_point.hpp"
-#include "adapters/mpm/io/text.hpp"
 #include "adapters/mpm/step/require.hpp"
+#include "adapters/mpm/step/text.hpp"
 
 namespace grit::mpm {
 namespace {

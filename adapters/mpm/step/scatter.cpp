@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "adapters/mpm/io/column_names.hpp"
-#include "adapters/mpm/io/text.hpp"
+#include "adapters/mpm/step/column_names.hpp"
+#include "adapters/mpm/step/text.hpp"
 
 namespace grit::mpm {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "adapters/mpm/io/text.hpp"
+#include "adapters/mpm/step/text.hpp"
 
 namespace grit::mpm {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapters/mpm/io/column_names.hpp"
+#include "adapters/mpm/step/column_names.hpp"
 
 namespace grit::mpm {
 
