@@ -9,8 +9,8 @@
 #include <immintrin.h>
 #endif
 
+#include "support/lanes.hpp"
 #include "support/number.hpp"
-#include "support/vectors.hpp"
 
 GRIT_KERNEL_BEGIN
 

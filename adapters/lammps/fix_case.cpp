@@ -55,9 +55,9 @@ void read_traction(Words& words, FixCase& out) {
     out.traction_groups.push_back(words.word("the group of a traction"));
     traction.edge =
         static_cast<mpm::Edge>(words.choice("the edge of a traction", mpm::words::edges));
-    traction.direction.r = words.number("the direction of a traction along r");
-    traction.direction.z = words.number("... and along z");
-    if (traction.direction.r == 0.0 && traction.direction.z == 0.0)
+    traction.direction[0] = words.number("the direction of a traction along r");
+    traction.direction[1] = words.number("... and along z");
+    if (traction.direction[0] == 0.0 && traction.direction[1] == 0.0)
         throw std::invalid_argument("the direction of a traction must not be 0");
     Function function = read_function(words, "the stress of a traction");
     traction.stress = std::move(function.time);

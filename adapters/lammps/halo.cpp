@@ -121,8 +121,8 @@ void Halo::sum_nodes(mpm::NodeIntegers* records, std::ptrdiff_t) {
              [](std::uint64_t a, std::uint64_t b) { return a + b; });
 }
 
-void Halo::sum_nodes(mpm::Vector* forces, std::ptrdiff_t nodes) {
-    if (nodes > 0) exchange(&forces->r, 2, Of::nodes, [](double a, double b) { return a + b; });
+void Halo::sum_nodes(Vector2* forces, std::ptrdiff_t nodes) {
+    if (nodes > 0) exchange(forces->c, 2, Of::nodes, [](double a, double b) { return a + b; });
 }
 
 void Halo::sum_cells(mpm::CellIntegers* cells, std::ptrdiff_t count) {

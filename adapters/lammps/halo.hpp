@@ -28,7 +28,7 @@ class Halo : public mpm::Exchange {
     const std::uint8_t* counted() const override { return counts.data(); }
     void sum_nodes(mpm::NodeRecord* records, std::ptrdiff_t nodes) override;
     void sum_nodes(mpm::NodeIntegers* records, std::ptrdiff_t nodes) override;
-    void sum_nodes(mpm::Vector* forces, std::ptrdiff_t nodes) override;
+    void sum_nodes(Vector2* forces, std::ptrdiff_t nodes) override;
     void sum_cells(mpm::CellIntegers* cells, std::ptrdiff_t count) override;
     void min_nodes(double* values, std::ptrdiff_t nodes, int per_node) override;
     void max(double* values, int count) override;

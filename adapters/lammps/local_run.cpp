@@ -21,7 +21,6 @@ using mpm::Body;
 using mpm::BuiltCase;
 using mpm::GridState;
 using mpm::Simulation;
-using mpm::Vector;
 
 LocalRun::LocalRun(FixCase given, VariableAt values)
     : plan(std::move(given)), variables(std::move(values)), axis_r(mpm::make_axis(plan.plan.r)),
@@ -140,7 +139,7 @@ BuiltCase LocalRun::build(const std::vector<std::vector<int>>& traction_ids) {
             stress = [this, k = asked_variable(name, traction.from_stage, false),
                       direction = traction.direction](double) {
                 const double size = asked[k].value;
-                return Vector{size * direction.r, size * direction.z};
+                return Vector2{size * direction[0], size * direction[1]};
             };
         for (const int id : traction_ids[i])
             out.simulation->add_traction(
@@ -167,12 +166,12 @@ void LocalRun::add_bodies(const BuiltCase& built) {
             if (!names.r.empty())
                 body.prescribed_velocity = [this, k = asked_variable(names.r, stage, true),
                                             other = body.prescribed_velocity](double t) {
-                    return Vector{asked[k].value, other(t).z};
+                    return Vector2{asked[k].value, other(t)[1]};
                 };
             if (!names.z.empty())
                 body.prescribed_velocity = [this, k = asked_variable(names.z, stage, true),
                                             other = body.prescribed_velocity](double t) {
-                    return Vector{other(t).r, asked[k].value};
+                    return Vector2{other(t)[0], asked[k].value};
                 };
         }
         built.simulation->add_body(std::move(body));

@@ -15,7 +15,7 @@ constexpr double kilo = 1e-3, degree = std::numbers::pi / 180.0;
 double whole(const ShownParticle& x) { return x.axisymmetric ? 2.0 * std::numbers::pi : 1.0; }
 
 double displacement(const ShownParticle& x, int k) {
-    return k == 0 ? x(c::r) - x.start.r : x(c::z) - x.start.z;
+    return k == 0 ? x(c::r) - x.start[0] : x(c::z) - x.start[1];
 }
 
 double work_density(const ShownParticle& x, int) {

@@ -15,7 +15,7 @@ struct ShownParticle {
     std::ptrdiff_t p;
     std::size_t number;  // of the body
     int id;
-    grit::mpm::Vector start;  // [m]
+    grit::Vector2 start;  // [m]
     bool axisymmetric;
     grit_sand_invariants invariants;  // of bodies with stress
 

@@ -74,7 +74,7 @@ const MpmField& mpm_field(const std::string& name) {
 MpmFields::MpmFields(mpm::Simulation& simulation) : shown(simulation) {
     for (std::size_t b = 0; b < shown.bodies(); ++b) {
         const mpm::Particles& particles = shown.body(b).particles;
-        std::vector<mpm::Vector> positions(static_cast<std::size_t>(particles.size()));
+        std::vector<grit::Vector2> positions(static_cast<std::size_t>(particles.size()));
         for (std::ptrdiff_t p = 0; p < particles.size(); ++p)
             positions[static_cast<std::size_t>(particles.ids()[p])] = {particles(c::r, p),
                                                                        particles(c::z, p)};

@@ -42,7 +42,7 @@ class MpmFields {
 
   private:
     grit::mpm::Simulation& shown;
-    std::vector<std::vector<grit::mpm::Vector>> start;  // positions by body and id [m]
+    std::vector<std::vector<grit::Vector2>> start;  // positions by body and id [m]
 };
 
 }  // namespace cli

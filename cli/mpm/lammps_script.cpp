@@ -141,7 +141,7 @@ void add_tractions(const Case& plan, FixWords& fix) {
     for (std::size_t i = 0; i < plan.tractions.size(); ++i) {
         const TractionPlan& t = plan.tractions[i];
         fix.add("traction {} traction_{} {} {} {} {}{}", t.body, i + 1,
-                word_of(words::edges, t.edge), exact(t.direction.r), exact(t.direction.z),
+                word_of(words::edges, t.edge), exact(t.direction[0]), exact(t.direction[1]),
                 of_function(t.stress), from(t.from_stage));
     }
 }

@@ -61,7 +61,7 @@ PulseTrain read_pulses(TomlTable table) {
     return out;
 }
 
-Vector direction_of(TomlTable& table, Edge edge) {
+grit::Vector2 direction_of(TomlTable& table, Edge edge) {
     const auto given = table.numbers_if("direction", 2);
     if (!given) {
         if (edge == Edge::top) return {0.0, -1.0};

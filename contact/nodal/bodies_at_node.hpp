@@ -41,7 +41,7 @@ template <int C> struct BodiesAtNode {
         for (int p = 0; p < pair_count; ++p) {
             NodePair<C>& pair = pairs[p];
             if (!pair.shares.active || pair.silent) continue;
-            pair.x.w = difference(velocity[pair.a], velocity[pair.b]);
+            pair.x.w = velocity[pair.a] - velocity[pair.b];
             pair.r = respond<double, C>(pair.law, pair.shares, pair.x);
             if (pair.r.touches) push(pair, pair.r.u, 1.0);
         }
@@ -73,9 +73,9 @@ template <int C> struct BodiesAtNode {
     bool consistent(double approach) const {
         for (int row = 0; row < system.count; ++row) {
             const NodePair<C>& pair = pairs[pair_of[row]];
-            const Velocity w = difference(velocity[pair.a], velocity[pair.b]);
+            const Velocity w = velocity[pair.a] - velocity[pair.b];
             const double left = (1.0 - pair.r.f_p) * pair.r.w_n;
-            if (dot(w, pair.x.n) > left + 0.1 * approach) return false;
+            if (fused_dot(w, pair.x.n) > left + 0.1 * approach) return false;
         }
         return true;
     }
@@ -89,8 +89,8 @@ template <int C> struct BodiesAtNode {
         double sum = 0.0;
         for (int body = 0; body < bodies; ++body) {
             if (rigid[body] || !meets[body]) continue;
-            const Velocity seen = difference(v[body], frame);
-            sum += mass[body] * dot(seen, seen);
+            const Velocity seen = v[body] - frame;
+            sum += mass[body] * fused_dot(seen, seen);
         }
         return sum;
     }
@@ -102,8 +102,8 @@ template <int C> struct BodiesAtNode {
         for (int p = 0; p < pair_count; ++p) {
             NodePair<C>& pair = pairs[p];
             if (!pair.shares.active || pair.silent) continue;
-            pair.x.w = difference(velocity[pair.a], velocity[pair.b]);
-            largest = max(largest, dot(pair.x.w, pair.x.n));
+            pair.x.w = velocity[pair.a] - velocity[pair.b];
+            largest = max(largest, fused_dot(pair.x.w, pair.x.n));
             Approach<double, C> closing = pair.x;
             closing.w = pair.x.n;  // would it touch if it approached?
             pair.r = respond<double, C>(pair.law, pair.shares, closing);
@@ -127,7 +127,7 @@ template <int C> struct BodiesAtNode {
         double sum = 0.0;
         for (const int body : {pairs[p].a, pairs[p].b})
             if (!rigid[body]) sum += side(pairs[p], body) * side(pairs[s], body) / mass[body];
-        return sum * dot(pairs[p].x.n, pairs[s].x.n);
+        return sum * fused_dot(pairs[p].x.n, pairs[s].x.n);
     }
 
     // All normal impulses for the present friction, and both applied. The largest change, -1: none fits.
@@ -137,7 +137,7 @@ template <int C> struct BodiesAtNode {
             push(pairs[pair_of[row]], pairs[pair_of[row]].u_t, 1.0);
         for (int row = 0; row < system.count; ++row) {
             const NodePair<C>& pair = pairs[pair_of[row]];
-            system.b[row] = dot(difference(velocity[pair.a], velocity[pair.b]), pair.x.n);
+            system.b[row] = fused_dot(velocity[pair.a] - velocity[pair.b], pair.x.n);
         }
         if (!solve_normals(system, allowed)) return -1.0;
         double change = 0.0;
@@ -160,11 +160,11 @@ template <int C> struct BodiesAtNode {
         for (int row = 0; row < system.count; ++row) {
             NodePair<C>& pair = pairs[pair_of[row]];
             push(pair, pair.u_t, -1.0);
-            const Velocity w = difference(velocity[pair.a], velocity[pair.b]);
-            const Velocity w_t = scaled_sum(-dot(w, pair.x.n), pair.x.n, w);
+            const Velocity w = velocity[pair.a] - velocity[pair.b];
+            const Velocity w_t = fused_sum(-fused_dot(w, pair.x.n), pair.x.n, w);
             const double limit =
                 pair.r.touches ? friction_limit(pair.law, pair.shares, pair.x, pair.r) : 0.0;
-            pair.r.w_t = sqrt(dot(w_t, w_t));
+            pair.r.w_t = sqrt(fused_dot(w_t, w_t));
             pair.r.slips = pair.r.touches && limit < pair.r.w_t;
             pair.r.u_t = min(pair.r.w_t, limit);
             const double part = pair.r.w_t > limit ? limit / pair.r.w_t

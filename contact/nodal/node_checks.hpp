@@ -19,7 +19,7 @@ template <class Real, int C> GRIT_INLINE MaskOf<Real> good_vector(const Vector<R
     return sum <= Real(largest_number);
 }
 template <class Real, int C> GRIT_INLINE MaskOf<Real> good_normal(const Vector<Real, C>& n) {
-    return fabs(dot(n, n) - Real(1.0)) <= Real(normal_tolerance);
+    return fabs(fused_dot(n, n) - Real(1.0)) <= Real(normal_tolerance);
 }
 template <class Real, int C> GRIT_INLINE MaskOf<Real> zero_normal(const Vector<Real, C>& n) {
     Real sum = fabs(n[0]);

@@ -65,7 +65,7 @@ template <int C, bool geo> class Correction {
         auto [x, good, no_normal] = read_approach<Real, C>(q, law, geo, indices, only);
         good = good & good_vector(only(v_a)) & good_vector(only(v_b));
         good = good & good_companions<Real>(only, indices);
-        x.w = only(difference(v_a, v_b));
+        x.w = only(v_a - v_b);
 
         Response<Real, C> r = respond<Real, C>(law, shares, x);
         const Mask bad = bad_masses | (active & (!good));
@@ -95,7 +95,7 @@ template <int C, bool geo> class Correction {
     GRIT_INLINE void write(const NodeIndices<lanes_of<Real>>& indices, const Shares<Real>& shares,
                            const Response<Real, C>& r, const Vector<Real, C>& v_a,
                            const Vector<Real, C>& v_b) const {
-        const Vector<Real, C> a = scaled(-shares.a, r.u), b = scaled(shares.b, r.u);  // (C6)
+        const Vector<Real, C> a = -shares.a * r.u, b = shares.b * r.u;  // (C6)
         if (!law.rigid_a) {
             store_vector(added(r.touches, a, v_a), q.velocity_a, indices);
             if (q.acceleration_a.base) accelerate(indices, r, q.acceleration_a, a);
@@ -120,7 +120,7 @@ template <int C, bool geo> class Correction {
                                 const Response<Real, C>& r, const grit_mutable_view& view,
                                 const Vector<Real, C>& by) const {
         const auto old = load_vector<C, Real>(view, indices);
-        const auto rate = scaled(Real(law.inverse_dt), by);
+        const auto rate = Real(law.inverse_dt) * by;
         store_vector(added(r.touches, rate, old), view, indices);
     }
 

@@ -6,42 +6,23 @@
 #include <grit/contact.h>
 
 #include "support/elementary.hpp"
+#include "support/vector.hpp"
 
 GRIT_KERNEL_BEGIN
 
-template <class Real, int C> struct Vector {
-    Real c[C];
-    GRIT_INLINE Real& operator[](int i) { return c[i]; }
-    GRIT_INLINE const Real& operator[](int i) const { return c[i]; }
-};
-
 template <class Real, int C>
-GRIT_INLINE Real dot(const Vector<Real, C>& a, const Vector<Real, C>& b) {
+GRIT_INLINE Real fused_dot(const Vector<Real, C>& a, const Vector<Real, C>& b) {
     Real sum = a[0] * b[0];
     for (int i = 1; i < C; ++i) sum = fma(a[i], b[i], sum);
     return sum;
 }
 
-template <class Real, int C>
-GRIT_INLINE Vector<Real, C> scaled(const Real& s, const Vector<Real, C>& a) {
-    Vector<Real, C> r;
-    for (int i = 0; i < C; ++i) r[i] = s * a[i];
-    return r;
-}
-
 // s a + b
 template <class Real, int C>
-GRIT_INLINE Vector<Real, C> scaled_sum(const Real& s, const Vector<Real, C>& a,
-                                       const Vector<Real, C>& b) {
+GRIT_INLINE Vector<Real, C> fused_sum(const Real& s, const Vector<Real, C>& a,
+                                      const Vector<Real, C>& b) {
     Vector<Real, C> r;
     for (int i = 0; i < C; ++i) r[i] = fma(s, a[i], b[i]);
-    return r;
-}
-
-template <class Real, int C>
-GRIT_INLINE Vector<Real, C> difference(const Vector<Real, C>& a, const Vector<Real, C>& b) {
-    Vector<Real, C> r;
-    for (int i = 0; i < C; ++i) r[i] = a[i] - b[i];
     return r;
 }
 
@@ -144,7 +125,7 @@ GRIT_INLINE Response<Real, C> respond(const Law& law, const Shares<Real>& shares
                                       const Approach<Real, C>& x) {
     const Real zero(0.0), one(1.0);
     Response<Real, C> r;
-    r.w_n = dot(x.w, x.n);
+    r.w_n = fused_dot(x.w, x.n);
     r.f_p = one;
     r.touches = shares.active & (r.w_n > zero) & (x.gap <= Real(law.gap_tolerance));  // (C3)
     if (law.geo) {
@@ -152,8 +133,8 @@ GRIT_INLINE Response<Real, C> respond(const Law& law, const Shares<Real>& shares
         r.touches = r.touches & (x.s < x.cell.d) & (r.f_p > zero);
     }
     r.u_n = r.f_p * r.w_n;  // (C5)
-    const Vector<Real, C> w_t = scaled_sum(-r.w_n, x.n, x.w);
-    r.w_t = sqrt(dot(w_t, w_t));
+    const Vector<Real, C> w_t = fused_sum(-r.w_n, x.n, x.w);
+    r.w_t = sqrt(fused_dot(w_t, w_t));
     const Real limit = friction_limit(law, shares, x, r);
     r.slips = r.touches & (limit < r.w_t);
     const Real part = select(r.slips, limit / max(r.w_t, Real(no_slip)), one);

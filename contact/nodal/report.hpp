@@ -52,9 +52,9 @@ inline grit_contact_report report_of(const Law& law, const NodeResponse<C>& x,
     report.trial_energy_normal = x.m_r * r.u_n * (r.w_n - 0.5 * r.u_n);  // (C6)
     report.trial_energy_tangential = x.m_r * r.u_t * (r.w_t - 0.5 * r.u_t);
     if (mean) {
-        report.dissipation_normal = x.m_r * r.u_n * dot(*mean, n);
-        const Vector<double, C> tangential = scaled_sum(-r.u_n, n, r.u);
-        report.dissipation_tangential = x.m_r * dot(tangential, *mean);
+        report.dissipation_normal = x.m_r * r.u_n * fused_dot(*mean, n);
+        const Vector<double, C> tangential = fused_sum(-r.u_n, n, r.u);
+        report.dissipation_tangential = x.m_r * fused_dot(tangential, *mean);
     }
     return report;
 }

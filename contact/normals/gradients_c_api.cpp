@@ -6,43 +6,30 @@
 #include <grit/contact_normals.h>
 
 #include "support/call_checks.hpp"
+#include "support/vector.hpp"
 
 namespace grit {
 namespace {
 
 constexpr double default_threshold = 1e-8;
 
-struct Vector {
-    double c[3] = {0.0, 0.0, 0.0};
-};
-
-double largest(const Vector& v) {
-    return std::max({std::fabs(v.c[0]), std::fabs(v.c[1]), std::fabs(v.c[2])});
-}
-
-// For components of at most a few ones.
-double norm(const Vector& v) {
-    return std::sqrt(v.c[0] * v.c[0] + v.c[1] * v.c[1] + v.c[2] * v.c[2]);
-}
-
-Vector quotient(const Vector& v, double divisor) {
-    return {{v.c[0] / divisor, v.c[1] / divisor, v.c[2] / divisor}};
+double largest(const Vector3& v) {
+    return std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])});
 }
 
 struct Node {
-    Vector a, b;         // n is along a - b
+    Vector3 a{}, b{};    // n is along a - b
     double scale = 0.0;  // size of the terms they were summed of
     int fixed = 0;
 };
 
 grit_status read_vector(const grit_view& view, int components, std::ptrdiff_t node,
-                        const char* name, Vector& v, grit_error* error, std::ptrdiff_t i) {
+                        const char* name, Vector3& v, grit_error* error, std::ptrdiff_t i) {
     for (int c = 0; c < components; ++c) {
-        v.c[c] = component(view, node, c);
-        if (!is_finite(v.c[c]))
+        v[c] = component(view, node, c);
+        if (!is_finite(v[c]))
             return failure(error, GRIT_BAD_STATE, i,
-                           "node %td: %s component %d must be finite, got %g", node, name, c,
-                           v.c[c]);
+                           "node %td: %s component %d must be finite, got %g", node, name, c, v[c]);
     }
     return GRIT_OK;
 }
@@ -50,7 +37,7 @@ grit_status read_vector(const grit_view& view, int components, std::ptrdiff_t no
 grit_status read_node(const grit_contact_gradients& q, std::ptrdiff_t i, Node& x,
                       grit_error* error) {
     const std::ptrdiff_t node = q.index ? q.index[i] : i;
-    const auto read = [&](const grit_view& view, const char* name, Vector& v) {
+    const auto read = [&](const grit_view& view, const char* name, Vector3& v) {
         return read_vector(view, q.components, node, name, v, error, i);
     };
     grit_status status = GRIT_OK;
@@ -72,18 +59,18 @@ grit_status read_node(const grit_contact_gradients& q, std::ptrdiff_t i, Node& x
 }
 
 // (C2). All zero where the fixed components and roundoff leave nothing.
-Vector normal_of(const Node& x, double threshold) {
+Vector3 normal_of(const Node& x, double threshold) {
     const double unit = std::max(largest(x.a), largest(x.b));  // tiny and huge ones are alike
     if (unit == 0.0) return {};
-    const Vector a = quotient(x.a, unit), b = quotient(x.b, unit);
-    Vector v;
+    const Vector3 a = x.a / unit, b = x.b / unit;
+    Vector3 v{};
     for (int c = 0; c < 3; ++c)
-        if (!(x.fixed >> c & 1)) v.c[c] = a.c[c] - b.c[c];
+        if (!(x.fixed >> c & 1)) v[c] = a[c] - b[c];
     const double size = std::max(norm(a) + norm(b), x.scale / unit);
     const double left = largest(v);
     if (!(left > 0.0) || norm(v) <= threshold * size) return {};
-    v = quotient(v, left);
-    return quotient(v, norm(v));
+    v = v / left;
+    return v / norm(v);
 }
 
 grit_status check_call(const grit_contact_gradients& q, std::ptrdiff_t n, grit_error* error) {
@@ -134,10 +121,10 @@ extern "C" grit_status grit_contact_normals_from_gradients(ptrdiff_t n,
             if (result == GRIT_OK) result = status;
             continue;
         }
-        const Vector v = normal_of(x, threshold);
+        const Vector3 v = normal_of(x, threshold);
         ++(largest(v) > 0.0 ? found.defined : found.undefined);
         const ptrdiff_t node = q.index ? q.index[i] : i;
-        for (int c = 0; c < q.components; ++c) component(q.normal, node, c) = v.c[c];
+        for (int c = 0; c < q.components; ++c) component(q.normal, node, c) = v[c];
     }
     if (counts) write_versioned(found, counts);
     return result;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double least_facing = 1e-3;  // -n.n': segments at right angles do not face, by a margin
 
-double facing(Vec n, Vec other) { return -dot(n, other); }
+double facing(Vector2 n, Vector2 other) { return -dot(n, other); }
 
 // 0 where the depth is 0, 1 where it is at least half the reference.
 double ramp(double depth, double reference) {
@@ -23,9 +23,9 @@ double ramp(double depth, double reference) {
 }
 
 struct Half {
-    Vec x, e, n;    // the vertex, half the vector to its neighbour, normal of that segment
-    double r, dr;   // the weight at x and its change along e: the radius, or 1 and 0
-    int direction;  // of the walk along the master: against the slave's own
+    Vector2 x, e, n;  // the vertex, half the vector to its neighbour, normal of that segment
+    double r, dr;     // the weight at x and its change along e: the radius, or 1 and 0
+    int direction;    // of the walk along the master: against the slave's own
 };
 
 // A stretch of a half that lies opposite one piece of the master; u in [0, 1] along e.
@@ -110,9 +110,9 @@ double contact_area(const Line& slave, std::ptrdiff_t v, const Line& master, boo
     for (const bool next : {true, false}) {
         const std::ptrdiff_t j = next ? slave.leaving(v) : slave.arriving(v);
         if (j < 0 || !(facing(slave.segment[j].n, hit.n) >= least_facing)) continue;
-        const Vec x = slave.x[v], other = slave.x[next ? slave.end_of(j) : j];
-        const double r = axisymmetric ? std::max(x.x, 0.0) : 1.0;
-        const double dr = axisymmetric ? 0.5 * (std::max(other.x, 0.0) - r) : 0.0;
+        const Vector2 x = slave.x[v], other = slave.x[next ? slave.end_of(j) : j];
+        const double r = axisymmetric ? std::max(x[0], 0.0) : 1.0;
+        const double dr = axisymmetric ? 0.5 * (std::max(other[0], 0.0) - r) : 0.0;
         area += area_along(master, {x, 0.5 * (other - x), slave.segment[j].n, r, dr, next ? -1 : 1},
                            hit);
     }

@@ -12,9 +12,9 @@ constexpr const char* names[2] = {"surface a", "surface b"};
 
 grit_penalty_totals add_up(const PassSums& a, const PassSums& b, bool plane, std::ptrdiff_t tests) {
     grit_penalty_totals t{};
-    const Vec on_a = a.force - b.force;
-    t.force_on_a[0] = on_a.x, t.force_on_a[1] = on_a.y;
-    t.force_on_b[0] = -on_a.x, t.force_on_b[1] = -on_a.y;
+    const Vector2 on_a = a.force - b.force;
+    t.force_on_a[0] = on_a[0], t.force_on_a[1] = on_a[1];
+    t.force_on_b[0] = -on_a[0], t.force_on_b[1] = -on_a[1];
     t.moment_on_a = plane ? a.moment_on_slave + b.moment_on_master : 0.0;
     t.moment_on_b = plane ? b.moment_on_slave + a.moment_on_master : 0.0;
     t.contact_area = a.area + b.area;

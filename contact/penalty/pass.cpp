@@ -8,8 +8,8 @@ namespace {
 
 double rotation_rate(const Body& body, std::ptrdiff_t j) {
     const Segment& segment = body.line.segment[j];
-    const Vec dv = vector_of(body.surface->velocity, body.line.end_of(j)) -
-                   vector_of(body.surface->velocity, j);
+    const Vector2 dv = vector_of(body.surface->velocity, body.line.end_of(j)) -
+                       vector_of(body.surface->velocity, j);
     return -dot(dv, segment.n) / segment.length;
 }
 
@@ -29,10 +29,10 @@ struct Slip {
 
 Slip slip_of(const Pass& pass, const Body& slave, std::ptrdiff_t v, const Body& master,
              const Hit& hit) {
-    const Vec v_0 = vector_of(master.surface->velocity, hit.segment);
-    const Vec v_1 = vector_of(master.surface->velocity, master.line.end_of(hit.segment));
-    const Vec at_point = (1.0 - hit.xi) * v_0 + hit.xi * v_1;
-    const Vec w = vector_of(slave.surface->velocity, v) - at_point;
+    const Vector2 v_0 = vector_of(master.surface->velocity, hit.segment);
+    const Vector2 v_1 = vector_of(master.surface->velocity, master.line.end_of(hit.segment));
+    const Vector2 at_point = (1.0 - hit.xi) * v_0 + hit.xi * v_1;
+    const Vector2 w = vector_of(slave.surface->velocity, v) - at_point;
     Slip slip{dot(w, travel(hit.n)) - hit.gap * rotation_rate(master, hit), 1.0};
     const bool fresh = component(slave.surface->history, v, GRIT_PENALTY_NORMAL_TRACTION) == 0.0;
     const double closed_in_step = -dot(w, hit.n) * pass.time_step;
@@ -40,9 +40,9 @@ Slip slip_of(const Pass& pass, const Body& slave, std::ptrdiff_t v, const Body& 
     return slip;
 }
 
-void add_force(const Body& body, std::ptrdiff_t v, Vec F) {
-    component(body.surface->force, v, 0) += F.x;
-    component(body.surface->force, v, 1) += F.y;
+void add_force(const Body& body, std::ptrdiff_t v, Vector2 F) {
+    component(body.surface->force, v, 0) += F[0];
+    component(body.surface->force, v, 1) += F[1];
 }
 
 void add_stiffness(const Body& body, std::ptrdiff_t v, double k) {
@@ -66,7 +66,7 @@ void store_report(const Body& slave, std::ptrdiff_t v, const Hit& hit, double ar
                   hit.segment,
                   hit.xi,
                   hit.gap,
-                  {hit.n.x, hit.n.y},
+                  {hit.n[0], hit.n[1]},
                   area,
                   now.t_n,
                   now.t_t,
@@ -74,17 +74,17 @@ void store_report(const Body& slave, std::ptrdiff_t v, const Hit& hit, double ar
     slave.surface->reports[v] = report;
 }
 
-double moment(Vec x, Vec F) { return x.x * F.y - x.y * F.x; }
+double moment(Vector2 x, Vector2 F) { return x[0] * F[1] - x[1] * F[0]; }
 
 // (S4): F on the slave's vertex, -F on the ends of the master's segment.
 void spread(const Pass& pass, const Body& slave, std::ptrdiff_t v, const Body& master,
-            const Hit& hit, Vec F, double k) {
+            const Hit& hit, Vector2 F, double k) {
     if (pass.validate_only) return;
     const std::ptrdiff_t end = master.line.end_of(hit.segment);
-    const Vec on_end = -hit.xi * F;
+    const Vector2 on_end = -hit.xi * F;
     add_force(slave, v, F);
     add_force(master, end, on_end);
-    add_force(master, hit.segment, Vec{-F.x, -F.y} - on_end);
+    add_force(master, hit.segment, Vector2{-F[0], -F[1]} - on_end);
     add_stiffness(slave, v, k);
     add_stiffness(master, end, hit.xi * k);
     add_stiffness(master, hit.segment, (1.0 - hit.xi) * k);
@@ -109,10 +109,10 @@ PassSums run_pass(const Pass& pass, const Body& slave, const Body& master) {
                 t_t_old = component(slave.surface->history, v, GRIT_PENALTY_TANGENTIAL_TRACTION);
             }
             now = traction(pass.law, hit.gap, t_t_old, slip.rate * slip.fraction * pass.time_step);
-            const Vec F = area * (now.t_n * hit.n - now.t_t * travel(hit.n));  // (S2), (S3)
+            const Vector2 F = area * (now.t_n * hit.n - now.t_t * travel(hit.n));  // (S2), (S3)
             spread(pass, slave, v, master, hit, F, eps * area);
 
-            const Vec x = slave.line.x[v];
+            const Vector2 x = slave.line.x[v];
             sums.force = sums.force + F;
             sums.moment_on_slave += moment(x, F);
             sums.moment_on_master -= moment(x - hit.gap * hit.n, F);

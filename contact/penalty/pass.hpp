@@ -20,7 +20,7 @@ struct Pass {
 
 // Sums of one pass, on the slave.
 struct PassSums {
-    Vec force{0.0, 0.0};
+    Vector2 force{0.0, 0.0};
     double moment_on_slave = 0.0, moment_on_master = 0.0;
     double area = 0.0, normal_force = 0.0;
     double energy_normal = 0.0, energy_tangential = 0.0, dissipation = 0.0;

@@ -13,8 +13,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr std::ptrdiff_t longest_run = 64;  // looked at for a chord: keeps the sweep O(n)
 constexpr double roundoff = 1e-9;           // relative: what is split once fits
 
-double distance_to_chord(Vec a, Vec b, Vec x) {
-    const Vec e = b - a;
+double distance_to_chord(Vector2 a, Vector2 b, Vector2 x) {
+    const Vector2 e = b - a;
     const double s = dot(x - a, e) / dot(e, e);
     return norm(x - a - std::min(std::max(s, 0.0), 1.0) * e);
 }
@@ -46,13 +46,13 @@ class Merging {
 
   private:
     std::ptrdiff_t least() const { return line.closed ? 3 : 2; }
-    Vec x(std::ptrdiff_t v) const { return vector_of(line.position, v < line.count ? v : 0); }
+    Vector2 x(std::ptrdiff_t v) const { return vector_of(line.position, v < line.count ? v : 0); }
     bool is_short(std::ptrdiff_t a, std::ptrdiff_t b) const {
         return norm(x(b) - x(a)) < (1.0 - roundoff) * limits.shortest;
     }
     // How far the chord from a to b is from the vertices between.
     double miss(std::ptrdiff_t a, std::ptrdiff_t b) const {
-        const Vec start = x(a), end = x(b);
+        const Vector2 start = x(a), end = x(b);
         if (b - a > longest_run || !(norm(end - start) > limits.tolerance)) return infinite;
         double largest = 0.0;
         for (std::ptrdiff_t v = a + 1; v < b; ++v)

@@ -71,7 +71,7 @@ grit_status grit_penalty_remesh(const grit_penalty_remeshing* remeshing, void* w
     const ptrdiff_t segments = line.closed ? stay : stay - 1;
     const auto end_of = [&](ptrdiff_t k) { return kept[k + 1 < stay ? k + 1 : 0]; };
     const auto parts = [&](ptrdiff_t k) {
-        const Vec e = vector_of(q.position, end_of(k)) - vector_of(q.position, kept[k]);
+        const Vector2 e = vector_of(q.position, end_of(k)) - vector_of(q.position, kept[k]);
         return parts_of(norm(e), q.longest);
     };
     double total = line.closed ? 0.0 : 1.0;

@@ -15,41 +15,41 @@ constexpr double end_tolerance = 1e-6;  // of the end segment's length, beyond a
 
 Box empty_box() { return {{infinite, infinite}, {-infinite, -infinite}}; }
 
-void include(Box& box, Vec x) {
-    box.low = {std::min(box.low.x, x.x), std::min(box.low.y, x.y)};
-    box.high = {std::max(box.high.x, x.x), std::max(box.high.y, x.y)};
+void include(Box& box, Vector2 x) {
+    box.low = {std::min(box.low[0], x[0]), std::min(box.low[1], x[1])};
+    box.high = {std::max(box.high[0], x[0]), std::max(box.high[1], x[1])};
 }
 
 Box united(const Box& a, const Box& b) {
-    return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
-            {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
+    return {{std::min(a.low[0], b.low[0]), std::min(a.low[1], b.low[1])},
+            {std::max(a.high[0], b.high[0]), std::max(a.high[1], b.high[1])}};
 }
 
-double squared_distance(const Box& box, Vec x) {
-    const double dx = std::max(std::max(box.low.x - x.x, x.x - box.high.x), 0.0);
-    const double dy = std::max(std::max(box.low.y - x.y, x.y - box.high.y), 0.0);
+double squared_distance(const Box& box, Vector2 x) {
+    const double dx = std::max(std::max(box.low[0] - x[0], x[0] - box.high[0]), 0.0);
+    const double dy = std::max(std::max(box.low[1] - x[1], x[1] - box.high[1]), 0.0);
     return dx * dx + dy * dy;
 }
 
 bool apart(const Box& a, const Box& b, double distance) {
-    return !(a.low.x - b.high.x <= distance && b.low.x - a.high.x <= distance &&
-             a.low.y - b.high.y <= distance && b.low.y - a.high.y <= distance);
+    return !(a.low[0] - b.high[0] <= distance && b.low[0] - a.high[0] <= distance &&
+             a.low[1] - b.high[1] <= distance && b.low[1] - a.high[1] <= distance);
 }
 
 struct Nearest {
     double squared;
     std::ptrdiff_t segment;
     double xi;
-    Vec point;
+    Vector2 point;
 };
 
 // The nearer point wins, then the lower segment.
-void take_nearest(const Line& line, std::ptrdiff_t j, Vec x, Nearest& best) {
-    const Vec a = line.x[j], b = line.x[line.end_of(j)];
-    const Vec e = b - a;
+void take_nearest(const Line& line, std::ptrdiff_t j, Vector2 x, Nearest& best) {
+    const Vector2 a = line.x[j], b = line.x[line.end_of(j)];
+    const Vector2 e = b - a;
     const double s = dot(x - a, e) / dot(e, e);
     const double xi = s <= 0.0 ? 0.0 : (s >= 1.0 ? 1.0 : s);
-    const Vec p = s <= 0.0 ? a : (s >= 1.0 ? b : a + s * e);
+    const Vector2 p = s <= 0.0 ? a : (s >= 1.0 ? b : a + s * e);
     const double squared = dot(x - p, x - p);
     if (squared < best.squared || (squared == best.squared && j < best.segment))
         best = {squared, j, xi, p};
@@ -75,7 +75,7 @@ class Search {
         return at;
     }
 
-    Nearest nearest(std::ptrdiff_t start, Vec x) {
+    Nearest nearest(std::ptrdiff_t start, Vector2 x) {
         Nearest best{reach() * reach(), std::numeric_limits<std::ptrdiff_t>::max(), 0.0, x};
         struct Waiting {
             std::ptrdiff_t node;
@@ -101,12 +101,12 @@ class Search {
         return best;
     }
 
-    Hit hit(const Nearest& found, Vec x) const {
+    Hit hit(const Nearest& found, Vector2 x) const {
         const Hit none{-1, 0.0, 0.0, {0.0, 0.0}};
         const std::ptrdiff_t j = found.segment;
         if (j >= master.segments) return none;
         const Segment& segment = master.segment[j];
-        const Vec q = x - found.point;
+        const Vector2 q = x - found.point;
         Hit hit{j, found.xi, dot(q, segment.n), segment.n};
         if (found.xi == 0.0 || found.xi == 1.0) {
             const std::ptrdiff_t other = found.xi == 0.0 ? master.before(j) : master.after(j);
@@ -130,7 +130,7 @@ class Search {
     std::ptrdiff_t tests = 0;
 
   private:
-    void look_at_leaf(std::ptrdiff_t leaf, Vec x, Nearest& best) {
+    void look_at_leaf(std::ptrdiff_t leaf, Vector2 x, Nearest& best) {
         const std::ptrdiff_t first = leaf * segments_per_leaf;
         for (std::ptrdiff_t j = first; j < first + segments_per_leaf && j < master.segments; ++j) {
             ++tests;

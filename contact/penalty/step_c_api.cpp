@@ -68,12 +68,12 @@ grit_status grit_penalty_flush_stiffness(const grit_penalty_options* options,
     const ptrdiff_t segments = s.closed ? s.count : s.count - 1;
     for (ptrdiff_t j = 0; j < segments; ++j) {
         const ptrdiff_t end = j + 1 < s.count ? j + 1 : 0;
-        const Vec x_0 = vector_of(s.position, j), x_1 = vector_of(s.position, end);
+        const Vector2 x_0 = vector_of(s.position, j), x_1 = vector_of(s.position, end);
         const double length = norm(x_1 - x_0);
         component(s.stiffness, j, 0) +=
-            eps * half_segment_area(length, x_0.x, x_1.x, geometry.axisymmetric);
+            eps * half_segment_area(length, x_0[0], x_1[0], geometry.axisymmetric);
         component(s.stiffness, end, 0) +=
-            eps * half_segment_area(length, x_1.x, x_0.x, geometry.axisymmetric);
+            eps * half_segment_area(length, x_1[0], x_0[0], geometry.axisymmetric);
     }
     return GRIT_OK;
 }

@@ -25,7 +25,7 @@ constexpr double axis_tolerance = 1e-9;  // of the largest coordinate: r < 0 by 
 
 std::size_t line_size(std::ptrdiff_t vertices) {
     const auto n = static_cast<std::size_t>(vertices);
-    return n * (sizeof(Vec) + sizeof(Segment) + sizeof(Hit)) +
+    return n * (sizeof(Vector2) + sizeof(Segment) + sizeof(Hit)) +
            2 * static_cast<std::size_t>(leaves_of(vertices)) * sizeof(Box);
 }
 
@@ -35,7 +35,7 @@ Line place_line(char*& memory, std::ptrdiff_t vertices, bool closed) {
     line.segments = closed ? vertices : vertices - 1;
     line.closed = closed;
     line.leaves = leaves_of(vertices);
-    line.x = take<Vec>(memory, vertices);
+    line.x = take<Vector2>(memory, vertices);
     line.segment = take<Segment>(memory, vertices);
     line.hit = take<Hit>(memory, vertices);
     line.box = take<Box>(memory, 2 * line.leaves);
@@ -56,9 +56,9 @@ grit_status check_vertices(const Geometry& g, const char* name, grit_error* erro
             largest = std::max(largest, std::fabs(x));
         }
     for (std::ptrdiff_t i = 0; i < g.count; ++i) {
-        const Vec x = vector_of(g.position, i);
-        if (g.axisymmetric && !(x.x >= -axis_tolerance * largest))
-            return bad(i, "%s vertex %td: position r must be >= 0 (length), got %g", x.x);
+        const Vector2 x = vector_of(g.position, i);
+        if (g.axisymmetric && !(x[0] >= -axis_tolerance * largest))
+            return bad(i, "%s vertex %td: position r must be >= 0 (length), got %g", x[0]);
         const std::ptrdiff_t end = i + 1 < g.count ? i + 1 : 0;
         if (end == 0 && !g.closed) break;
         const double length = norm(vector_of(g.position, end) - x);
@@ -75,7 +75,7 @@ grit_status read_line(const Geometry& g, const char* name, Line& line, grit_erro
     if (const grit_status s = check_vertices(g, name, error)) return s;
     for (std::ptrdiff_t i = 0; i < g.count; ++i) line.x[i] = vector_of(g.position, i);
     for (std::ptrdiff_t j = 0; j < line.segments; ++j) {
-        const Vec e = line.x[line.end_of(j)] - line.x[j];
+        const Vector2 e = line.x[line.end_of(j)] - line.x[j];
         const double length = norm(e);
         line.segment[j] = {length, outward((1.0 / length) * e)};
     }

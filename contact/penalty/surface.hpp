@@ -9,31 +9,22 @@
 
 #include <grit/contact_penalty.h>
 
+#include "support/vector.hpp"
 #include "support/views.hpp"
 
 namespace grit::penalty {
 
-struct Vec {
-    double x, y;
-};
-
-inline Vec operator+(Vec a, Vec b) { return {a.x + b.x, a.y + b.y}; }
-inline Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y}; }
-inline Vec operator*(double s, Vec a) { return {s * a.x, s * a.y}; }
-inline double dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y; }
-inline double norm(Vec a) { return std::sqrt(dot(a, a)); }
-
 // The body lies on the left of the direction of travel t.
-inline Vec outward(Vec t) { return {t.y, -t.x}; }
-inline Vec travel(Vec n) { return {-n.y, n.x}; }
+inline Vector2 outward(Vector2 t) { return {t[1], -t[0]}; }
+inline Vector2 travel(Vector2 n) { return {-n[1], n[0]}; }
 
 struct Segment {
     double length;
-    Vec n;  // outward unit normal
+    Vector2 n;  // outward unit normal
 };
 
 struct Box {
-    Vec low, high;
+    Vector2 low, high;
 };
 
 // Where a vertex is inside the other body; gap 0: nowhere.
@@ -41,13 +32,13 @@ struct Hit {
     std::ptrdiff_t segment;
     double xi;   // along the segment
     double gap;  // g < 0
-    Vec n;       // outward normal of the other body there
+    Vector2 n;   // outward normal of the other body there
 };
 
 struct Line {
     std::ptrdiff_t vertices = 0, segments = 0;
     bool closed = false;
-    Vec* x = nullptr;
+    Vector2* x = nullptr;
     Segment* segment = nullptr;
     Hit* hit = nullptr;
     Box* box = nullptr;         // [2 leaves] a binary tree, root 1
@@ -76,7 +67,7 @@ std::size_t line_size(std::ptrdiff_t vertices);
 // Lay a line out in memory and advance the pointer.
 Line place_line(char*& memory, std::ptrdiff_t vertices, bool closed);
 
-inline Vec vector_of(const grit_view& view, std::ptrdiff_t i) {
+inline Vector2 vector_of(const grit_view& view, std::ptrdiff_t i) {
     return {component(view, i, 0), component(view, i, 1)};
 }
 

@@ -34,13 +34,12 @@ Remainder send_pulse(bool shear, bool absorbs) {
     simulation.add_body(make_box({0.0, width, 0.0, L, 4, 2 * cells, rho}, false,
                                  std::make_unique<LinearElastic>(E, nu)));
     for (int i = 0; i < 4; ++i)
-        simulation.add_traction({0, (2 * cells - 1) * 4 + i, Edge::top, [=](double t) {
-                                     const double pressure =
-                                         t < duration
-                                             ? 1e3 * std::sin(std::numbers::pi * t / duration)
-                                             : 0.0;
-                                     return shear ? Vector{pressure, 0.0} : Vector{0.0, -pressure};
-                                 }});
+        simulation.add_traction(
+            {0, (2 * cells - 1) * 4 + i, Edge::top, [=](double t) {
+                 const double pressure =
+                     t < duration ? 1e3 * std::sin(std::numbers::pi * t / duration) : 0.0;
+                 return shear ? grit::Vector2{pressure, 0.0} : grit::Vector2{0.0, -pressure};
+             }});
     simulation.fix_above(shear ? 1 : 0, -1.0);  // nothing moves across the wave
     if (absorbs) simulation.absorb_first(1, {c_p, c_s});
     else simulation.fix_below(1, 0.0, Hold::both);

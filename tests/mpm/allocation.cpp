@@ -55,7 +55,9 @@ TEST(Step, AllocatesNothing) {
                 for (std::ptrdiff_t p = 0; p < simulation.body(b).particles.size(); ++p)
                     simulation.body(b).particles.view()[column::v_z][p] = b == 0 ? 4.0 : 3.0;
             simulation.add_contact(contact_law(GRIT_CONTACT_GEO, 0.3));
-            simulation.add_traction({1, 0, Edge::top, [](double) { return Vector{0.0, -1.0}; }});
+            simulation.add_traction({1, 0, Edge::top, [](double) {
+                                         return grit::Vector2{0.0, -1.0};
+                                     }});
             // Until the particles have been sorted once more, by rows that they have crossed.
             const double start = simulation.time();
             while (simulation.time() - start < 0.05) simulation.step();

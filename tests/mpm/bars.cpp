@@ -73,7 +73,7 @@ std::unique_ptr<Simulation> pressed_bar(const Settings& settings,
                            std::move(material)));
     for (int i = 0; i < 4; ++i)
         out->add_traction({0, (2 * cells - 1) * 4 + i, Edge::top, [pressure](double) {
-                               return Vector{0.0, -pressure};
+                               return grit::Vector2{0.0, -pressure};
                            }});
     out->fix_above(0, 0.04);
     out->fix_below(0, 0.0);
@@ -150,7 +150,7 @@ TEST(Traction, GivesAllItsImpulseWhateverTheShapeFunctions) {
                                      std::make_unique<LinearElastic>(1e6, 0.2)));
         for (int i = 0; i < 6; ++i)
             simulation.add_traction({0, 30 + i, Edge::top, [](double) {
-                                         return Vector{0.0, -1e3};
+                                         return grit::Vector2{0.0, -1e3};
                                      }});
         while (simulation.time() < 0.2) simulation.step();
         const Particles& q = simulation.body(0).particles;

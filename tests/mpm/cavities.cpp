@@ -66,7 +66,9 @@ struct Cavity {
                               {.axisymmetric = true, .local_damping = 0.5});
         const double from = a + beyond * h - u;
         Body wall = make_box({from - 2.0 * h, from, 0.0, 2.0 * h, 4, 4, rho}, true, nullptr);
-        wall.prescribed_velocity = [=](double t) { return Vector{t < rise ? u / rise : 0.0, 0.0}; };
+        wall.prescribed_velocity = [=](double t) {
+            return grit::Vector2{t < rise ? u / rise : 0.0, 0.0};
+        };
         simulation.add_body(std::move(wall));
         std::vector<double> medium = graded(from, nodes[nodes.size() - 2], h, 2.0 * a);
         medium.pop_back();
@@ -122,10 +124,10 @@ TEST(SphericalCavity, GrowsAgainstFourTimesTheShearModulus) {
         const double angle = 0.5 * std::numbers::pi * (i + 0.5) / sectors;
         // An edge is as long as the middle of its particle.
         const double p = pressure * a / (a + 0.5 * (b - a) / rings);
-        const Vector stress{p * std::cos(angle), p * std::sin(angle)};
+        const grit::Vector2 stress{p * std::cos(angle), p * std::sin(angle)};
         simulation.add_traction({0, i, Edge::left, [stress](double t) {
                                      const double share = std::min(1.0, t / 0.02);
-                                     return Vector{share * stress.r, share * stress.z};
+                                     return grit::Vector2{share * stress[0], share * stress[1]};
                                  }});
     }
     const auto radius = [&](int i) {

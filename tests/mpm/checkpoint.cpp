@@ -49,7 +49,7 @@ std::string seen(Simulation& simulation, std::size_t bodies) {
     append(out, totals.impulse_on_a, 2);
     append(out, &totals.dissipation_normal, 1);
     for (std::size_t b = 0; b < bodies; ++b) {
-        const Vector force = simulation.traction_force(b);
+        const grit::Vector2 force = simulation.traction_force(b);
         append(out, &force, 1);
     }
     return out;
@@ -214,8 +214,8 @@ std::vector<double> shown(Runner& runner) {
     for (const HistoryColumn& column : history_columns()) out.push_back(column.value(row));
     const ContactForces forces = contact_forces(runner.simulation(), 0);
     out.insert(out.end(),
-               {forces.tip.z, forces.shaft.z, forces.largest_gap,
-                base_reaction(runner.simulation()), runner.simulation().traction_force(1).z});
+               {forces.tip[1], forces.shaft[1], forces.largest_gap,
+                base_reaction(runner.simulation()), runner.simulation().traction_force(1)[1]});
     return out;
 }
 

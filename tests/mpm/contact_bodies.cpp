@@ -28,7 +28,7 @@ TEST(TwoBars, TouchWhenTheGapIsClosedPressWithTheirImpedanceAndPartAfterTheWave)
         simulation->add_contact(contact_law(GRIT_CONTACT_GEO, 0.0));
         const Meeting seen = meet(bars, *simulation, [&] {
             const grit_contact_totals& totals = simulation->contact(0).totals();
-            return Vector{totals.force_on_a[1], totals.force_on_b[1]};
+            return grit::Vector2{totals.force_on_a[1], totals.force_on_b[1]};
         });
         EXPECT_NEAR(seen.gap_at_touch, 0.0, 0.05);
         EXPECT_NEAR(seen.force, 1.0, 0.02);

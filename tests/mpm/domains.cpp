@@ -226,7 +226,8 @@ TEST(Axis, FindsTheCellOfEveryPointOnAGradedGrid) {
 }
 
 // In cells that are larger than the particle.
-EdgeForces load_of(Particles& particles, int i, Edge edge, Vector stress, bool axisymmetric) {
+EdgeForces load_of(Particles& particles, int i, Edge edge, grit::Vector2 stress,
+                   bool axisymmetric) {
     const Axis axis = Axis::uniform(0.0, 4.0, 4);
     return edge_forces({axis.view(), axis.view()}, particles.view(), i, edge, stress,
                        {.axisymmetric = axisymmetric});

@@ -22,7 +22,7 @@ TEST(PenaltyBars, PressWithTheirImpedanceFromTheTouchOnAndPartAfterTheWave) {
         simulation->add_contact(law);
         const Meeting seen = meet(bars, *simulation, [&] {
             const grit_penalty_totals& totals = simulation->penalty_contact(0).totals();
-            return Vector{totals.force_on_a[1], totals.force_on_b[1]};
+            return grit::Vector2{totals.force_on_a[1], totals.force_on_b[1]};
         });
         EXPECT_NEAR(seen.gap_at_touch, 0.0, 0.05);
         EXPECT_NEAR(seen.force, 1.0, 0.02);
@@ -81,7 +81,7 @@ TEST(PenaltyLine, FollowsABodyThatStretches) {
         q[column::v_r][p] = rate * (q[column::r][p] - 1.0);
     simulation.add_body(std::move(block));
     Body far = make_box({3.5, 3.9, 0.2, 0.6, 8, 8, 1000.0}, false, nullptr);
-    far.prescribed_velocity = [](double) { return Vector{0.0, 0.0}; };
+    far.prescribed_velocity = [](double) { return grit::Vector2{0.0, 0.0}; };
     simulation.add_body(std::move(far));
     PenaltyLaw law = penalty_law(0.0, 1.0, 1e3, h);
     law.line_a = {{{0.5, 0.2}, {1.5, 0.2}, {1.5, 0.6}, {0.5, 0.6}}, true};

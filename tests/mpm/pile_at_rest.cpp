@@ -22,7 +22,7 @@ Body make_pile(double nu = 0.3) {
 void strike(Simulation& simulation, std::size_t pile, double stress) {
     for (int i = 0; i < across; ++i)
         simulation.add_traction({pile, (along - 1) * across + i, Edge::top, [stress](double) {
-                                     return Vector{0.0, -stress};
+                                     return grit::Vector2{0.0, -stress};
                                  }});
 }
 

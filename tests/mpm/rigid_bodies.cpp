@@ -25,7 +25,7 @@ struct Punch {
     double friction = 0.0;
     double gap = 0.3 * h;  // at the start [m]
     double cfl = 0.4;
-    std::function<Vector(double)> velocity = [](double) { return Vector{0.0, -1.0}; };
+    std::function<grit::Vector2(double)> velocity = [](double) { return grit::Vector2{0.0, -1.0}; };
 
     std::unique_ptr<Simulation> build() const {
         constexpr double E = 1e6;
@@ -55,7 +55,7 @@ struct Punch {
     }
 };
 
-Vector force_on_punch(const Simulation& simulation) {
+grit::Vector2 force_on_punch(const Simulation& simulation) {
     if (simulation.contact_count() == 0) {
         const double* F = simulation.penalty_contact(0).totals().force_on_b;
         return {F[0], F[1]};
@@ -69,7 +69,7 @@ TEST(RigidPunch, WorksByItsForcesOverTheStepsThatWereTaken) {
     for (const Scheme scheme : {Scheme::usl, Scheme::musl, Scheme::usf})
         for (const double stiffness : {0.0, 2.0, 50.0}) {
             const auto velocity = [](double t) {
-                return Vector{0.3 * std::sin(40.0 * t), -1.5 * std::cos(15.0 * t)};
+                return grit::Vector2{0.3 * std::sin(40.0 * t), -1.5 * std::cos(15.0 * t)};
             };
             const Punch punch{.scheme = scheme,
                               .fixed_point = stiffness == 2.0,
@@ -84,8 +84,9 @@ TEST(RigidPunch, WorksByItsForcesOverTheStepsThatWereTaken) {
                 const double start = simulation->time(), planned = simulation->next_step();
                 simulation->step();
                 ASSERT_EQ(start + planned, simulation->time()) << "step " << simulation->steps();
-                const Vector F = force_on_punch(*simulation), v = velocity(simulation->time());
-                work -= (F.r * v.r + F.z * v.z) * planned;
+                const grit::Vector2 F = force_on_punch(*simulation),
+                                    v = velocity(simulation->time());
+                work -= (F[0] * v[0] + F[1] * v[1]) * planned;
                 most_work = std::max(most_work, work);
                 longest = std::max(longest, planned);
                 shortest = std::min(shortest, planned);
@@ -113,7 +114,7 @@ TEST(RigidBody, GetsNoFartherInAStepThanTheCourantShareOfACell) {
             along_z.value.push_back((i % 2 == 0 ? 1.0 : -1.0) * speed(generator));
         }
         Punch punch{.stiffness = trial % 2 == 0 ? 0.0 : 1.0, .gap = 0.3};
-        punch.velocity = [&](double t) { return Vector{along_r.at(t), along_z.at(t)}; };
+        punch.velocity = [&](double t) { return grit::Vector2{along_r.at(t), along_z.at(t)}; };
         Simulation* simulation = nullptr;
         const auto built = punch.build();
         simulation = built.get();
@@ -135,7 +136,7 @@ TEST(RigidBody, GetsNoFartherInAStepThanTheCourantShareOfACell) {
 TEST(RigidBody, ThatStartsToMoveWithAStageIsFollowedFromItsFirstStep) {
     bool moves = false;
     Punch punch{.stiffness = 0.0, .gap = 0.5};
-    punch.velocity = [&](double) { return Vector{0.0, moves ? -500.0 : 0.0}; };
+    punch.velocity = [&](double) { return grit::Vector2{0.0, moves ? -500.0 : 0.0}; };
     const auto simulation = punch.build();
     for (int i = 0; i < 3; ++i) simulation->step();
     moves = true;
@@ -150,7 +151,9 @@ TEST(RigidBodies, AloneHaveAStepAsLongAsTheirSpeedAllows) {
                           {.axisymmetric = false});
     for (const int k : {0, 1}) {
         Body body = make_box({0.2, 0.5, 0.1 + 0.5 * k, 0.4 + 0.5 * k, 6, 6, 1.0}, false, nullptr);
-        body.prescribed_velocity = [k](double) { return Vector{0.0, k == 0 ? 30.0 : -40.0}; };
+        body.prescribed_velocity = [k](double) {
+            return grit::Vector2{0.0, k == 0 ? 30.0 : -40.0};
+        };
         simulation.add_body(std::move(body));
     }
     simulation.add_contact(contact_law(GRIT_CONTACT_GEO, 0.0));
@@ -160,7 +163,7 @@ TEST(RigidBodies, AloneHaveAStepAsLongAsTheirSpeedAllows) {
 
 TEST(RigidBody, WhoseVelocityIsNoNumberIsRefused) {
     Punch punch{.stiffness = 0.0};
-    punch.velocity = [](double t) { return Vector{0.0, t > 1e-3 ? std::nan("") : 0.0}; };
+    punch.velocity = [](double t) { return grit::Vector2{0.0, t > 1e-3 ? std::nan("") : 0.0}; };
     const auto simulation = punch.build();
     std::string told;
     try {

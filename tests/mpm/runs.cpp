@@ -273,7 +273,7 @@ TEST(Run, RefusesWhatNamesNobody) {
     plan.stages.clear();
     EXPECT_THROW(Runner{plan}, std::invalid_argument);
     plan = column_case();
-    plan.bodies[0].outlines[0].corners[2].z = 1.3;
+    plan.bodies[0].outlines[0].corners[2][1] = 1.3;
     EXPECT_THROW(Runner{plan}, std::invalid_argument);
 }
 

@@ -69,7 +69,7 @@ TEST(SandColumn, PressedByAPlateDensifiesAndTakesTheWorkOfThePlate) {
     Settings settings{.pic_rate = 50.0};
     Simulation simulation(Axis::uniform(0.0, width, 4), Axis::uniform(0.0, 1.0, 16), settings);
     Body plate = make_box({0.0, width, 0.5, 0.75, 8, 8, 1000.0}, true, nullptr);
-    plate.prescribed_velocity = [](double) { return Vector{0.0, -speed}; };
+    plate.prescribed_velocity = [](double) { return grit::Vector2{0.0, -speed}; };
     simulation.add_body(std::move(plate));
     Body body = make_box({0.0, width, 0.0, 0.5, 8, 16, rho}, true,
                          std::make_unique<Sand>(lausitz(), sand_options()));

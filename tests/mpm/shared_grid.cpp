@@ -71,7 +71,7 @@ std::vector<double> totals_of(Simulation& s) {
     const Energy e = s.energy();
     const grit_contact_totals& contact = s.contact(0).totals();
     const ContactPair::Faces& faces = s.contact(0).faces();
-    const Vector load = s.traction_force(0), velocity = mean_velocity(s, 0);
+    const grit::Vector2 load = s.traction_force(0), velocity = mean_velocity(s, 0);
     return {s.time(),
             s.next_step(),
             e.kinetic,
@@ -89,11 +89,11 @@ std::vector<double> totals_of(Simulation& s) {
             contact.force_on_a[0],
             contact.force_on_a[1],
             contact.dissipation_tangential,
-            faces.along_r.r,
-            faces.along_z.z,
+            faces.along_r[0],
+            faces.along_z[1],
             faces.largest_gap,
-            load.z,
-            velocity.z,
+            load[1],
+            velocity[1],
             stored_energy(s, 0),
             level_of(s, 0, DepthOf::lowest_point),
             level_of(s, 0, DepthOf::centre_of_mass),

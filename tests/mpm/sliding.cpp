@@ -41,7 +41,7 @@ TEST(LoadedBlock, SticksUntilTheLoadExceedsFrictionAndThenSlips) {
         simulation.add_contact(contact_law(law, 0.3));
         for (int i = 0; i < 8; ++i)
             simulation.add_traction({1, 3 * 8 + i, Edge::top, [](double) {
-                                         return Vector{0.0, -1000.0};
+                                         return grit::Vector2{0.0, -1000.0};
                                      }});
         simulation.set_body_force(
             [](ParticleView q, std::ptrdiff_t begin, std::ptrdiff_t end, double t) {

@@ -21,7 +21,7 @@ TEST(ThickCylinder, UnderInnerPressureIsThatOfLame) {
     simulation.fix_above(1, 2.0 * h);
     for (int j = 0; j < 4; ++j)
         simulation.add_traction({0, 32 * j, Edge::left, [](double) {
-                                     return Vector{pressure, 0.0};
+                                     return grit::Vector2{pressure, 0.0};
                                  }});
     while (simulation.time() < 0.3) simulation.step();
     const Particles& q = simulation.body(0).particles;

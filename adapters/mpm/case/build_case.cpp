@@ -36,11 +36,11 @@ class Since {
 
 void check_inside(const BodyPlan& body, const Case& plan) {
     for (const Outline& outline : body.outlines)
-        for (const Vector& x : outline.corners)
-            if (!(x.r >= plan.r.from && x.r <= plan.r.to() && x.z >= plan.z.from &&
-                  x.z <= plan.z.to()))
+        for (const Vector2& x : outline.corners)
+            if (!(x[0] >= plan.r.from && x[0] <= plan.r.to() && x[1] >= plan.z.from &&
+                  x[1] <= plan.z.to()))
                 throw std::invalid_argument("body " + body.name + " reaches out of the grid at (" +
-                                            std::to_string(x.r) + ", " + std::to_string(x.z) +
+                                            std::to_string(x[0]) + ", " + std::to_string(x[1]) +
                                             ") m");
 }
 
@@ -109,8 +109,8 @@ void check_rest(const Case& plan, const SideOfGrid& edge) {
     for (const BodyPlan& body : plan.bodies) {
         if (body.rigid() || body.geostatic) continue;
         for (const Outline& outline : body.outlines)
-            for (const Vector& x : outline.corners)
-                if (std::abs((edge.direction == 0 ? x.r : x.z) - edge.at) <
+            for (const Vector2& x : outline.corners)
+                if (std::abs((edge.direction == 0 ? x[0] : x[1]) - edge.at) <
                     1e-9 * (1.0 + std::abs(edge.at)))
                     throw std::invalid_argument("body " + body.name +
                                                 " has weight and reaches an absorbing side, which "
@@ -130,21 +130,21 @@ std::size_t Case::stage(const std::string& wanted) const {
     return find_name(stages, wanted, "stage");
 }
 
-std::function<Vector(double)> rigid_velocity(const Case& plan, const BodyPlan& body,
-                                             const std::shared_ptr<Clock>& clock) {
+std::function<Vector2(double)> rigid_velocity(const Case& plan, const BodyPlan& body,
+                                              const std::shared_ptr<Clock>& clock) {
     const auto& motion = std::get<RigidPlan>(body.material);
     return [since = Since(plan, clock, motion.from_stage), motion](double t) {
         const double s = since(t);
-        return s < 0.0 ? Vector{0.0, 0.0}
-                       : Vector{motion.velocity_r.at(s), motion.velocity_z.at(s)};
+        return s < 0.0 ? Vector2{0.0, 0.0}
+                       : Vector2{motion.velocity_r.at(s), motion.velocity_z.at(s)};
     };
 }
 
-std::function<Vector(double)> edge_stress(const Case& plan, const TractionPlan& traction,
-                                          const std::shared_ptr<Clock>& clock) {
+std::function<Vector2(double)> edge_stress(const Case& plan, const TractionPlan& traction,
+                                           const std::shared_ptr<Clock>& clock) {
     return [since = Since(plan, clock, traction.from_stage), traction](double t) {
         const double s = since(t), size = s < 0.0 ? 0.0 : value_at(traction.stress, s);
-        return Vector{size * traction.direction.r, size * traction.direction.z};
+        return Vector2{size * traction.direction[0], size * traction.direction[1]};
     };
 }
 

@@ -24,10 +24,10 @@ struct BuiltCase {
 BuiltCase build_case(const Case& plan);
 
 // The parts of build_case that need no outlines, for hosts with particles of their own.
-std::function<Vector(double)> rigid_velocity(const Case& plan, const BodyPlan& body,
-                                             const std::shared_ptr<Clock>& clock);
-std::function<Vector(double)> edge_stress(const Case& plan, const TractionPlan& traction,
-                                          const std::shared_ptr<Clock>& clock);
+std::function<Vector2(double)> rigid_velocity(const Case& plan, const BodyPlan& body,
+                                              const std::shared_ptr<Clock>& clock);
+std::function<Vector2(double)> edge_stress(const Case& plan, const TractionPlan& traction,
+                                           const std::shared_ptr<Clock>& clock);
 // Fixed nodes are known to a contact when it is made: after these.
 void add_boundary(const Case& plan, Simulation& simulation);
 void add_contacts(const Case& plan, Simulation& simulation);

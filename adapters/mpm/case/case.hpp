@@ -23,7 +23,7 @@ inline constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 // A polygon; its corners may go round either way. A box is one of four corners.
 struct Outline {
-    std::vector<Vector> corners;           // [m]
+    std::vector<Vector2> corners;          // [m]
     int particles_r = 0, particles_z = 0;  // per cell along r and z; 0: as many as in the body
 };
 
@@ -64,7 +64,7 @@ struct BodyPlan {
     double density;                        // [kg/m3]
     MaterialPlan material;
     std::optional<Geostatic> geostatic;
-    Vector velocity{0.0, 0.0};  // at the start [m/s]
+    Vector2 velocity{0.0, 0.0};  // at the start [m/s]
     bool rigid() const { return std::holds_alternative<RigidPlan>(material); }
 };
 
@@ -81,7 +81,7 @@ struct TractionPlan {
     std::string body;
     Edge edge = Edge::top;
     double r[2] = {-unlimited, unlimited}, z[2] = {-unlimited, unlimited};  // of centres [m]
-    Vector direction{0.0, -1.0};                                            // unit
+    Vector2 direction{0.0, -1.0};                                           // unit
     TimeFunction stress = TimeTable{{0.0}, {0.0}};                          // [Pa]
     std::string from_stage = {};  // nothing before, and time counts from there; empty: always
 };

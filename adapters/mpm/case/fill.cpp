@@ -38,11 +38,11 @@ struct Bounds {
 
 Bounds bounds_of(const Outline& outline) {
     Bounds b;
-    for (const Vector& x : outline.corners) {
-        b.r0 = std::min(b.r0, x.r);
-        b.r1 = std::max(b.r1, x.r);
-        b.z0 = std::min(b.z0, x.z);
-        b.z1 = std::max(b.z1, x.z);
+    for (const Vector2& x : outline.corners) {
+        b.r0 = std::min(b.r0, x[0]);
+        b.r1 = std::max(b.r1, x[0]);
+        b.z0 = std::min(b.z0, x[1]);
+        b.z1 = std::max(b.z1, x[1]);
     }
     return b;
 }
@@ -50,12 +50,12 @@ Bounds bounds_of(const Outline& outline) {
 // Sides along r and z.
 bool is_box(const Outline& outline) {
     const Bounds b = bounds_of(outline);
-    const auto at_corner = [&b](const Vector& x) {
-        return (x.r == b.r0 || x.r == b.r1) && (x.z == b.z0 || x.z == b.z1);
+    const auto at_corner = [&b](const Vector2& x) {
+        return (x[0] == b.r0 || x[0] == b.r1) && (x[1] == b.z0 || x[1] == b.z1);
     };
-    const std::vector<Vector>& x = outline.corners;
+    const std::vector<Vector2>& x = outline.corners;
     return x.size() == 4 && std::all_of(x.begin(), x.end(), at_corner) &&
-           (x[0].r == x[1].r || x[0].z == x[1].z) && (x[1].r == x[2].r || x[1].z == x[2].z);
+           (x[0][0] == x[1][0] || x[0][1] == x[1][1]) && (x[1][0] == x[2][0] || x[1][1] == x[2][1]);
 }
 
 // Even-odd rule.
@@ -63,8 +63,9 @@ bool inside(const Outline& outline, double r, double z) {
     bool in = false;
     const std::size_t n = outline.corners.size();
     for (std::size_t i = 0, j = n - 1; i < n; j = i++) {
-        const Vector a = outline.corners[i], b = outline.corners[j];
-        if ((a.z > z) != (b.z > z) && r < a.r + (b.r - a.r) * (z - a.z) / (b.z - a.z)) in = !in;
+        const Vector2 a = outline.corners[i], b = outline.corners[j];
+        if ((a[1] > z) != (b[1] > z) && r < a[0] + (b[0] - a[0]) * (z - a[1]) / (b[1] - a[1]))
+            in = !in;
     }
     return in;
 }
@@ -86,8 +87,8 @@ Particles fill(const BodyPlan& body, const Axis& r, const Axis& z, bool axisymme
                 const auto here = [&](const Outline& o) { return inside(o, i.centre, j.centre); };
                 if (!here(outline)) continue;
                 if (std::any_of(before, before + static_cast<std::ptrdiff_t>(k), here)) continue;
-                out.add({i.centre, j.centre, i.half, j.half, body.density, body.velocity.r,
-                         body.velocity.z},
+                out.add({i.centre, j.centre, i.half, j.half, body.density, body.velocity[0],
+                         body.velocity[1]},
                         axisymmetric);
             }
     }

@@ -8,6 +8,7 @@
 #include "adapters/mpm/kernel/axis.hpp"
 #include "adapters/mpm/kernel/particles.hpp"
 #include "adapters/mpm/kernel/total.hpp"
+#include "support/vector.hpp"
 
 namespace grit::mpm {
 
@@ -16,10 +17,6 @@ enum class Shape {
     cpdi_published,  // unweighted corners, T = S / r_p: the published axisymmetric CPDI
     ugimp,           // the undeformed, upright domain
     point            // linear shape functions at the particle: the original method
-};
-
-struct Vector {
-    double r, z;
 };
 
 namespace record {

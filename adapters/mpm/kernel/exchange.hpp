@@ -33,7 +33,7 @@ class Exchange {
     virtual const std::uint8_t* counted() const { return nullptr; }
     virtual void sum_nodes(NodeRecord* /*records*/, std::ptrdiff_t /*nodes*/) {}
     virtual void sum_nodes(NodeIntegers* /*records*/, std::ptrdiff_t /*nodes*/) {}
-    virtual void sum_nodes(Vector* /*forces*/, std::ptrdiff_t /*nodes*/) {}
+    virtual void sum_nodes(Vector2* /*forces*/, std::ptrdiff_t /*nodes*/) {}
     virtual void sum_cells(CellIntegers* /*cells*/, std::ptrdiff_t /*count*/) {}
     virtual void min_nodes(double* /*values*/, std::ptrdiff_t /*nodes*/, int /*per_node*/) {}
     virtual void max(double* /*values*/, int /*count*/) {}

@@ -17,7 +17,7 @@ double damp(double& v, double old, double m, double without_contact, double damp
 }
 
 // p/m without the fixed components.
-Vector old_velocity(const NodeCall& call, std::ptrdiff_t i) {
+Vector2 old_velocity(const NodeCall& call, std::ptrdiff_t i) {
     const NodeRecord& n = call.records[i];
     const double per_m = 1.0 / n[record::m];
     return {call.fixed[i] & fixed::r ? 0.0 : n[record::p_r] * per_m,
@@ -25,12 +25,12 @@ Vector old_velocity(const NodeCall& call, std::ptrdiff_t i) {
 }
 
 // See NodeSums; none where the node is reached for the first time.
-double mapped_away(const NodeCall& call, std::ptrdiff_t i, const Vector& old) {
+double mapped_away(const NodeCall& call, std::ptrdiff_t i, const Vector2& old) {
     const NodeMotion& v = call.motions[i];
     const int lane = call.by_other ? motion::other_r : motion::v_r;
     if (v[lane] == 0.0 && v[lane + 1] == 0.0) return 0.0;
-    return 0.5 * (call.internal[i].r * (call.dt_before * v[lane] - call.dt * old.r) +
-                  call.internal[i].z * (call.dt_before * v[lane + 1] - call.dt * old.z));
+    return 0.5 * (call.internal[i][0] * (call.dt_before * v[lane] - call.dt * old[0]) +
+                  call.internal[i][1] * (call.dt_before * v[lane + 1] - call.dt * old[1]));
 }
 
 }  // namespace
@@ -42,9 +42,9 @@ void start_nodes(const NodeCall& call, NodeSums& sums) {
             v = NodeMotion{};
             continue;
         }
-        const Vector old = old_velocity(call, i);
+        const Vector2 old = old_velocity(call, i);
         call.add(sums.mapped_away, i, -mapped_away(call, i, old));
-        v = NodeMotion{old.r, old.z, old.r, old.z};
+        v = NodeMotion{old[0], old[1], old[0], old[1]};
     }
 }
 
@@ -64,11 +64,11 @@ void advance_nodes(const NodeCall& call, NodeSums& sums) {
         }
         const double free_r = call.fixed[i] & fixed::r ? 0.0 : 1.0;
         const double free_z = call.fixed[i] & fixed::z ? 0.0 : 1.0;
-        const Vector old = old_velocity(call, i);
+        const Vector2 old = old_velocity(call, i);
         if (!call.stress_first) call.add(sums.mapped_away, i, mapped_away(call, i, old));
-        const double v_r = old.r + free_r * call.dt * (n[record::f_r] / m + call.gravity.r);
-        const double v_z = old.z + free_z * call.dt * (n[record::f_z] / m + call.gravity.z);
-        v = NodeMotion{v_r, v_z, old.r, old.z};
+        const double v_r = old[0] + free_r * call.dt * (n[record::f_r] / m + call.gravity[0]);
+        const double v_z = old[1] + free_z * call.dt * (n[record::f_z] / m + call.gravity[1]);
+        v = NodeMotion{v_r, v_z, old[0], old[1]};
     }
 }
 
@@ -84,9 +84,9 @@ void close_nodes(const NodeCall& call, NodeSums& sums) {
             const double undamped_z = v[motion::v_z];
             call.add(sums.damping_work, i,
                      damp(v[motion::v_r], v[motion::other_r], m,
-                          call.dt * (n[record::f_r] + m * call.gravity.r), call.damping) +
+                          call.dt * (n[record::f_r] + m * call.gravity[0]), call.damping) +
                          damp(v[motion::v_z], v[motion::other_z], m,
-                              call.dt * (n[record::f_z] + m * call.gravity.z), call.damping));
+                              call.dt * (n[record::f_z] + m * call.gravity[1]), call.damping));
             call.add(sums.damping_z, i, m * (v[motion::v_z] - undamped_z));
         }
         const double dv_r = v[motion::v_r] - v[motion::other_r];
@@ -94,8 +94,8 @@ void close_nodes(const NodeCall& call, NodeSums& sums) {
         call.add(sums.change, i, 0.5 * m * (dv_r * dv_r + dv_z * dv_z));
         call.add(sums.gravity_work, i,
                  0.5 * call.dt * m *
-                     (call.gravity.r * (v[motion::v_r] + v[motion::other_r]) +
-                      call.gravity.z * (v[motion::v_z] + v[motion::other_z])));
+                     (call.gravity[0] * (v[motion::v_r] + v[motion::other_r]) +
+                      call.gravity[1] * (v[motion::v_z] + v[motion::other_z])));
     }
 }
 
@@ -109,8 +109,8 @@ void remap_nodes(const NodeCall& call, NodeSums& sums) {
         v[motion::other_z] = call.fixed[i] & fixed::z ? 0.0 : n[record::p_z] / m;
         call.add(sums.mapped_away, i,
                  0.5 * call.dt *
-                     (call.internal[i].r * (v[motion::other_r] - v[motion::v_r]) +
-                      call.internal[i].z * (v[motion::other_z] - v[motion::v_z])));
+                     (call.internal[i][0] * (v[motion::other_r] - v[motion::v_r]) +
+                      call.internal[i][1] * (v[motion::other_z] - v[motion::v_z])));
     }
 }
 

@@ -28,13 +28,13 @@ struct NodeSums {
 struct NodeCall {
     const NodeRecord* records;
     NodeMotion* motions;
-    Vector* internal;  // nodal forces of stresses and of penalty contact [N]
+    Vector2* internal;  // nodal forces of stresses and of penalty contact [N]
     const std::uint8_t* fixed;
     std::ptrdiff_t begin, end;
     double least_mass;  // nodes with less are at rest [kg]
     double dt;          // [s]
     double dt_before;   // of the step before [s]
-    Vector gravity;     // [m/s2]
+    Vector2 gravity;    // [m/s2]
     bool by_other;      // particles are strained by the other velocity (MUSL)
     bool stress_first;  // (USF)
     double damping;     // local damping (Cundall), share of the force [-]

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "adapters/mpm/kernel/call.hpp"
-#include "adapters/mpm/kernel/vectors.hpp"
+#include "adapters/mpm/kernel/record_lanes.hpp"
 
 GRIT_KERNEL_BEGIN_OF(mpm)
 

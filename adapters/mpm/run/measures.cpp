@@ -27,7 +27,7 @@ double level_of(Simulation& simulation, std::size_t body, DepthOf what) {
     return what == DepthOf::lowest_point ? -highest : sums[1].value() / sums[0].value();
 }
 
-Vector mean_velocity(Simulation& simulation, std::size_t body) {
+Vector2 mean_velocity(Simulation& simulation, std::size_t body) {
     const Particles& particles = simulation.body(body).particles;
     const ParticleView q = simulation.body(body).particles.view();
     const bool fixed_point = simulation.current_settings().fixed_point;
@@ -63,8 +63,8 @@ double base_reaction(const Simulation& simulation) {
             if ((simulation.constraints()[i] & fixed::z) && (!mine || mine[i]))
                 sum[0].add(-(nodes[i][record::f_z] + settings.gravity_z * nodes[i][record::m]),
                            settings.fixed_point);
-        simulation.absorbing().each_force(body, [&](std::size_t node, const Vector& force) {
-            if (node < count && (!mine || mine[node])) sum[0].add(force.z, settings.fixed_point);
+        simulation.absorbing().each_force(body, [&](std::size_t node, const Vector2& force) {
+            if (node < count && (!mine || mine[node])) sum[0].add(force[1], settings.fixed_point);
         });
     }
     simulation.shared().sum(sum, settings.fixed_point);
@@ -103,20 +103,20 @@ ContactForces contact_forces(const Simulation& simulation, std::size_t body) {
         if (pair.law().a != body && pair.law().b != body) continue;
         const double sign = pair.law().b == body ? 1.0 : -1.0;
         const ContactPair::Faces& faces = pair.faces();
-        out.tip.r += sign * faces.along_z.r;
-        out.tip.z += sign * faces.along_z.z;
-        out.shaft.r += sign * faces.along_r.r;
-        out.shaft.z += sign * faces.along_r.z;
+        out.tip[0] += sign * faces.along_z[0];
+        out.tip[1] += sign * faces.along_z[1];
+        out.shaft[0] += sign * faces.along_r[0];
+        out.shaft[1] += sign * faces.along_r[1];
         out.largest_gap = std::fmax(out.largest_gap, faces.largest_gap);
     }
     for (std::size_t i = 0; i < simulation.penalty_contact_count(); ++i) {
         const PenaltyPair& pair = simulation.penalty_contact(i);
         if (pair.law().a != body && pair.law().b != body) continue;
         const PenaltyPair::Faces faces = pair.faces(pair.law().b == body ? 1 : 0);
-        out.tip.r += faces.along_z.r;
-        out.tip.z += faces.along_z.z;
-        out.shaft.r += faces.along_r.r;
-        out.shaft.z += faces.along_r.z;
+        out.tip[0] += faces.along_z[0];
+        out.tip[1] += faces.along_z[1];
+        out.shaft[0] += faces.along_r[0];
+        out.shaft[1] += faces.along_r[1];
     }
     return out;
 }

@@ -13,7 +13,7 @@ namespace grit::mpm {
 // z of the lowest corner, or of the centre of mass [m].
 double level_of(Simulation& simulation, std::size_t body, DepthOf what);
 // Of the centre of mass [m/s].
-Vector mean_velocity(Simulation& simulation, std::size_t body);
+Vector2 mean_velocity(Simulation& simulation, std::size_t body);
 // Stored in a body, or taken by its stress [J]; 0 if it is rigid.
 double stored_energy(Simulation& simulation, std::size_t body);
 
@@ -29,7 +29,7 @@ double unbalanced_share(const Simulation& simulation, double dt);
 // By contacts on a body in the last step [N]: across surfaces that face along z (a tip), along r
 // (a shaft).
 struct ContactForces {
-    Vector tip{0.0, 0.0}, shaft{0.0, 0.0};
+    Vector2 tip{0.0, 0.0}, shaft{0.0, 0.0};
     double largest_gap;  // at a node of both bodies [m]; NaN: not measured
 };
 ContactForces contact_forces(const Simulation& simulation, std::size_t body);

@@ -171,7 +171,7 @@ void Runner::step() {
     simulation.step();
     const double dt = state_now.last_dt = simulation.time() - before;
     const ContactForces forces = contact_forces(simulation, driven);
-    const double now[] = {forces.tip.z, forces.shaft.z, -simulation.traction_force(driven).z,
+    const double now[] = {forces.tip[1], forces.shaft[1], -simulation.traction_force(driven)[1],
                           base_reaction(simulation)};
     for (std::size_t k = 0; k < 4; ++k) state_now.impulse[k] += dt * now[k];
     state_now.impulse[4] += simulation.damping_impulse(driven);
@@ -265,9 +265,9 @@ HistoryRow Runner::row_so_far() {
     out.blow = blow();
     out.depth = depth();
     const bool rigid = simulation.rigid(driven);
-    const Vector v = rigid ? simulation.body(driven).prescribed_velocity(out.t)
-                           : mean_velocity(simulation, driven);
-    out.velocity = 0.0 - v.z;  // no -0
+    const Vector2 v = rigid ? simulation.body(driven).prescribed_velocity(out.t)
+                            : mean_velocity(simulation, driven);
+    out.velocity = 0.0 - v[1];  // no -0
     out.tip_force = per_time * state_now.impulse[0];
     out.shaft_force = per_time * state_now.impulse[1];
     out.hammer_force = per_time * state_now.impulse[2];

@@ -49,7 +49,7 @@ void AbsorbingSides::push(std::size_t body, const NodeCall& call) {
         const Node& n = nodes[i];
         const NodeRecord& record = call.records[n.node];
         NodeMotion& v = call.motions[n.node];
-        const double m = record[record::m], g[] = {call.gravity.r, call.gravity.z};
+        const double m = record[record::m], g[] = {call.gravity[0], call.gravity[1]};
         Force& force = forces[i];
         if (first) force.mass = m;
         for (const int k : {0, 1}) {

@@ -35,7 +35,7 @@ class AbsorbingSides {
     template <class Take> void each_force(std::size_t body, const Take& take) const {
         for (std::size_t i = 0; i < bodies[body].forces.size(); ++i) {
             const Force& f = bodies[body].forces[i];
-            take(nodes[i].node, Vector{f.held[0] + f.dashpot[0], f.held[1] + f.dashpot[1]});
+            take(nodes[i].node, Vector2{f.held[0] + f.dashpot[0], f.held[1] + f.dashpot[1]});
         }
     }
 

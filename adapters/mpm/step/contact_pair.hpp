@@ -46,7 +46,7 @@ class ContactPair {
     // Forces on b by where their node's normal points, and the largest gap at a node of both bodies
     // [m], NaN: not measured.
     struct Faces {
-        Vector along_r{0.0, 0.0}, along_z{0.0, 0.0};
+        Vector2 along_r{0.0, 0.0}, along_z{0.0, 0.0};
         double largest_gap;
     };
     const Faces& faces() const { return step_faces; }

@@ -36,18 +36,18 @@ void Loads::push() {
                                    traction.stress(model.t), model.settings);
     }
     const double rounded_to = model.settings.fixed_point ? quantum() : 0.0;
-    for (std::vector<Vector>& of_body : nodes)
-        std::fill(of_body.begin(), of_body.end(), Vector{0.0, 0.0});
+    for (std::vector<Vector2>& of_body : nodes)
+        std::fill(of_body.begin(), of_body.end(), Vector2{0.0, 0.0});
     for (std::size_t i = 0; i < tractions.size(); ++i)
         if (is_here(tractions[i]))
             add_edge_forces(model.grid(), edges[i], rounded_to, nodes[tractions[i].body].data());
     for (std::size_t b = 0; b < nodes.size(); ++b) {
-        std::vector<Vector>& of_body = nodes[b];
+        std::vector<Vector2>& of_body = nodes[b];
         if (of_body.empty()) continue;
         model.exchange.sum_nodes(of_body.data(), static_cast<std::ptrdiff_t>(of_body.size()));
         for (std::size_t i = 0; i < of_body.size(); ++i) {
-            model.parts[b].records[i][record::f_r] += of_body[i].r;
-            model.parts[b].records[i][record::f_z] += of_body[i].z;
+            model.parts[b].records[i][record::f_r] += of_body[i][0];
+            model.parts[b].records[i][record::f_z] += of_body[i][1];
         }
     }
 }
@@ -61,7 +61,7 @@ void Loads::find_work() {
                      model.settings.fixed_point);
 }
 
-Vector Loads::force(std::size_t body) const {
+Vector2 Loads::force(std::size_t body) const {
     const bool fixed_point = model.settings.fixed_point;
     std::array<Total, 2> sum;
     for (std::size_t i = 0; i < tractions.size(); ++i) {

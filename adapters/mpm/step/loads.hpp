@@ -21,7 +21,7 @@ class Loads {
     void find_work();
     const Total& work() const { return done; }
     // Of all tractions on a body in the last step, on all processes [N].
-    Vector force(std::size_t body) const;
+    Vector2 force(std::size_t body) const;
     std::size_t count() const { return tractions.size(); }
 
     template <class Self, class Archive> static void visit(Self& loads, Archive& archive) {
@@ -36,9 +36,9 @@ class Loads {
 
     Model& model;
     std::vector<Traction> tractions;
-    std::vector<EdgeForces> edges;           // of each traction
-    std::vector<std::vector<Vector>> nodes;  // of each body, if it has any [N]
-    Total done;                              // [J]
+    std::vector<EdgeForces> edges;            // of each traction
+    std::vector<std::vector<Vector2>> nodes;  // of each body, if it has any [N]
+    Total done;                               // [J]
 };
 
 }  // namespace grit::mpm

@@ -54,9 +54,9 @@ void Momentum::advance() {
         const NodeCall nodes = call(body, strip);
         if (!is_rigid(body)) return advance_nodes(nodes, sums);
         Part& part = model.parts[body];
-        const Vector v = part.body.prescribed_velocity(model.t + model.dt);
+        const Vector2 v = part.body.prescribed_velocity(model.t + model.dt);
         for (std::ptrdiff_t i = nodes.begin; i < nodes.end; ++i)
-            part.motions[static_cast<std::size_t>(i)] = NodeMotion{v.r, v.z, v.r, v.z};
+            part.motions[static_cast<std::size_t>(i)] = NodeMotion{v[0], v[1], v[0], v[1]};
     });
 }
 

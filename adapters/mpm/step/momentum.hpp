@@ -37,8 +37,8 @@ class Momentum {
 
   private:
     struct OfBody {
-        std::vector<Vector> internal = {};  // nodal forces of stresses and penalties [N]
-        std::vector<NodeSums> sums = {};    // of each strip's rows
+        std::vector<Vector2> internal = {};  // nodal forces of stresses and penalties [N]
+        std::vector<NodeSums> sums = {};     // of each strip's rows
     };
     NodeSums& sums_of(std::size_t body, int strip) {
         return bodies[body].sums[static_cast<std::size_t>(strip)];

@@ -20,8 +20,8 @@ void NodalContacts::correct(Energy& sums) {
             if (!of.rigid()) continue;
             // What moves a rigid body works against the force that the body feels.
             const double* J = i == law.a ? totals.impulse_on_a : totals.impulse_on_b;
-            const Vector v = of.prescribed_velocity(model.t + model.dt);
-            sums.rigid_work -= J[0] * v.r + J[1] * v.z;
+            const Vector2 v = of.prescribed_velocity(model.t + model.dt);
+            sums.rigid_work -= J[0] * v[0] + J[1] * v[1];
         }
     }
 }

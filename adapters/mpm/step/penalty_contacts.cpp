@@ -75,8 +75,8 @@ void PenaltyContacts::push(Energy& sums) {
             const Body& of = model.parts[i].body;
             if (!of.rigid()) continue;
             const double* force = i == law.a ? totals.force_on_a : totals.force_on_b;
-            const Vector v = of.prescribed_velocity(model.t + model.dt);
-            sums.rigid_work -= model.dt * (force[0] * v.r + force[1] * v.z);
+            const Vector2 v = of.prescribed_velocity(model.t + model.dt);
+            sums.rigid_work -= model.dt * (force[0] * v[0] + force[1] * v[1]);
         }
     }
 }

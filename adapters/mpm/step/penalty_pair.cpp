@@ -50,8 +50,8 @@ PenaltyPair::PenaltyPair(const PenaltyLaw& law, bool axisymmetric, std::size_t n
     pair_law.options.axisymmetric = axisymmetric;
     for (const int k : {0, 1}) {
         const PenaltyLine& given = k == 0 ? law.line_a : law.line_b;
-        for (const Vector& x : given.points)
-            lines[k].position.insert(lines[k].position.end(), {x.r, x.z});
+        for (const Vector2& x : given.points)
+            lines[k].position.insert(lines[k].position.end(), {x[0], x[1]});
         lines[k].closed = given.closed;
         lines[k].velocity.resize(lines[k].position.size());
         lines[k].history.resize(lines[k].position.size());
@@ -135,9 +135,9 @@ PenaltyPair::Faces PenaltyPair::faces_of(const Line& line) {
     Faces out;
     for (std::size_t v = 0; v < line.force.size(); v += 2) {
         const double f_r = line.force[v], f_z = line.force[v + 1];
-        Vector& face = std::fabs(f_r) > std::fabs(f_z) ? out.along_r : out.along_z;
-        face.r += f_r;
-        face.z += f_z;
+        Vector2& face = std::fabs(f_r) > std::fabs(f_z) ? out.along_r : out.along_z;
+        face[0] += f_r;
+        face[1] += f_z;
     }
     return out;
 }

@@ -14,7 +14,7 @@ namespace grit::mpm {
 
 // A polyline with its body on the left of the direction of travel.
 struct PenaltyLine {
-    std::vector<Vector> points;
+    std::vector<Vector2> points;
     bool closed = false;
 };
 
@@ -69,7 +69,7 @@ class PenaltyPair {
     double stable_step() const { return step; }  // (S5), of the next step [s]
     // Forces on the body of line 0 or 1 in the last push, apart by the component that is larger at a vertex.
     struct Faces {
-        Vector along_r{0.0, 0.0}, along_z{0.0, 0.0};
+        Vector2 along_r{0.0, 0.0}, along_z{0.0, 0.0};
     };
     const Faces& faces(int line) const { return step_faces[line]; }
     // Vertices of line 0 or 1, two coordinates each.

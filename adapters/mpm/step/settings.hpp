@@ -38,7 +38,7 @@ struct Body {
     Particles particles;
     std::unique_ptr<Material> material;
     // A rigid body moves as this says, over time [s]; empty: free.
-    std::function<Vector(double)> prescribed_velocity;
+    std::function<Vector2(double)> prescribed_velocity;
     bool rigid() const { return static_cast<bool>(prescribed_velocity); }
 };
 

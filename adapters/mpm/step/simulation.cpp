@@ -136,9 +136,9 @@ void Simulation::absorb_last(int direction, const WaveSpeeds& speeds) {
     absorb(model, sides, direction, last, axis[last] - axis[last - 1], speeds);
 }
 
-void Simulation::set_gravity(Vector gravity) {
-    model.settings.gravity_r = gravity.r;
-    model.settings.gravity_z = gravity.z;
+void Simulation::set_gravity(Vector2 gravity) {
+    model.settings.gravity_r = gravity[0];
+    model.settings.gravity_z = gravity[1];
 }
 
 // The next step is known already; it does not get longer than it was but by this share.

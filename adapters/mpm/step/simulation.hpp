@@ -43,7 +43,7 @@ class Simulation {
     void set_body_force(BodyForce force) { scatter.set_body_force(std::move(force)); }
 
     // Between steps, from the next one on.
-    void set_gravity(Vector gravity);
+    void set_gravity(Vector2 gravity);
     void set_local_damping(double share) { model.settings.local_damping = share; }
     void set_pic_rate(double rate) { model.settings.pic_rate = rate; }
     void set_cfl(double cfl);
@@ -76,7 +76,7 @@ class Simulation {
     std::size_t penalty_contact_count() const { return penalties.count(); }
     std::size_t traction_count() const { return loads.count(); }
     // Of all tractions on a body in the last step, on all processes [N].
-    Vector traction_force(std::size_t body) const { return loads.force(body); }
+    Vector2 traction_force(std::size_t body) const { return loads.force(body); }
     // Along z, of local damping on a body in the last step, on all processes [N s].
     double damping_impulse(std::size_t body) const { return momentum.damping_impulse(body); }
     // Least mass of a node of a body that moves [kg].

@@ -53,12 +53,12 @@ double StepSize::rigid_speed(double at) const {
     double speed = 0.0;
     for (const Part& part : model.parts) {
         if (!part.body.rigid()) continue;
-        const Vector v = part.body.prescribed_velocity(at);
-        const double size = std::hypot(v.r, v.z);
+        const Vector2 v = part.body.prescribed_velocity(at);
+        const double size = std::hypot(v[0], v[1]);
         if (!std::isfinite(size))
             throw std::runtime_error("body " + part.body.name +
                                      ": its prescribed velocity at t = " + text(at) + " s is (" +
-                                     text(v.r) + ", " + text(v.z) + ") m/s");
+                                     text(v[0]) + ", " + text(v[1]) + ") m/s");
         speed = std::max(speed, size);
     }
     return speed;

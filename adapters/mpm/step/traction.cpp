@@ -9,7 +9,7 @@
 namespace grit::mpm {
 
 EdgeForces edge_forces(const GridView& grid, const ParticleView& q, std::ptrdiff_t p, Edge edge,
-                       Vector stress, const Settings& settings) {
+                       Vector2 stress, const Settings& settings) {
     namespace c = column;
     constexpr double xi[4][2] = {{-1, 1}, {1, 1}, {1, -1}, {-1, -1}};
     constexpr double eta[4][2] = {{-1, -1}, {-1, 1}, {1, 1}, {1, -1}};
@@ -31,22 +31,22 @@ EdgeForces edge_forces(const GridView& grid, const ParticleView& q, std::ptrdiff
     const double middle = 0.5 * (r[0] + r[1]), sixth = (r[1] - r[0]) / 6.0;
     for (int k = 0; k < 2; ++k) {
         const double width = settings.axisymmetric ? middle + (k == 0 ? -sixth : sixth) : 1.0;
-        out.f_r[k] = 0.5 * l * width * stress.r;
-        out.f_z[k] = 0.5 * l * width * stress.z;
+        out.f_r[k] = 0.5 * l * width * stress[0];
+        out.f_z[k] = 0.5 * l * width * stress[1];
     }
     return out;
 }
 
 void add_edge_forces(const GridView& grid, const EdgeForces& forces, double quantum,
-                     Vector* nodes) {
+                     Vector2* nodes) {
     const auto rounded = [quantum](double x) {
         return quantum > 0.0 ? std::nearbyint(x / quantum) * quantum : x;
     };
     for (int k = 0; k < 2; ++k) {
         const GridPoint corner = grid_point(grid, forces.r[k], forces.z[k]);
         for (int i = 0; i < 4; ++i) {
-            nodes[corner.node[i]].r += rounded(corner.N[i] * forces.f_r[k]);
-            nodes[corner.node[i]].z += rounded(corner.N[i] * forces.f_z[k]);
+            nodes[corner.node[i]][0] += rounded(corner.N[i] * forces.f_r[k]);
+            nodes[corner.node[i]][1] += rounded(corner.N[i] * forces.f_z[k]);
         }
     }
 }

@@ -18,7 +18,7 @@ struct Traction {
     std::size_t body;
     int particle;  // id
     Edge edge;
-    std::function<Vector(double)> stress;  // force per deformed area [Pa] over time [s]
+    std::function<Vector2(double)> stress;  // force per deformed area [Pa] over time [s]
 };
 
 // The forces of a traction at the two ends of its edge, and where they act: as the particle's weights see
@@ -30,11 +30,12 @@ struct EdgeForces {
 
 // A linear edge, weighted with r in axisymmetry: each end has l/2 (r_mid -+ (r_d - r_c)/6) of it.
 EdgeForces edge_forces(const GridView& grid, const ParticleView& particles, std::ptrdiff_t p,
-                       Edge edge, Vector stress, const Settings& settings);
+                       Edge edge, Vector2 stress, const Settings& settings);
 
 // With a quantum, a power of two, contributions are rounded to multiples of it: their sums are exact, and no
 // order changes a bit.
-void add_edge_forces(const GridView& grid, const EdgeForces& forces, double quantum, Vector* nodes);
+void add_edge_forces(const GridView& grid, const EdgeForces& forces, double quantum,
+                     Vector2* nodes);
 // Work of a step [J]: forces on the mean of v and other.
 double edge_work(const GridView& grid, const EdgeForces& forces, const NodeMotion* motions,
                  double dt);

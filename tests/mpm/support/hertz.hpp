@@ -59,10 +59,11 @@ struct Hertz {
         const auto count = static_cast<int>(simulation.body(1).particles.size());
         const double rising = rise;
         for (int i = 0; i < 2 * across; ++i)
-            simulation.add_traction({1, count - 2 * across + i, Edge::top, [=](double t) {
-                                         const double x = std::min(t / rising, 1.0);
-                                         return Vector{0.0, -pressure * x * x * (3.0 - 2.0 * x)};
-                                     }});
+            simulation.add_traction(
+                {1, count - 2 * across + i, Edge::top, [=](double t) {
+                     const double x = std::min(t / rising, 1.0);
+                     return grit::Vector2{0.0, -pressure * x * x * (3.0 - 2.0 * x)};
+                 }});
     }
 
     static constexpr std::size_t top_rows = 8;  // of cells, for the rise of its upper edge

@@ -46,9 +46,9 @@ class Manufactured {
             [&](ParticleView q, std::ptrdiff_t begin, std::ptrdiff_t end, double t) {
                 for (std::ptrdiff_t p = begin; p < end; ++p) {
                     const auto id = static_cast<std::size_t>(particles.ids()[p]);
-                    const Vector b = exact.body_force(R[id], Z[id], t);
-                    q[column::b_r][p] = b.r;
-                    q[column::b_z][p] = b.z;
+                    const grit::Vector2 b = exact.body_force(R[id], Z[id], t);
+                    q[column::b_r][p] = b[0];
+                    q[column::b_z][p] = b[1];
                 }
             });
         ManufacturedErrors largest;
@@ -61,7 +61,7 @@ class Manufactured {
 
   private:
     // rho0 b = rho0 u'' - DIV P, with P_i = lambda ln J / F_i + mu (F_i - 1/F_i).
-    Vector body_force(double R, double Z, double t) const {
+    grit::Vector2 body_force(double R, double Z, double t) const {
         const LameConstants law = lame_constants(E, nu);
         const double s_r = std::sin(c * pi * t), s_z = std::sin(c * pi * t + pi);
         const double u_r = G * std::sin(pi * R) * s_r, u_z = G * std::sin(pi * Z) * s_z;
@@ -77,7 +77,7 @@ class Manufactured {
         const double div_r = dP_dF(F_r) * dF_r + law.lambda * dlog_r / F_r + (P(F_r) - P(F_t)) / R;
         const double div_z = dP_dF(F_z) * dF_z + law.lambda * dlog_z / F_z;
         const double omega2 = c * c * pi * pi;
-        return Vector{-omega2 * u_r - div_r / rho, -omega2 * u_z - div_z / rho};
+        return grit::Vector2{-omega2 * u_r - div_r / rho, -omega2 * u_z - div_z / rho};
     }
 
     void compare(const Particles& q, const std::vector<double>& R, const std::vector<double>& Z,

@@ -51,7 +51,7 @@ struct Meeting {
 
 // Until long after they have parted. forces: on A and on B along z in the last step, [N] per metre.
 inline Meeting meet(const MeetingBars& bars, Simulation& simulation,
-                    const std::function<Vector()>& forces) {
+                    const std::function<grit::Vector2()>& forces) {
     const double c = MeetingBars::wave_speed(), L = MeetingBars::L, v = MeetingBars::v;
     const double touch = bars.gap / (2.0 * v), unit = MeetingBars::rho * c * v;
     double first = NAN, last = NAN, impulse = 0.0, middle = 0.0, middle_time = 0.0;
@@ -59,7 +59,7 @@ inline Meeting meet(const MeetingBars& bars, Simulation& simulation,
         const double t = simulation.time();
         simulation.step();
         const double dt = simulation.time() - t;
-        const auto [on_a, on_b] = forces();
+        const auto [on_a, on_b] = forces().c;
         EXPECT_NEAR(on_a, -on_b, 1e-12 * (1.0 + on_b));
         const double force = on_b / MeetingBars::width;
         if (force == 0.0) continue;
@@ -87,7 +87,7 @@ inline std::unique_ptr<Simulation> block_on_slope(double angle) {
     auto simulation = std::make_unique<Simulation>(Axis::uniform(0.0, 3.0, 30),
                                                    Axis::uniform(0.0, 1.2, 12), settings);
     Body floor = make_box({0.0, 3.0, 0.2, 0.5, 60, 6, 1000.0}, false, nullptr);
-    floor.prescribed_velocity = [](double) { return Vector{0.0, 0.0}; };
+    floor.prescribed_velocity = [](double) { return grit::Vector2{0.0, 0.0}; };
     simulation->add_body(std::move(floor));
     simulation->add_body(make_box({0.5, 0.9, 0.5, 0.9, 8, 8, 1000.0}, false,
                                   std::make_unique<LinearElastic>(1e6, 0.3)));

@@ -70,7 +70,7 @@ class Neighbour : public Exchange {
     const std::uint8_t* counted() const override { return mine.data(); }
     void sum_nodes(NodeRecord* x, std::ptrdiff_t) override { add<8>(x->value, shared_nodes); }
     void sum_nodes(NodeIntegers* x, std::ptrdiff_t) override { add<8>(x->value, shared_nodes); }
-    void sum_nodes(Vector* x, std::ptrdiff_t) override { add<2>(&x->r, shared_nodes); }
+    void sum_nodes(grit::Vector2* x, std::ptrdiff_t) override { add<2>(x->c, shared_nodes); }
     void sum_cells(CellIntegers* x, std::ptrdiff_t) override { add<2>(&x->volume, shared_cells); }
     void min_nodes(double* x, std::ptrdiff_t, int per_node) override {
         const auto smaller = [](double a, double b) { return std::min(a, b); };

@@ -56,13 +56,15 @@ struct PressedSand {
         if (ring) {
             Body rigid = make_box({0.25, 0.3, 0.55, 0.65, 2, 4, 1000.0}, true, nullptr);
             rigid.name = "ring";
-            rigid.prescribed_velocity = [](double t) { return Vector{0.0, 4.0 + 100.0 * t}; };
+            rigid.prescribed_velocity = [](double t) {
+                return grit::Vector2{0.0, 4.0 + 100.0 * t};
+            };
             keep(rigid);
             out->add_body(std::move(rigid));
         }
         for (int id = 56; id < 64; ++id)
             out->add_traction({0, id, Edge::top, [](double t) {
-                                   return Vector{0.0, -1e5 * std::sin(500.0 * t)};
+                                   return grit::Vector2{0.0, -1e5 * std::sin(500.0 * t)};
                                }});
         out->add_contact(contact_law(GRIT_CONTACT_GEO, 0.3));
         out->fix_below(1, 0.0);

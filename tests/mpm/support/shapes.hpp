@@ -11,20 +11,20 @@
 namespace mpm_test {
 
 // A parallelogram with half-side vectors r1, r2 [m], counter-clockwise.
-inline void add_parallelogram(Particles& particles, Vector centre, Vector r1, Vector r2,
-                              double density, bool axisymmetric) {
+inline void add_parallelogram(Particles& particles, grit::Vector2 centre, grit::Vector2 r1,
+                              grit::Vector2 r2, double density, bool axisymmetric) {
     namespace c = column;
-    const double quarter = r1.r * r2.z - r1.z * r2.r, l = std::sqrt(quarter);
-    particles.add({centre.r, centre.z, std::min(l, centre.r > 0.0 ? centre.r : l), l, density},
+    const double quarter = r1[0] * r2[1] - r1[1] * r2[0], l = std::sqrt(quarter);
+    particles.add({centre[0], centre[1], std::min(l, centre[0] > 0.0 ? centre[0] : l), l, density},
                   axisymmetric);
     const ParticleView q = particles.view();
     const std::ptrdiff_t p = particles.size() - 1;
     q[c::l_r][p] = q[c::l_z][p] = l;
-    q[c::F_rr][p] = r1.r / l;
-    q[c::F_zr][p] = r1.z / l;
-    q[c::F_rz][p] = r2.r / l;
-    q[c::F_zz][p] = r2.z / l;
-    q[c::V0][p] = 4.0 * quarter * (axisymmetric ? centre.r : 1.0);
+    q[c::F_rr][p] = r1[0] / l;
+    q[c::F_zr][p] = r1[1] / l;
+    q[c::F_rz][p] = r2[0] / l;
+    q[c::F_zz][p] = r2[1] / l;
+    q[c::V0][p] = 4.0 * quarter * (axisymmetric ? centre[0] : 1.0);
     q[c::mass][p] = density * q[c::V0][p];
 }
 
@@ -34,20 +34,20 @@ struct Sector {
     double angle_0, angle_1;  // [rad]
 };
 
-inline void add_sector(Particles& particles, const Sector& s, Vector middle, double density,
+inline void add_sector(Particles& particles, const Sector& s, grit::Vector2 middle, double density,
                        bool axisymmetric) {
     const double angle = 0.5 * (s.angle_0 + s.angle_1), half = 0.5 * (s.angle_1 - s.angle_0);
     const double radius = 0.5 * (s.from + s.to), thick = 0.5 * (s.to - s.from);
-    const Vector out{std::cos(angle), std::sin(angle)};
+    const grit::Vector2 out{std::cos(angle), std::sin(angle)};
     // As wide as the area of the sector wants it.
     const double width = radius * half;
-    add_parallelogram(particles, {middle.r + radius * out.r, middle.z + radius * out.z},
-                      {thick * out.r, thick * out.z}, {-width * out.z, width * out.r}, density,
+    add_parallelogram(particles, {middle[0] + radius * out[0], middle[1] + radius * out[1]},
+                      {thick * out[0], thick * out[1]}, {-width * out[1], width * out[0]}, density,
                       axisymmetric);
 }
 
 // A solid disk of rings of particles about as wide as thick, symmetric to both axes.
-inline Body make_disk(Vector middle, double radius, int rings, double density,
+inline Body make_disk(grit::Vector2 middle, double radius, int rings, double density,
                       std::unique_ptr<Material> material) {
     constexpr double pi = std::numbers::pi;
     Body body;
@@ -89,7 +89,7 @@ inline CentreOfMass centre_of_mass(const Particles& q) {
 // What does not move, and nothing moves into.
 inline Body make_floor(const Box& box, bool axisymmetric) {
     Body body = make_box(box, axisymmetric, nullptr);
-    body.prescribed_velocity = [](double) { return Vector{0.0, 0.0}; };
+    body.prescribed_velocity = [](double) { return grit::Vector2{0.0, 0.0}; };
     return body;
 }
 

@@ -2,7 +2,7 @@
 // A node's record, its integers and half of one are a vector each, read and added to where they lie.
 #pragma once
 
-#include "support/vectors.hpp"
+#include "support/lanes.hpp"
 
 GRIT_KERNEL_BEGIN_OF(mpm)
 
