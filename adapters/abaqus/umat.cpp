@@ -56,8 +56,8 @@ Point read_point(const UmatArguments& call) {
 }
 
 // To the nearest rotation, where Q is nearly one: MOOSE's, a truncated series, is off by 2e-4 at a tenth of
-// a radian. What is farther off is left to the library to refuse. Newton's iteration for the polar factor.
-void project(double Q[9]) {
+// a radian. What is farther off is left to the library to refuse. Newton's iteration for the polar factor; true: Q is a rotation now.
+bool project(double Q[9]) {
     const auto cofactor = [&Q](int r, int c) {
         const int r1 = (r + 1) % 3, r2 = (r + 2) % 3, c1 = (c + 1) % 3, c2 = (c + 2) % 3;
         return Q[3 * r1 + c1] * Q[3 * r2 + c2] - Q[3 * r1 + c2] * Q[3 * r2 + c1];
@@ -70,23 +70,11 @@ void project(double Q[9]) {
             inverse_transposed[k] = cofactor(k / 3, k % 3) / det;
             off = std::fmax(off, std::fabs(inverse_transposed[k] - Q[k]));
         }
-        if (!(off > 1e-14 && off < 1e-2)) return;
+        if (!(det > 0.0 && off < 1e-2)) return false;
+        if (off <= 1e-14) return true;
         for (int k = 0; k < 9; ++k) Q[k] = 0.5 * (Q[k] + inverse_transposed[k]);
     }
-}
-
-// As the library takes it, see its check.
-bool is_rotation(const double Q[9]) {
-    double off = 0.0;  // sums of magnitudes keep what is not a number
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j <= i; ++j) {
-            double dot = i == j ? -1.0 : 0.0;
-            for (int k = 0; k < 3; ++k) dot += Q[3 * i + k] * Q[3 * j + k];
-            off += std::fabs(dot);
-        }
-    const double det = Q[0] * (Q[4] * Q[8] - Q[5] * Q[7]) - Q[1] * (Q[3] * Q[8] - Q[5] * Q[6]) +
-                       Q[2] * (Q[3] * Q[7] - Q[4] * Q[6]);
-    return off <= 1e-8 && det > 0.0;
+    return false;
 }
 
 bool rests(const UmatArguments& call) {
@@ -112,8 +100,8 @@ bool read_rotation(const UmatArguments& call, double Q[9]) {
             Q[3 * r + c] = entry;
         }
     if (size < smallest_normal || from_identity == 0.0) return false;
-    project(Q);
-    return !rests(call) || is_rotation(Q);
+    const bool turns = project(Q);
+    return turns || !rests(call);
 }
 
 grit_status update(const UmatArguments& call, const Material& material, Point& point,

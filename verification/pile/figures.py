@@ -8,6 +8,7 @@ import pathlib
 import subprocess
 import sys
 
+from aside import aside
 from measures import PEAK, level_of_tip, sets
 from results import Run, Unusable
 
@@ -26,14 +27,13 @@ PALETTES = {  # light to dark; and, as in the paper, red where sand is denser, b
 
 def gnuplot(script, target, width, height):
     """PNG for fields, SVG for curves; written aside and renamed."""
-    aside = target.with_name(target.name + ".part")
     terminal = (f"pngcairo size {2 * width},{2 * height} fontscale 2 linewidth 2 pointscale 2 font 'sans,11'"
                 if target.suffix == ".png" else f"svg size {width},{height} font 'sans,12' background rgb 'white'")
-    text = f"set terminal {terminal}\nset output '{aside}'\n" + HEAD + script + "\nunset output\n"
-    done = subprocess.run(["gnuplot"], input=text, text=True, capture_output=True)
-    if done.returncode != 0 or not aside.exists():
-        raise Unusable(f"{target.name}: gnuplot failed: {done.stderr.strip()}")
-    aside.rename(target)
+    with aside(target) as path:
+        text = f"set terminal {terminal}\nset output '{path}'\n" + HEAD + script + "\nunset output\n"
+        done = subprocess.run(["gnuplot"], input=text, text=True, capture_output=True)
+        if done.returncode != 0 or path.stat().st_size == 0:
+            raise Unusable(f"{target.name}: gnuplot failed: {done.stderr.strip()}")
     print(f"figures.py: {target}")
 
 

@@ -14,6 +14,7 @@ import subprocess
 import sys
 
 import tables
+from aside import aside
 from results import Run, Unusable
 
 GRAVITY = 9.81  # [m/s2]
@@ -288,9 +289,8 @@ def main():
             where = origin(pathlib.Path(__file__).parent)
             for run in numbers:
                 run |= where | ({"commit": options.commit} if options.commit else {})
-                aside = options.save / f"{run['name']}.json.part"
-                aside.write_text(json.dumps(run) + "\n")
-                aside.rename(options.save / f"{run['name']}.json")
+                with aside(options.save / f"{run['name']}.json") as path:
+                    path.write_text(json.dumps(run) + "\n")
         tables.report(numbers)
     except Unusable as problem:
         sys.exit(f"measures.py: {problem}")
