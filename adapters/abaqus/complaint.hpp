@@ -12,8 +12,4 @@ namespace grit::abaqus {
 // The message is the library's: a number of the point at its head is dropped.
 __attribute__((format(printf, 2, 3))) void complain(const grit_error& why, const char* where, ...);
 
-// Fill error in the manner of the library.
-__attribute__((format(printf, 3, 4))) grit_status failure(grit_error& error, grit_status status,
-                                                          const char* format, ...);
-
 }  // namespace grit::abaqus

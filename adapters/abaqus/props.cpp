@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <cstring>
 
-#include "adapters/abaqus/complaint.hpp"
 #include "adapters/abaqus/layout.hpp"
+#include "adapters/host/failure.hpp"
 
 namespace grit::abaqus {
 namespace {

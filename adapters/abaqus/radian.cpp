@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The layout of libGRITUMATR.so.
-#include "adapters/abaqus/complaint.hpp"
 #include "adapters/abaqus/layout.hpp"
+#include "adapters/host/failure.hpp"
 
 namespace grit::abaqus {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/abaqus/sizes.hpp"
 
-#include "adapters/abaqus/complaint.hpp"
+#include "adapters/host/failure.hpp"
 
 namespace grit::abaqus {
 

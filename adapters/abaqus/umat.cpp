@@ -11,6 +11,7 @@
 #include "adapters/abaqus/point.hpp"
 #include "adapters/abaqus/sizes.hpp"
 #include "adapters/abaqus/umat_arguments.hpp"
+#include "adapters/host/failure.hpp"
 
 namespace grit::abaqus {
 namespace {

@@ -7,6 +7,7 @@
 #include "adapters/abaqus/layout.hpp"
 #include "adapters/abaqus/sizes.hpp"
 #include "adapters/abaqus/vumat_arguments.hpp"
+#include "adapters/host/failure.hpp"
 
 namespace grit::abaqus {
 namespace {

@@ -16,6 +16,7 @@
 #include "adapters/lammps/points_file.hpp"
 #include "adapters/lammps/run_bytes.hpp"
 #include "adapters/mpm/run/history.hpp"
+#include "adapters/mpm/step/thread_pool.hpp"
 
 namespace grit::lammps {
 
@@ -163,6 +164,8 @@ void FixGritMpm::init() {
         error->all(FLERR, std::string("Fix grit/mpm cannot be used with minimize"));
     if (std::string(update->integrate_style) != "verlet")
         error->all(FLERR, std::string("Fix grit/mpm requires run_style verlet"));
+    const std::string word = mpm::word_of_unused_threads(run->description().plan.settings.threads);
+    if (comm->me == 0 && !word.empty()) error->warning(FLERR, "Fix grit/mpm: " + word);
     int integrators = 0;
     for (int i = 0; i < modify->nfix; ++i) integrators += modify->fix[i]->time_integrate;
     if (integrators > 1)

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "adapters/host/failure.hpp"
 #include "adapters/mgis/complaint.hpp"
 #include "adapters/mgis/material.hpp"
 #include "adapters/mgis/parameters.hpp"

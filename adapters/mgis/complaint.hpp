@@ -8,10 +8,6 @@
 
 namespace grit::mgis {
 
-// Fill error in the manner of the library.
-__attribute__((format(printf, 3, 4))) grit_status failure(grit_error& error, grit_status status,
-                                                          const char* format, ...);
-
 // The message goes to the host's buffer if it has one. *rdt falls to reduction, and never rises.
 void report(const mfront_gb_BehaviourData& call, const char* hypothesis, const grit_error& why,
             double reduction);

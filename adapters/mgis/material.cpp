@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "adapters/mgis/complaint.hpp"
+#include "adapters/host/failure.hpp"
 
 namespace grit::mgis {
 

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <iterator>
 
+#include "adapters/host/failure.hpp"
+
 namespace grit_python {
 namespace {
 
@@ -66,11 +68,9 @@ void raise(const grit_error& error, const char* name, const py::object& attribut
 
 void refuse(const char* format, ...) {
     grit_error error{};
-    error.status = GRIT_BAD_CALL;
-    error.point = -1;
     va_list arguments;
     va_start(arguments, format);
-    std::vsnprintf(error.message, sizeof error.message, format, arguments);
+    grit::vfailure(error, GRIT_BAD_CALL, format, arguments);
     va_end(arguments);
     raise(error);
 }

@@ -84,10 +84,9 @@ ExitCode run_mpm(const MpmRequest& request) {
     const Case& plan = file.plan;
     if (!request.to_lammps.empty()) return convert(request, plan);
     if (request.threads) file.plan.settings.threads = *request.threads;
-    if (const int usable = usable_threads(plan.settings.threads);
-        usable < plan.settings.threads && !request.quiet)
-        fmt::print(stderr, "grit: {}: {} threads wanted, {} used: there are no more cores\n",
-                   plan.name, plan.settings.threads, usable);
+    if (const std::string word = word_of_unused_threads(plan.settings.threads);
+        !word.empty() && !request.quiet)
+        fmt::print(stderr, "grit: {}: {}\n", plan.name, word);
     const MpmRunOptions options{request.out / (plan.name + ".csv"),
                                 request.out / (plan.name + ".checkpoint"),
                                 request.out / plan.name,

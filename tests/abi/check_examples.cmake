@@ -2,16 +2,8 @@ cmake_minimum_required(VERSION 3.25)
 # Install BUILD under WORK, build the examples as a project of their own against it, and run them: the
 # same loop over points prints the same numbers in C and in Fortran, and the triaxial test of the Fortran
 # host ends where verification/cases/lausitz_dense.toml does.
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output
-                  ERROR_VARIABLE errors)
-  if(NOT result EQUAL 0)
-    message(FATAL_ERROR "${ARGN}\nended with ${result}:\n${output}${errors}")
-  endif()
-  set(output "${output}" PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/../run.cmake)
 
-file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix --config "${CONFIG}")
 file(COPY ${SOURCE}/ DESTINATION ${WORK}/outside)
 run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${WORK}/outside -B ${WORK}/build

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "../catalogue.hpp"
 #include "support/mgis_point.hpp"
 
 namespace {
@@ -31,7 +32,7 @@ struct LibraryPoint {
         q.stress = grit_mutable_view_of(stress, 6, 1);
         q.state = grit_mutable_view_of(state, GRIT_SAND_STATE_SIZE, 1);
         q.tangent = grit_mutable_matrix_view_of(tangent, 36, 6, 1);
-        const grit_sand sand = lausitz_sand();
+        const grit_sand sand = catalogue_sand("lausitz", 1.0);
         EXPECT_EQ(grit_sand_update(&sand, &options, 1, &q, nullptr, nullptr), GRIT_OK);
     }
 };
@@ -97,7 +98,7 @@ TEST(MgisOperator, SecantAndTangentAreTheRateAlongTheIncrementAtItsEnd) {
 }
 
 void elastic_stiffness(const LibraryPoint& at, double C[36]) {
-    const grit_sand sand = lausitz_sand();
+    const grit_sand sand = catalogue_sand("lausitz", 1.0);
     grit_sand_stiffness(&sand, at.stress, at.state[GRIT_SAND_VOID_RATIO], C, nullptr);
     for (int i = 0; i < 36; ++i) C[i] *= 5.0;  // m_R
 }
@@ -170,7 +171,7 @@ TEST(MgisOperator, IsChosenByIntervalsOfK0) {
 }
 
 TEST(MgisSpeedOfSound, BelongsToTheWaveModulusAtTheEnd) {
-    const grit_sand sand = lausitz_sand();
+    const grit_sand sand = catalogue_sand("lausitz", 1.0);
     for (const int wanted : {0, 1, 2, 3, 4}) {
         Point p = strained("Tridimensional"), alone = p;
         ASSERT_EQ(p.run(wanted + and_speed_of_sound), 1) << p.said();

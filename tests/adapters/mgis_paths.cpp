@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../catalogue.hpp"
 #include "support/mgis_law.hpp"
 
 namespace {
@@ -16,19 +17,12 @@ using namespace mgis_host;
 using element::Program;
 using element::Vector6;
 
-grit_sand_parameters lausitz() {
-    grit_sand_parameters parameters{};
-    grit_sand_parameters_init(&parameters, sizeof parameters);
-    grit_sand_record_parameters(grit_sand_record_find("lausitz"), 1.0, &parameters);
-    return parameters;
-}
-
 constexpr double pressure = 100.0, start_void_ratio = 0.6;
 
 element::History on_library(const Program& program, double K_w) {
     element::GritLawOptions options;
     options.water_stiffness = K_w;
-    const element::GritLaw law(lausitz(), options);
+    const element::GritLaw law(catalogue_parameters("lausitz", 1.0), options);
     element::Sample sample;
     sample.point = law.start(-pressure * element::unit_tensor(), start_void_ratio);
     law.mobilise(sample.point, -element::unit_tensor(), 1.0);

@@ -2,6 +2,7 @@
 // What a call hands on to the next: pore water, energies, void ratio, separation.
 #include <gtest/gtest.h>
 
+#include "../catalogue.hpp"
 #include "support/mgis_point.hpp"
 
 namespace {
@@ -96,7 +97,7 @@ TEST(MgisWater, IsFeltWhereTheSandHasNoStress) {
 }
 
 TEST(MgisBehaviour, TakesTheVoidRatioOfItsPropertiesWhereTheHostHasSetNone) {
-    const grit_sand sand = lausitz_sand();
+    const grit_sand sand = catalogue_sand("lausitz", 1.0);
     for (const double e_0 : {10.62, 0.62}) {
         Point p = Point::lausitz("Axisymmetrical");
         const int place = p.behaviour.place_of("VoidRatio");

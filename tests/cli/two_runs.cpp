@@ -64,16 +64,18 @@ TEST_F(TwoRuns, AreNoneWhereTheFirstWasKilled) {
 #ifdef GRIT_MPM_CASES
 TEST(TwoRunsOfMaterialPoints, AreOneThatIsRefusedByName) {
     const Workplace here;
-    const std::string run = GRIT_CLI " mpm --no-plot --quiet --out ";
-    const std::string plan = " " GRIT_MPM_CASES "/every_key_override.toml";
-    const Answer answer =
-        here.grit("sand list > /dev/null; " + run + "out" + plan +
-                  " & for try in $(seq 100000); do [ -e out/.grit-lock ] && break; done; "
-                  "kill -STOP $!; " +
-                  run + "out" + plan + "; second=$?; kill -CONT $!; wait $!; echo $? + $second; " +
-                  run + "plain" + plan);
+    // Long enough to be stopped on its way.
+    here.write("long.toml", "base = \"" GRIT_MPM_CASES "/every_key.toml\"\n[override]\n"
+                            "\"stage.rest.until.time_s\" = 0.03\n");
+    const std::string run = GRIT_CLI " mpm --no-plot --quiet --out ", of_long = " long.toml";
+    const Answer answer = here.grit(
+        "sand list > /dev/null; " + run + "out" + of_long +
+        " & for try in $(seq 100000); do [ -e out/.grit-lock ] && break; done; "
+        "kill -STOP $!; " +
+        run + "out" + of_long + "; second=$?; kill -CONT $!; wait $!; echo $? + $second; " + run +
+        "plain" + of_long);
     EXPECT_TRUE(answer.says("0 + 1\n") || answer.says("1 + 0\n")) << answer.text;
-    EXPECT_TRUE(answer.says("grit: out/every_key_override.")) << answer.text;
+    EXPECT_TRUE(answer.says("grit: out/long.")) << answer.text;
     EXPECT_EQ(here.files("out"), here.files("plain"));
     for (const std::string& file : here.files("plain"))
         EXPECT_EQ(here.text("out/" + file), here.text("plain/" + file)) << file;

@@ -1,16 +1,7 @@
 cmake_minimum_required(VERSION 3.25)
 # Install BUILD under WORK and make the triaxial host of it by hand, as docs/fortran.md says.
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output
-                  ERROR_VARIABLE errors WORKING_DIRECTORY ${WORK})
-  if(NOT result EQUAL 0)
-    message(FATAL_ERROR "${ARGN}\nended with ${result}:\n${output}${errors}")
-  endif()
-  set(output "${output}" PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/../run.cmake)
 
-file(REMOVE_RECURSE ${WORK})
-file(MAKE_DIRECTORY ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix --config "${CONFIG}")
 file(GLOB_RECURSE pc ${WORK}/prefix/*/grit.pc)
 get_filename_component(pc_dir "${pc}" DIRECTORY)

@@ -11,6 +11,7 @@
 #include <element/grit_law.hpp>
 #include <element/simulate.hpp>
 
+#include "../catalogue.hpp"
 #include "support/compare.hpp"
 #include "support/tables/csv.hpp"
 
@@ -26,10 +27,7 @@ struct Sand {
 
 // Lausitz sand, isotropic stress, h left by isotropic compression.
 Sand lausitz(double pressure, double void_ratio, const element::GritLawOptions& options = {}) {
-    grit_sand_parameters parameters;
-    grit_sand_parameters_init(&parameters, sizeof parameters);
-    grit_sand_record_parameters(grit_sand_record_find("lausitz"), 1.0, &parameters);
-    Sand out{element::GritLaw(parameters, options), {}};
+    Sand out{element::GritLaw(catalogue_parameters("lausitz", 1.0), options), {}};
     const element::Vector6 one = element::unit_tensor();
     out.sample.point = out.law.start(-pressure * one, void_ratio);
     out.law.mobilise(out.sample.point, -one, 1.0);

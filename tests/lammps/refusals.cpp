@@ -38,6 +38,18 @@ TEST_F(LammpsRefuses, NothingInTheCaseAsItIs) {
     EXPECT_EQ(answer.status, 0) << answer.text;
 }
 
+TEST_F(LammpsRefuses, NoThreadsButSaysWhichAreNotUsed) {
+    const std::string word = " used: there are no more cores";
+    EXPECT_FALSE(hosts.lammps(1, hosts.script()).says(word));
+    const Answer answer = hosts.lammps(
+        2,
+        replaced(hosts.folder.read("both.in"), "include both.fix",
+                 replaced(hosts.folder.read("both.fix"), "cell_mean", "threads 1000 cell_mean")));
+    EXPECT_EQ(answer.status, 0) << answer.text;
+    EXPECT_TRUE(answer.says("WARNING: Fix grit/mpm: 1000 threads wanted, ") && answer.says(word))
+        << answer.text;
+}
+
 TEST_F(LammpsRefuses, AGroupThatIsNotThere) {
     expect("fix mpm all", "fix mpm nobody", "Could not find fix group ID");
     expect("traction block traction_1", "traction block nobody",

@@ -104,6 +104,7 @@ TEST(Simulation, TakesNoMoreThreadsThanThereAreCores) {
                                 {.threads = 200});
     EXPECT_LT(threads_now() - before, std::max(2u, std::thread::hardware_concurrency()));
     EXPECT_EQ(usable_threads(1), 1);
+    EXPECT_EQ(word_of_unused_threads(1), "");
     EXPECT_EQ(usable_threads(100000), static_cast<int>(std::thread::hardware_concurrency()));
 }
 

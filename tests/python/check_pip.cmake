@@ -2,17 +2,8 @@ cmake_minimum_required(VERSION 3.25)
 # pip installs the package of SOURCE with PYTHON into an environment of its own under WORK; what is
 # installed runs the examples: the triaxial test prints what the Fortran host prints (in BUILD, if it
 # has one), and the tour draws its pictures.
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output
-                  ERROR_VARIABLE errors WORKING_DIRECTORY ${WORK})
-  if(NOT result EQUAL 0)
-    message(FATAL_ERROR "${ARGN}\nended with ${result}:\n${output}${errors}")
-  endif()
-  set(output "${output}" PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/../run.cmake)
 
-file(REMOVE_RECURSE ${WORK})
-file(MAKE_DIRECTORY ${WORK})
 unset(ENV{PYTHONPATH})
 run(${PYTHON} -m venv --system-site-packages ${WORK}/venv)
 set(python ${WORK}/venv/bin/python)

@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "support/kernel.hpp"
+
 namespace grit::mpm {
 
 // What kernels see of an axis. Cell c lies between node[c] and node[c + 1].
@@ -16,7 +18,7 @@ struct AxisView {
     int cells, bins;
 
     // The cell of x; the first or the last one outside.
-    __attribute__((always_inline)) int cell_of(double x) const {
+    GRIT_INLINE int cell_of(double x) const {
         const double b = (x - node[0]) * bins_per_length;
         const int cell = bin[b > 0.0 ? (b < bins - 1 ? static_cast<int>(b) : bins - 1) : 0];
         return cell + (cell + 1 < cells && x >= node[cell + 1] ? 1 : 0);

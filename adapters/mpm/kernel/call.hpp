@@ -26,8 +26,8 @@ enum : int { m, p_r, p_z, f_r, f_z, g_r, g_z, g_scale, size };
 // What a body leaves at a node: mass, momentum, force, gradient for normals and its size; a cache line.
 struct alignas(64) NodeRecord {
     double value[record::size];
-    __attribute__((always_inline)) double& operator[](int i) { return value[i]; }
-    __attribute__((always_inline)) double operator[](int i) const { return value[i]; }
+    GRIT_INLINE double& operator[](int i) { return value[i]; }
+    GRIT_INLINE double operator[](int i) const { return value[i]; }
 };
 
 namespace motion {
@@ -37,13 +37,13 @@ enum : int { v_r, v_z, other_r, other_z, size };
 // What a node gives back: its velocity, and another one; half a cache line.
 struct alignas(32) NodeMotion {
     double value[motion::size];
-    __attribute__((always_inline)) double& operator[](int i) { return value[i]; }
-    __attribute__((always_inline)) double operator[](int i) const { return value[i]; }
+    GRIT_INLINE double& operator[](int i) { return value[i]; }
+    GRIT_INLINE double operator[](int i) const { return value[i]; }
 };
 
 struct GridView {
     AxisView r, z;
-    __attribute__((always_inline)) std::ptrdiff_t nodes_r() const { return r.cells + 1; }
+    GRIT_INLINE std::ptrdiff_t nodes_r() const { return r.cells + 1; }
 };
 
 // Which sums a scatter adds to.
@@ -67,7 +67,7 @@ struct FixedPoint {
 // Displacement gradient of the step against its start [-]; tt is the hoop.
 struct Gradient {
     double rr, rz, zr, zz, tt;
-    __attribute__((always_inline)) double trace() const { return rr + zz + tt; }
+    GRIT_INLINE double trace() const { return rr + zz + tt; }
 };
 
 // Volume of a cell, and volume times what is averaged, in fixed point: no order changes a bit.

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "support/kernel.hpp"
+
 namespace grit::mpm {
 
 namespace column {
@@ -38,8 +40,8 @@ enum : int {
 struct ParticleView {
     double* base;
     std::ptrdiff_t stride;
-    __attribute__((always_inline)) double* operator[](int c) const { return base + c * stride; }
-    __attribute__((always_inline)) double J(std::ptrdiff_t p) const {
+    GRIT_INLINE double* operator[](int c) const { return base + c * stride; }
+    GRIT_INLINE double J(std::ptrdiff_t p) const {
         const ParticleView& q = *this;
         return (q[column::F_rr][p] * q[column::F_zz][p] - q[column::F_rz][p] * q[column::F_zr][p]) *
                q[column::F_tt][p];

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "support/kernel.hpp"
+
 namespace grit::mpm {
 
 class Total {
@@ -19,7 +21,7 @@ class Total {
     static constexpr double unit = 0x1p-80;    // [J], [N], ...
     static constexpr double largest = 0x1p34;  // of one addend; 2^12 of it fit. Beyond: NaN.
 
-    __attribute__((always_inline)) void add(double x, bool fixed_point) {
+    GRIT_INLINE void add(double x, bool fixed_point) {
         if (!fixed_point) in_double += x;
         else if (std::fabs(x) < largest) invalid += plus(static_cast<Integer>(x * (1.0 / unit)));
         else ++invalid;
@@ -56,9 +58,7 @@ class Total {
 
   private:
     __extension__ typedef __int128 Integer;
-    __attribute__((always_inline)) bool plus(Integer more) {
-        return __builtin_add_overflow(units, more, &units);
-    }
+    GRIT_INLINE bool plus(Integer more) { return __builtin_add_overflow(units, more, &units); }
     double in_double = 0.0;
     Integer units = 0;
     std::int64_t invalid = 0;

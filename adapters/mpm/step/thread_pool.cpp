@@ -28,6 +28,13 @@ int usable_threads(int wanted) {
     return std::clamp(wanted, 1, std::max(cores, 1));
 }
 
+std::string word_of_unused_threads(int wanted) {
+    const int usable = usable_threads(wanted);
+    if (usable >= wanted) return {};
+    return std::to_string(wanted) + " threads wanted, " + std::to_string(usable) +
+           " used: there are no more cores";
+}
+
 ThreadPool::ThreadPool(int count) {
     for (int i = 1; i < count; ++i) threads.emplace_back([this] { serve(); });
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <exception>
 #include <mutex>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -13,6 +14,8 @@ namespace grit::mpm {
 
 // As many as there are cores for, and no more than wanted: others would only take turns.
 int usable_threads(int wanted);
+// What a user is told where those are fewer; empty where they are not.
+std::string word_of_unused_threads(int wanted);
 
 class ThreadPool {
   public:

@@ -126,16 +126,6 @@ inline Point strained(const std::string& hypothesis) {
     return p;
 }
 
-// The same sand for the library.
-inline grit_sand lausitz_sand() {
-    grit_sand_parameters p;
-    grit_sand_parameters_init(&p, sizeof p);
-    grit_sand_record_parameters(grit_sand_record_find("lausitz"), 1.0, &p);
-    grit_sand sand;
-    EXPECT_EQ(grit_sand_prepare(&p, &sand, nullptr), GRIT_OK);
-    return sand;
-}
-
 // Sets a parameter of all points, and puts the default back.
 class WithParameter {
   public:

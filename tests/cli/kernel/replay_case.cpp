@@ -18,7 +18,7 @@ namespace mpm = grit::mpm;
 namespace c = grit::mpm::column;
 
 grit_sand_options strict() {
-    grit_sand_options out = sand_options(1e-8);
+    grit_sand_options out = options_with_tolerance(1e-8);
     out.evaluation_limit = 3000;
     return out;
 }
@@ -26,7 +26,7 @@ grit_sand_options strict() {
 // Of shear, with a rotation by 0.01 and memory of another direction; sign: along it or back.
 mpm::SandUpdate update_of(double size) {
     mpm::SandUpdate out{{-100e3, -200e3, -110e3, 30e3, 0, 0}, {}, {}, {}};
-    const grit_sand sand = lausitz();
+    const grit_sand sand = catalogue_sand("lausitz", 1000.0);
     const double direction[6] = {0.5, -1.0, 0.5, 0.7, 0.0, 0.0};
     grit_sand_mobilise(&sand, direction, 0.8, out.state);
     out.state[GRIT_SAND_VOID_RATIO] = 0.62;
@@ -53,7 +53,7 @@ std::vector<double> updated(const mpm::SandUpdate& update, mpm::Sand& sand) {
 
 TEST(ReplayedUpdate, GivesTheSameStress) {
     const Workplace here;
-    mpm::Sand sand(lausitz(), strict());
+    mpm::Sand sand(catalogue_sand("lausitz", 1000.0), strict());
     for (const double size : {1e-5, 1e-3, -1e-3}) {
         const mpm::SandUpdate update = update_of(size);
         here.write("x.toml", cli::replay_case(update, sand, "an update\nof a particle"));
@@ -75,7 +75,7 @@ TEST(ReplayedUpdate, WithoutMemoryOrWithoutIntergranularStrainSaysSo) {
     grit_sand_options basic = strict();
     basic.intergranular_off = 1;
     for (const grit_sand_options& options : {strict(), basic}) {
-        mpm::Sand sand(lausitz(), options);
+        mpm::Sand sand(catalogue_sand("lausitz", 1000.0), options);
         here.write("x.toml", cli::replay_case(update, sand, "x"));
         ASSERT_EQ(here.run("x").status, 0) << here.text("x.toml");
         EXPECT_NEAR(1e3 * here.result("x").at("stress_22").back(), updated(update, sand)[1],

@@ -8,25 +8,10 @@
 #include <adapters/mpm/kernel/elastic.hpp>
 #include <adapters/mpm/kernel/sand.hpp>
 #include <adapters/mpm/step/simulation.hpp>
-#include <grit/sand_catalogue.h>
+
+#include "../../catalogue.hpp"
 
 namespace cli_test {
-
-inline grit_sand lausitz() {
-    grit_sand_parameters parameters;
-    grit_sand_parameters_init(&parameters, sizeof parameters);
-    grit_sand_record_parameters(grit_sand_record_find("lausitz"), 1000.0, &parameters);
-    grit_sand sand{};
-    grit_sand_prepare(&parameters, &sand, nullptr);
-    return sand;
-}
-
-inline grit_sand_options sand_options(double tolerance = 1e-3) {
-    grit_sand_options out;
-    grit_sand_options_init(&out, sizeof out);
-    out.tolerance = tolerance;
-    return out;
-}
 
 struct Block {
     double r, z, side;  // of its lower left corner [m], of a particle [m]
@@ -52,7 +37,10 @@ inline grit::mpm::Body block(const Block& block, std::unique_ptr<grit::mpm::Mate
 inline grit::mpm::Body sand_block(const Block& where, double pressure) {
     namespace c = grit::mpm::column;
     grit::mpm::Body body =
-        block(where, std::make_unique<grit::mpm::Sand>(lausitz(), sand_options()), "sand");
+        block(where,
+              std::make_unique<grit::mpm::Sand>(catalogue_sand("lausitz", 1000.0),
+                                                options_with_tolerance(1e-3)),
+              "sand");
     const grit::mpm::ParticleView q = body.particles.view();
     for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p) {
         for (const int stress : {c::S_rr, c::S_zz, c::S_tt}) q[stress][p] = -pressure;

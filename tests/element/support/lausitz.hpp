@@ -6,14 +6,11 @@
 #include <element/laboratory.hpp>
 #include <element/simulate.hpp>
 
+#include "../../catalogue.hpp"
+
 namespace tests {
 
-inline grit_sand_parameters sand_named(const char* name) {
-    grit_sand_parameters parameters{};
-    grit_sand_parameters_init(&parameters, sizeof parameters);
-    grit_sand_record_parameters(grit_sand_record_find(name), 1.0, &parameters);
-    return parameters;
-}
+inline grit_sand_parameters sand_named(const char* name) { return catalogue_parameters(name, 1.0); }
 
 inline grit_sand_parameters lausitz() { return sand_named("lausitz"); }
 

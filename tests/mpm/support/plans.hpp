@@ -5,7 +5,8 @@
 #include <string>
 
 #include <adapters/mpm/case/case.hpp>
-#include <grit/sand_catalogue.h>
+
+#include "../../catalogue.hpp"
 
 namespace mpm_test {
 
@@ -23,10 +24,8 @@ inline BodyPlan elastic_box(const std::string& name, double r0, double r1, doubl
 
 inline SandPlan lausitz_plan(double void_ratio) {
     SandPlan out{};
-    grit_sand_parameters_init(&out.parameters, sizeof out.parameters);
-    grit_sand_record_parameters(grit_sand_record_find("lausitz"), 1000.0, &out.parameters);
-    grit_sand_options_init(&out.options, sizeof out.options);
-    out.options.tolerance = 1e-3;
+    out.parameters = catalogue_parameters("lausitz", 1000.0);
+    out.options = options_with_tolerance(1e-3);
     out.void_ratio = void_ratio;
     return out;
 }
