@@ -214,12 +214,6 @@ template <class Plan> std::string rows_of(std::span<const Member<Plan>> members,
 
 }  // namespace
 
-std::string_view word_of(Spellings words, int value) {
-    for (const Spelling& spelling : words)
-        if (spelling.value == value) return spelling.word;
-    throw std::logic_error("no word for value " + std::to_string(value));
-}
-
 std::string Interval::text() const {
     if (open && high == infinite) return "> " + mpm::text(low);
     return (open ? "in (" : "in [") + mpm::text(low) + ", " + mpm::text(high) + (open ? ')' : ']');
