@@ -30,6 +30,24 @@ const mpm::Member<Plan>* member_called(std::span<const mpm::Member<Plan>> member
     return nullptr;
 }
 
+using mpm::KeyName;
+
+std::string as_in_files(std::string_view key) { return std::string(key); }
+
+// Keys that have a word in the fix.
+template <class Plan> KeyName fix_words(std::span<const mpm::Member<Plan>> members) {
+    return [members](std::string_view key) {
+        for (const mpm::Member<Plan>& member : members)
+            if (member.word->key == key && !member.fix.empty()) return std::string(member.fix);
+        return std::string(key);
+    };
+}
+
+std::string name_of_body(std::string_view key) {
+    if (key.empty()) return {};
+    return key == "stiff" ? "the stiffer one" : ": the softer body";
+}
+
 void read_segment(Words& words, Case& plan) {
     static constexpr mpm::Spelling axes[] = {mpm::spelling("r", 0, ""), mpm::spelling("z", 1, "")};
     const int direction = words.choice("the direction of a grid segment", axes);
@@ -47,6 +65,7 @@ void read_boundary(Words& words, Case& plan) {
     const int side = words.choice("a side of the grid", mpm::words::sides);
     plan.boundary[side] =
         static_cast<mpm::Boundary>(words.choice("the boundary of a side", mpm::words::boundaries));
+    refuse("boundary ", mpm::objection_to(plan, static_cast<mpm::Side>(side)), as_in_files);
 }
 
 void read_traction(Words& words, FixCase& out) {
@@ -76,13 +95,11 @@ void read_contact(Words& words, Case& plan) {
     std::set<std::string> given;
     while (const auto* member = member_called(mpm::contact_members(), words.peek()))
         words.read(*given.insert(words.word("a keyword")).first, *member, contact);
-    const bool frictional = contact.law == GRIT_CONTACT_FRICTIONAL;
-    const bool has_power = given.contains("power"), has_distance = given.contains("distance");
-    if (frictional && has_power)
-        throw std::invalid_argument("power belongs to the geo law, not to the frictional one");
-    if (frictional && has_distance && !contact.gated)
-        throw std::invalid_argument(
-            "distance: the frictional law measures none unless it is gated");
+    const KeyName name = fix_words(mpm::contact_members());
+    refuse(
+        "",
+        mpm::objection_to(contact, [&](std::string_view key) { return given.contains(name(key)); }),
+        name);
     plan.contacts.push_back(contact);
 }
 
@@ -91,15 +108,6 @@ void add_stage(const std::string& name, Case& plan) {
         if (other.name == name)
             throw std::invalid_argument("two stages are called \"" + name + '"');
     plan.stages.emplace_back().name = name;
-}
-
-mpm::StagePlan first_stage(const Case& plan, const std::string& name) {
-    mpm::StagePlan out;
-    out.name = name;
-    out.local_damping = plan.settings.local_damping;
-    out.pic_rate = plan.settings.pic_rate;
-    out.cfl = plan.settings.cfl;
-    return out;
 }
 
 using Reader = std::function<void(Words&, FixCase&)>;
@@ -151,29 +159,15 @@ void check_grid(const mpm::AxisPlan& axis, double end, const char* name) {
 void check_names(const Case& plan) {
     if (plan.bodies.empty()) throw std::invalid_argument("there is no body");
     for (const mpm::TractionPlan& traction : plan.tractions) {
-        if (plan.bodies[plan.body(traction.body)].rigid())
-            throw std::invalid_argument("a traction on body " + traction.body +
-                                        ": it is rigid, no load moves it");
+        refuse("traction: ", mpm::objection_to(plan, traction), as_in_files);
         if (!traction.from_stage.empty()) plan.stage(traction.from_stage);
     }
     for (const mpm::BodyPlan& body : plan.bodies)
         if (const auto* rigid = std::get_if<mpm::RigidPlan>(&body.material))
             if (!rigid->from_stage.empty()) plan.stage(rigid->from_stage);
-    if (plan.settings.axisymmetric && plan.r.from == 0.0 &&
-        plan.boundary[static_cast<int>(mpm::Side::left)] == mpm::Boundary::fixed)
-        throw std::invalid_argument("boundary left is the axis r = 0: roller");
-    std::set<std::set<std::string>> pairs;
-    for (const mpm::ContactPlan& contact : plan.contacts) {
-        if (!pairs.insert({contact.stiff, contact.soft}).second)
-            throw std::invalid_argument(contact.stiff + " and " + contact.soft +
-                                        " have a contact already");
-        const std::size_t stiff = plan.body(contact.stiff), soft = plan.body(contact.soft);
-        if (stiff == soft)
-            throw std::invalid_argument("a contact of body " + contact.stiff + " with itself");
-        if (plan.bodies[stiff].rigid() && plan.bodies[soft].rigid())
-            throw std::invalid_argument("a contact of " + contact.stiff + " with " + contact.soft +
-                                        ": both bodies are rigid");
-    }
+    for (std::size_t i = 0; i < plan.contacts.size(); ++i)
+        refuse("contact " + plan.contacts[i].stiff + ' ' + plan.contacts[i].soft,
+               mpm::objection_to_contact(plan, i, name_of_body), name_of_body);
     plan.body(plan.history.body);
 }
 
@@ -201,7 +195,7 @@ FixCase read_fix(const std::vector<std::string>& given, const double (&box)[2][2
     check_grid(plan.z, box[1][1], "z");
     if (plan.history.body.empty() && !plan.bodies.empty()) plan.history.body = plan.bodies[0].name;
     if (plan.stages.empty()) plan.stages.emplace_back().name = "run";
-    for (mpm::StagePlan& stage : plan.stages) stage = first_stage(plan, stage.name);
+    for (mpm::StagePlan& stage : plan.stages) stage = plan.plain_stage(stage.name);
     check_names(plan);
     return out;
 }
@@ -219,11 +213,8 @@ mpm::StagePlan read_stage(const std::vector<std::string>& given, const mpm::Stag
             words.read(key, *end, out.end);
         else throw std::invalid_argument("unknown keyword \"" + key + "\" of a stage");
     }
-    if (out.end.kinetic_share > 0.0 && out.end.unbalanced_share == 0.0)
-        throw std::invalid_argument("until_kinetic needs until_unbalanced: a body that turns back "
-                                    "has no kinetic energy either");
-    if (out.end.unbalanced_share > 0.0 && scheme == mpm::Scheme::musl)
-        throw std::invalid_argument("until_unbalanced is not measured with the scheme musl");
+    const KeyName name = fix_words(mpm::end_members());
+    refuse("", mpm::objection_to(out.end, scheme, name), name);
     return out;
 }
 

@@ -3,8 +3,6 @@
 
 #include <stdexcept>
 
-#include "adapters/mpm/step/text.hpp"
-
 namespace grit::lammps {
 namespace {
 
@@ -21,6 +19,11 @@ mpm::TimeTable read_table(Words& words, const std::string& what) {
     return out;
 }
 
+std::string name_of_pulses(std::string_view key) {
+    if (key == "peak_time_s") return "the time of its peak";
+    return key == "duration_s" ? "the duration of a pulse" : "the interval of pulses";
+}
+
 mpm::PulseTrain read_pulses(Words& words) {
     mpm::PulseTrain out;
     out.form =
@@ -30,16 +33,8 @@ mpm::PulseTrain read_pulses(Words& words) {
         words.number("the duration of a pulse", case_word("traction.pulses", "duration_s"));
     out.peak_time =
         words.number("the time of its peak", case_word("traction.pulses", "peak_time_s"));
-    if (out.form == mpm::PulseForm::half_sine && out.peak_time != 0.5 * out.duration)
-        throw std::invalid_argument("a half sine has its peak at " + mpm::text(0.5 * out.duration) +
-                                    " s, got " + mpm::text(out.peak_time));
-    if (!(out.peak_time < out.duration))
-        throw std::invalid_argument("the time of its peak must be below the duration of a pulse, " +
-                                    mpm::text(out.duration) + ", got " + mpm::text(out.peak_time));
     out.interval = words.number("the interval of pulses");
-    if (!(out.interval >= out.duration))
-        throw std::invalid_argument("the interval of pulses must be no shorter than one, " +
-                                    mpm::text(out.duration) + ", got " + mpm::text(out.interval));
+    refuse("", mpm::objection_to(out, name_of_pulses), name_of_pulses);
     out.start =
         words.number("the start of the first pulse", case_word("traction.pulses", "start_s"));
     out.count = words.integer("the number of pulses", case_word("traction.pulses", "count").range);

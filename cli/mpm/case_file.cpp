@@ -2,7 +2,6 @@
 #include "cli/mpm/case_file.hpp"
 
 #include <cctype>
-#include <set>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -38,13 +37,7 @@ StageEnd read_until(TomlTable table, const Case& plan) {
     read_members(table, "stage.until", end_members(), out);
     if (table.given().empty())
         table.fail("", fmt::format("{} must say what ends the stage", table.full("")));
-    if (table.has("kinetic_share") && !table.has("unbalanced_share"))
-        table.fail("kinetic_share", fmt::format("{} needs unbalanced_share: a body that turns back "
-                                                "has no kinetic energy either",
-                                                table.full("kinetic_share")));
-    if (out.unbalanced_share > 0.0 && plan.settings.scheme == Scheme::musl)
-        table.fail("unbalanced_share", fmt::format("{} is not measured with the scheme musl",
-                                                   table.full("unbalanced_share")));
+    refuse(table, objection_to(out, plan.settings.scheme, same_name));
     if (out.blows > 0 && !has_pulses(plan))
         table.fail("blows", fmt::format("{} needs a traction with pulses", table.full("blows")));
     table.finish();
@@ -71,9 +64,7 @@ void read_stages(TomlTable& root, Case& plan) {
     for (TomlTable& table : root.tables_if("stage")) {
         StagePlan& stage = plan.stages[i++];
         table.has("name");
-        stage.local_damping = plan.settings.local_damping;
-        stage.pic_rate = plan.settings.pic_rate;
-        stage.cfl = plan.settings.cfl;
+        stage = plan.plain_stage(stage.name);
         read_members(table, "stage", stage_members(), stage);
         stage.end = read_until(table.table("until"), plan);
         table.finish();
@@ -99,13 +90,9 @@ void read_bodies(TomlTable& root, Case& plan) {
 }
 
 void read_contacts(TomlTable& root, Case& plan) {
-    std::set<std::set<std::string>> pairs;
     for (TomlTable& table : root.tables_if("contact")) {
         plan.contacts.push_back(read_contact(table, plan));
-        const ContactPlan& contact = plan.contacts.back();
-        if (!pairs.insert({contact.stiff, contact.soft}).second)
-            table.fail("", fmt::format("{}: \"{}\" and \"{}\" have a contact already",
-                                       table.full(""), contact.stiff, contact.soft));
+        refuse(table, objection_to_contact(plan, plan.contacts.size() - 1, same_name));
     }
 }
 

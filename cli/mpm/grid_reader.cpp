@@ -75,12 +75,11 @@ void read_boundary(TomlTable table, Case& plan) {
     for (const Spelling& side : words::sides) {
         CaseWord word = case_word("boundary", "left");
         word.key = side.word;
-        if (const auto kind = choice_if(table, word))
-            plan.boundary[side.value] = static_cast<Boundary>(*kind);
+        const auto kind = choice_if(table, word);
+        if (!kind) continue;
+        plan.boundary[side.value] = static_cast<Boundary>(*kind);
+        refuse(table, objection_to(plan, static_cast<Side>(side.value)));
     }
-    if (plan.settings.axisymmetric && plan.r.from == 0.0 && table.has("left") &&
-        plan.boundary[0] != Boundary::roller)
-        table.fail("left", table.full("left") + " is the axis r = 0: roller");
     const bool absorbs =
         std::find(plan.boundary, plan.boundary + 4, Boundary::absorbing) != plan.boundary + 4;
     const auto speed = [&](const CaseWord& word) {

@@ -42,4 +42,12 @@ std::optional<int> choice_if(TomlTable& table, const CaseWord& word) {
     return choice(table, word);
 }
 
+void refuse(const TomlTable& table, const grit::mpm::Objections& objection) {
+    if (!objection) return;
+    const std::string key(objection->key);
+    table.fail(key, table.full(key) + objection->what);
+}
+
+std::string same_name(std::string_view key) { return std::string(key); }
+
 }  // namespace cli

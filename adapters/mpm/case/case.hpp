@@ -153,6 +153,8 @@ struct Case {
     // Throws std::invalid_argument for a name that is not there.
     std::size_t body(const std::string& wanted) const;
     std::size_t stage(const std::string& wanted) const;
+    // A stage that says nothing yet.
+    StagePlan plain_stage(const std::string& name) const;
 };
 
 }  // namespace grit::mpm
