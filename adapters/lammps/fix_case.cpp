@@ -12,6 +12,7 @@
 #include "adapters/lammps/read_function.hpp"
 #include "adapters/lammps/words.hpp"
 #include "adapters/mpm/case/case_words.hpp"
+#include "adapters/mpm/case/check_case.hpp"
 #include "adapters/mpm/io/checksum.hpp"
 #include "adapters/mpm/step/contact_pair.hpp"
 
@@ -43,10 +44,11 @@ void read_segment(Words& words, Case& plan) {
     axis.segments.push_back(segment);
 }
 
-void read_boundary(Words& words, Case& plan) {
+void read_boundary(Words& words, FixCase& out) {
     const int side = words.choice("a side of the grid", mpm::words::sides);
-    plan.boundary[side] =
+    out.plan.boundary[side] =
         static_cast<mpm::Boundary>(words.choice("the boundary of a side", mpm::words::boundaries));
+    if (side == static_cast<int>(mpm::Side::left)) out.said.left = true;
 }
 
 void read_traction(Words& words, FixCase& out) {
@@ -66,7 +68,7 @@ void read_traction(Words& words, FixCase& out) {
     out.plan.tractions.push_back(std::move(traction));
 }
 
-void read_contact(Words& words, Case& plan) {
+void read_contact(Words& words, FixCase& out) {
     mpm::ContactPlan contact;
     contact.stiff = words.word("the stiffer body of a contact");
     contact.soft = words.word("the softer body of a contact");
@@ -76,30 +78,8 @@ void read_contact(Words& words, Case& plan) {
     std::set<std::string> given;
     while (const auto* member = member_called(mpm::contact_members(), words.peek()))
         words.read(*given.insert(words.word("a keyword")).first, *member, contact);
-    const bool frictional = contact.law == GRIT_CONTACT_FRICTIONAL;
-    const bool has_power = given.contains("power"), has_distance = given.contains("distance");
-    if (frictional && has_power)
-        throw std::invalid_argument("power belongs to the geo law, not to the frictional one");
-    if (frictional && has_distance && !contact.gated)
-        throw std::invalid_argument(
-            "distance: the frictional law measures none unless it is gated");
-    plan.contacts.push_back(contact);
-}
-
-void add_stage(const std::string& name, Case& plan) {
-    for (const mpm::StagePlan& other : plan.stages)
-        if (other.name == name)
-            throw std::invalid_argument("two stages are called \"" + name + '"');
-    plan.stages.emplace_back().name = name;
-}
-
-mpm::StagePlan first_stage(const Case& plan, const std::string& name) {
-    mpm::StagePlan out;
-    out.name = name;
-    out.local_damping = plan.settings.local_damping;
-    out.pic_rate = plan.settings.pic_rate;
-    out.cfl = plan.settings.cfl;
-    return out;
+    out.plan.contacts.push_back(contact);
+    out.said.contacts.push_back({given.contains("power"), given.contains("distance")});
 }
 
 using Reader = std::function<void(Words&, FixCase&)>;
@@ -107,16 +87,16 @@ using Reader = std::function<void(Words&, FixCase&)>;
 const std::map<std::string, Reader>& readers() {
     static const std::map<std::string, Reader> all{
         {"grid", [](Words& w, FixCase& c) { read_segment(w, c.plan); }},
-        {"boundary", [](Words& w, FixCase& c) { read_boundary(w, c.plan); }},
+        {"boundary", read_boundary},
         {"body", read_body},
         {"motion", read_motion},
         {"points", read_points},
         {"traction", read_traction},
-        {"contact", [](Words& w, FixCase& c) { read_contact(w, c.plan); }},
+        {"contact", read_contact},
         {"stages",
          [](Words& w, FixCase& c) {
-             for (int n = w.integer("the number of stages", {1, 1000000}); n > 0; --n)
-                 add_stage(w.word("the name of a stage"), c.plan);
+             for (int n = w.integer("the number of stages", mpm::words::many); n > 0; --n)
+                 c.plan.stages.emplace_back().name = w.word("the name of a stage");
          }},
         {"driven",
          [](Words& w, FixCase& c) {
@@ -148,32 +128,50 @@ void check_grid(const mpm::AxisPlan& axis, double end, const char* name) {
                                     std::to_string(end) + " m");
 }
 
+// The key of a rule as the fix calls it.
+std::string name_of(std::string_view section, std::string_view key) {
+    static constexpr struct {
+        std::string_view section, key, name;
+    } names[] = {{"boundary", "left", "boundary left"},
+                 {"body", "name", "the name of a body"},
+                 {"body.rigid", "time_s", "the times of a motion"},
+                 {"traction", "body", "the body of a traction"},
+                 {"traction", "time_s", "the times of a traction"},
+                 {"traction.pulses", "peak_time_s", "the time of its peak"},
+                 {"traction.pulses", "interval_s", "the interval of pulses"},
+                 {"contact", "", "contact"},
+                 {"contact", "stiff", "the stiffer one"},
+                 {"contact", "soft", "the softer body of a contact"},
+                 {"stage", "name", "the name of a stage"}};
+    for (const auto& row : names)
+        if (row.section == section && row.key == key) return std::string(row.name);
+    for (const mpm::Member<mpm::ContactPlan>& member : mpm::contact_members())
+        if (member.word->section == section && member.word->key == key)
+            return std::string(member.fix);
+    for (const mpm::Member<mpm::StageEnd>& member : mpm::end_members())
+        if (member.word->section == section && member.word->key == key)
+            return std::string(member.fix);
+    return std::string(key);
+}
+
+void refuse(const mpm::Refused& refused) {
+    if (!refused) return;
+    std::string all = name_of(refused->section, refused->key) + refused->words;
+    if (!refused->other.empty()) all += name_of(refused->section, refused->other);
+    throw std::invalid_argument(all + refused->more);
+}
+
 void check_names(const Case& plan) {
     if (plan.bodies.empty()) throw std::invalid_argument("there is no body");
     for (const mpm::TractionPlan& traction : plan.tractions) {
-        if (plan.bodies[plan.body(traction.body)].rigid())
-            throw std::invalid_argument("a traction on body " + traction.body +
-                                        ": it is rigid, no load moves it");
+        plan.body(traction.body);
         if (!traction.from_stage.empty()) plan.stage(traction.from_stage);
     }
     for (const mpm::BodyPlan& body : plan.bodies)
         if (const auto* rigid = std::get_if<mpm::RigidPlan>(&body.material))
             if (!rigid->from_stage.empty()) plan.stage(rigid->from_stage);
-    if (plan.settings.axisymmetric && plan.r.from == 0.0 &&
-        plan.boundary[static_cast<int>(mpm::Side::left)] == mpm::Boundary::fixed)
-        throw std::invalid_argument("boundary left is the axis r = 0: roller");
-    std::set<std::set<std::string>> pairs;
-    for (const mpm::ContactPlan& contact : plan.contacts) {
-        if (!pairs.insert({contact.stiff, contact.soft}).second)
-            throw std::invalid_argument(contact.stiff + " and " + contact.soft +
-                                        " have a contact already");
-        const std::size_t stiff = plan.body(contact.stiff), soft = plan.body(contact.soft);
-        if (stiff == soft)
-            throw std::invalid_argument("a contact of body " + contact.stiff + " with itself");
-        if (plan.bodies[stiff].rigid() && plan.bodies[soft].rigid())
-            throw std::invalid_argument("a contact of " + contact.stiff + " with " + contact.soft +
-                                        ": both bodies are rigid");
-    }
+    for (const mpm::ContactPlan& contact : plan.contacts)
+        for (const std::string& name : {contact.stiff, contact.soft}) plan.body(name);
     plan.body(plan.history.body);
 }
 
@@ -201,13 +199,14 @@ FixCase read_fix(const std::vector<std::string>& given, const double (&box)[2][2
     check_grid(plan.z, box[1][1], "z");
     if (plan.history.body.empty() && !plan.bodies.empty()) plan.history.body = plan.bodies[0].name;
     if (plan.stages.empty()) plan.stages.emplace_back().name = "run";
-    for (mpm::StagePlan& stage : plan.stages) stage = first_stage(plan, stage.name);
+    for (mpm::StagePlan& stage : plan.stages) stage = mpm::StagePlan::of(plan.settings, stage.name);
     check_names(plan);
+    refuse(mpm::check_case(plan, out.said));
     return out;
 }
 
 mpm::StagePlan read_stage(const std::vector<std::string>& given, const mpm::StagePlan& before,
-                          mpm::Scheme scheme) {
+                          const Case& plan) {
     Words words(given);
     mpm::StagePlan out = before;
     out.end = {};
@@ -219,11 +218,7 @@ mpm::StagePlan read_stage(const std::vector<std::string>& given, const mpm::Stag
             words.read(key, *end, out.end);
         else throw std::invalid_argument("unknown keyword \"" + key + "\" of a stage");
     }
-    if (out.end.kinetic_share > 0.0 && out.end.unbalanced_share == 0.0)
-        throw std::invalid_argument("until_kinetic needs until_unbalanced: a body that turns back "
-                                    "has no kinetic energy either");
-    if (out.end.unbalanced_share > 0.0 && scheme == mpm::Scheme::musl)
-        throw std::invalid_argument("until_unbalanced is not measured with the scheme musl");
+    refuse(mpm::check_end(plan, 0, out.end));
     return out;
 }
 

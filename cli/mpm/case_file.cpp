@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/mpm/case_file.hpp"
 
-#include <cctype>
-#include <set>
 #include <stdexcept>
+#include <utility>
 
+#include <adapters/mpm/case/check_case.hpp>
 #include <fmt/format.h>
 
 #include "cli/mpm/body_reader.hpp"
@@ -18,51 +18,45 @@ namespace {
 
 using namespace grit::mpm;
 
-// Names become parts of file names, and of keys in [override].
-void check_name(const TomlTable& table, const std::string& key, const std::string& name) {
-    for (const char c : name)
-        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-')
-            table.fail(key, fmt::format("{} may have letters, digits, _ and - only, got \"{}\"",
-                                        table.full(key), name));
-    if (name.empty()) table.fail(key, table.full(key) + " is empty");
+// The table of a section; lists have more than one.
+TomlTable table_of(TomlTable& root, const std::string& section, std::size_t number) {
+    if (section.empty()) return root;
+    const std::size_t dot = section.find('.');
+    const std::string name = section.substr(0, dot);
+    const bool lists = name == "body" || name == "traction" || name == "contact" || name == "stage";
+    TomlTable out = lists ? root.tables_if(name)[number] : root.table(name);
+    return dot == std::string::npos ? out : out.table(section.substr(dot + 1));
 }
 
-bool has_pulses(const Case& plan) {
-    for (const TractionPlan& traction : plan.tractions)
-        if (std::holds_alternative<PulseTrain>(traction.stress)) return true;
-    return false;
+void refuse(TomlTable& root, const Refused& refused) {
+    if (!refused) return;
+    const TomlTable table = table_of(root, std::string(refused->section), refused->number);
+    const std::string key(refused->key);
+    table.fail(key, fmt::format("{}{}{}{}", table.full(key), refused->words, refused->other,
+                                refused->more));
 }
 
-StageEnd read_until(TomlTable table, const Case& plan) {
+Said said_in(TomlTable& root) {
+    Said out;
+    if (auto boundary = root.table_if("boundary")) out.left = boundary->has("left");
+    for (TomlTable& table : root.tables_if("contact"))
+        out.contacts.push_back({table.has("penalty_power"), table.has("distance")});
+    return out;
+}
+
+StageEnd read_until(TomlTable table) {
     StageEnd out;
     read_members(table, "stage.until", end_members(), out);
     if (table.given().empty())
         table.fail("", fmt::format("{} must say what ends the stage", table.full("")));
-    if (table.has("kinetic_share") && !table.has("unbalanced_share"))
-        table.fail("kinetic_share", fmt::format("{} needs unbalanced_share: a body that turns back "
-                                                "has no kinetic energy either",
-                                                table.full("kinetic_share")));
-    if (out.unbalanced_share > 0.0 && plan.settings.scheme == Scheme::musl)
-        table.fail("unbalanced_share", fmt::format("{} is not measured with the scheme musl",
-                                                   table.full("unbalanced_share")));
-    if (out.blows > 0 && !has_pulses(plan))
-        table.fail("blows", fmt::format("{} needs a traction with pulses", table.full("blows")));
     table.finish();
     return out;
 }
 
 // Names alone: loads and motions refer to them.
 void read_stage_names(TomlTable& root, Case& plan) {
-    for (TomlTable& table : root.tables_if("stage")) {
-        StagePlan stage;
-        stage.name = table.string("name");
-        check_name(table, "name", stage.name);
-        for (const StagePlan& other : plan.stages)
-            if (other.name == stage.name)
-                table.fail("name", fmt::format("{}: there is a stage \"{}\" already",
-                                               table.full("name"), stage.name));
-        plan.stages.push_back(stage);
-    }
+    for (TomlTable& table : root.tables_if("stage"))
+        plan.stages.push_back(StagePlan::of(plan.settings, table.string("name")));
     if (plan.stages.empty()) root.fail("stage", "stage is missing: a case needs a [[stage]]");
 }
 
@@ -71,11 +65,8 @@ void read_stages(TomlTable& root, Case& plan) {
     for (TomlTable& table : root.tables_if("stage")) {
         StagePlan& stage = plan.stages[i++];
         table.has("name");
-        stage.local_damping = plan.settings.local_damping;
-        stage.pic_rate = plan.settings.pic_rate;
-        stage.cfl = plan.settings.cfl;
         read_members(table, "stage", stage_members(), stage);
-        stage.end = read_until(table.table("until"), plan);
+        stage.end = read_until(table.table("until"));
         table.finish();
     }
 }
@@ -83,11 +74,6 @@ void read_stages(TomlTable& root, Case& plan) {
 void read_bodies(TomlTable& root, Case& plan) {
     for (TomlTable& table : root.tables_if("body")) {
         BodyPlan body = read_body(table, plan);
-        check_name(table, "name", body.name);
-        for (const BodyPlan& other : plan.bodies)
-            if (other.name == body.name)
-                table.fail("name", fmt::format("{}: there is a body \"{}\" already",
-                                               table.full("name"), body.name));
         if (auto* rigid = std::get_if<RigidPlan>(&body.material);
             rigid && !rigid->from_stage.empty()) {
             TomlTable inner = table.table("rigid");
@@ -96,17 +82,6 @@ void read_bodies(TomlTable& root, Case& plan) {
         plan.bodies.push_back(std::move(body));
     }
     if (plan.bodies.empty()) root.fail("body", "body is missing: a case needs a [[body]]");
-}
-
-void read_contacts(TomlTable& root, Case& plan) {
-    std::set<std::set<std::string>> pairs;
-    for (TomlTable& table : root.tables_if("contact")) {
-        plan.contacts.push_back(read_contact(table, plan));
-        const ContactPlan& contact = plan.contacts.back();
-        if (!pairs.insert({contact.stiff, contact.soft}).second)
-            table.fail("", fmt::format("{}: \"{}\" and \"{}\" have a contact already",
-                                       table.full(""), contact.stiff, contact.soft));
-    }
 }
 
 // A thousandth of the first stage that says how long it is; 0: none does.
@@ -152,7 +127,7 @@ MpmCaseFile read_mpm_case(const std::filesystem::path& path) {
     TomlTable root = TomlTable::of_file(path, &out.inputs);
     Case& plan = out.plan;
     plan.name = root.string_if("name").value_or(path.stem().string());
-    check_name(root, "name", plan.name);
+    refuse(root, check_name("", 0, plan.name));
     plan.title = root.string_if("title").value_or(plan.name);
     read_members(root, "", numerics_members(), plan);
     read_grid(root.table("grid"), plan);
@@ -162,8 +137,10 @@ MpmCaseFile read_mpm_case(const std::filesystem::path& path) {
     read_bodies(root, plan);
     for (TomlTable& table : root.tables_if("traction"))
         plan.tractions.push_back(read_traction(std::move(table), plan));
-    read_contacts(root, plan);
+    for (TomlTable& table : root.tables_if("contact"))
+        plan.contacts.push_back(read_contact(std::move(table), plan));
     read_stages(root, plan);
+    refuse(root, check_case(plan, said_in(root)));
     plan.history.body = plan.bodies.front().name;
     plan.history.interval = kind_interval(plan);
     if (auto history = root.table_if("history")) read_history(std::move(*history), plan);

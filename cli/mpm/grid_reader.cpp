@@ -78,9 +78,6 @@ void read_boundary(TomlTable table, Case& plan) {
         if (const auto kind = choice_if(table, word))
             plan.boundary[side.value] = static_cast<Boundary>(*kind);
     }
-    if (plan.settings.axisymmetric && plan.r.from == 0.0 && table.has("left") &&
-        plan.boundary[0] != Boundary::roller)
-        table.fail("left", table.full("left") + " is the axis r = 0: roller");
     const bool absorbs =
         std::find(plan.boundary, plan.boundary + 4, Boundary::absorbing) != plan.boundary + 4;
     const auto speed = [&](const CaseWord& word) {

@@ -40,21 +40,8 @@ PulseTrain read_pulses(TomlTable table) {
     out.duration = number(table, case_word("traction.pulses", "duration_s"));
     out.peak_time =
         number_if(table, case_word("traction.pulses", "peak_time_s")).value_or(0.5 * out.duration);
-    if (out.form == PulseForm::half_sine && table.has("peak_time_s") &&
-        out.peak_time != 0.5 * out.duration)
-        table.fail("peak_time_s",
-                   fmt::format("{}: a half sine has its peak at {:g} s, got {:g}",
-                               table.full("peak_time_s"), 0.5 * out.duration, out.peak_time));
-    if (!(out.peak_time < out.duration))
-        table.fail("peak_time_s",
-                   fmt::format("{} must be below duration_s, {:g}, got {:g}",
-                               table.full("peak_time_s"), out.duration, out.peak_time));
     out.interval =
         number_if(table, case_word("traction.pulses", "interval_s")).value_or(out.duration);
-    if (!(out.interval >= out.duration))
-        table.fail("interval_s",
-                   fmt::format("{} must be no shorter than duration_s, {:g}, got {:g}",
-                               table.full("interval_s"), out.duration, out.interval));
     out.count = integer_or(table, case_word("traction.pulses", "count"), 1);
     out.start = number_if(table, case_word("traction.pulses", "start_s")).value_or(0.0);
     table.finish();
@@ -119,9 +106,6 @@ std::string stage_name(TomlTable& table, const std::string& key, const Case& pla
 TractionPlan read_traction(TomlTable table, const Case& plan) {
     TractionPlan out;
     out.body = body_name(table, "body", plan);
-    if (plan.bodies[plan.body(out.body)].rigid())
-        table.fail("body", fmt::format("{}: \"{}\" is rigid, no load moves it", table.full("body"),
-                                       out.body));
     out.edge = static_cast<Edge>(choice(table, case_word("traction", "edge")));
     read_range(table, "r_m", out.r);
     read_range(table, "z_m", out.z);
@@ -142,10 +126,6 @@ ContactPlan read_contact(TomlTable table, const Case& plan) {
     ContactPlan out;
     out.stiff = body_name(table, "stiff", plan);
     out.soft = body_name(table, "soft", plan);
-    if (out.stiff == out.soft)
-        table.fail("soft", fmt::format("{} must be another body than stiff", table.full("soft")));
-    if (plan.bodies[plan.body(out.stiff)].rigid() && plan.bodies[plan.body(out.soft)].rigid())
-        table.fail("soft", fmt::format("{}: both bodies are rigid", table.full("soft")));
     const int law = choice(table, case_word("contact", "law"));
     if (law == words::penalty_law_word) {
         out.law = GRIT_CONTACT_FRICTIONAL;
@@ -157,16 +137,6 @@ ContactPlan read_contact(TomlTable table, const Case& plan) {
     }
     out.law = law;
     read_members(table, "contact", contact_members(), out);
-    if (law == GRIT_CONTACT_FRICTIONAL) {
-        if (table.has("penalty_power"))
-            table.fail("penalty_power",
-                       fmt::format("{} belongs to the geo law, not to the frictional one",
-                                   table.full("penalty_power")));
-        if (table.has("distance") && !out.gated)
-            table.fail("distance",
-                       fmt::format("{}: the frictional law measures none unless it is gated",
-                                   table.full("distance")));
-    }
     table.finish();
     return out;
 }

@@ -123,11 +123,11 @@ TEST_F(LammpsRefuses, ATractionOnAtomsOfNoBody) {
 TEST_F(LammpsRefuses, ContactOfABodyWithItself) {
     expect("driven block lowest_point",
            "contact block block frictional 0.3 driven block lowest_point",
-           "a contact of body block with itself");
+           "the softer body of a contact must be another body than the stiffer one, got \"block\"");
 }
 
 TEST_F(LammpsRefuses, LoadsAndContactsOfRigidBodies) {
-    expect("elastic 20000 0.29999999999999999", "rigid", "it is rigid, no load moves it");
+    expect("elastic 20000 0.29999999999999999", "rigid", "\"block\" is rigid, no load moves it");
     expect("driven block lowest_point",
            "body a type 1 rigid body b type 1 rigid contact a b geo 0.3 driven block "
            "lowest_point",

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -118,6 +119,16 @@ struct StagePlan {
     bool gravity = true;
     double local_damping = 0.0, pic_rate = 0.0, cfl = 0.4;  // as in Settings
     StageEnd end = {};
+
+    // As the settings are, for what it does not name.
+    static StagePlan of(const Settings& settings, std::string name) {
+        StagePlan out;
+        out.name = std::move(name);
+        out.local_damping = settings.local_damping;
+        out.pic_rate = settings.pic_rate;
+        out.cfl = settings.cfl;
+        return out;
+    }
 
     template <class Self, class Archive> static void visit(Self& stage, Archive& archive) {
         archive.list(stage.name);
