@@ -116,8 +116,7 @@ SandPlan read_sand_body(TomlTable table) {
     out.parameters.granulate_hardness *= kPa;
     out.parameters.pressure_shift *= kPa;
     grit_sand_options_init(&out.options, sizeof out.options);
-    const grit::mpm::CaseWord& tolerance = case_word("body.sand", "tolerance");
-    out.options.tolerance = number_if(table, tolerance).value_or(tolerance.otherwise_number());
+    out.options.tolerance = number_or_plain(table, case_word("body.sand", "tolerance"));
     const std::string key = table.one_of({"void_ratio", "void_ratio_at_zero_pressure"});
     out.at_zero_pressure = key == "void_ratio_at_zero_pressure";
     out.void_ratio =
@@ -135,8 +134,7 @@ SandPlan read_sand_body(TomlTable table) {
 Geostatic read_stress_at_rest(TomlTable table) {
     Geostatic out;
     out.surface = number(table, case_word("body.stress_at_rest", "surface_m"));
-    out.surcharge =
-        number_if(table, case_word("body.stress_at_rest", "surcharge_kPa")).value_or(0.0);
+    out.surcharge = number_or_plain(table, case_word("body.stress_at_rest", "surcharge_kPa"));
     out.K0 = number_if(table, case_word("body.stress_at_rest", "K0"));
     table.finish();
     return out;
@@ -193,8 +191,8 @@ BodyPlan read_body(TomlTable table, const Case& plan) {
     if (out.outlines.empty())
         table.fail("",
                    fmt::format("{0} needs a [[body.box]] or a [[body.polygon]]", table.full("")));
-    out.particles_r = integer_or(table, case_word("body", "particles_per_cell_r"), 2);
-    out.particles_z = integer_or(table, case_word("body", "particles_per_cell_z"), 2);
+    out.particles_r = integer_or_plain(table, case_word("body", "particles_per_cell_r"));
+    out.particles_z = integer_or_plain(table, case_word("body", "particles_per_cell_z"));
     read_material(table, out);
     read_density(table, out);
     if (auto rest = table.table_if("stress_at_rest"))

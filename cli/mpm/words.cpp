@@ -28,6 +28,14 @@ int integer_or(TomlTable& table, const CaseWord& word, int otherwise) {
                             static_cast<int>(word.range.high));
 }
 
+double number_or_plain(TomlTable& table, const CaseWord& word) {
+    return number_if(table, word).value_or(word.otherwise_number());
+}
+
+int integer_or_plain(TomlTable& table, const CaseWord& word) {
+    return integer_or(table, word, static_cast<int>(word.otherwise_number()));
+}
+
 int choice(TomlTable& table, const CaseWord& word) {
     std::vector<std::string> known;
     for (const Spelling& spelling : word.words) known.emplace_back(spelling.word);

@@ -15,6 +15,9 @@ namespace cli {
 double number(TomlTable& table, const grit::mpm::CaseWord& word);
 std::optional<double> number_if(TomlTable& table, const grit::mpm::CaseWord& word);
 int integer_or(TomlTable& table, const grit::mpm::CaseWord& word, int otherwise);
+// What the word says if the key is not there.
+double number_or_plain(TomlTable& table, const grit::mpm::CaseWord& word);
+int integer_or_plain(TomlTable& table, const grit::mpm::CaseWord& word);
 // The value of a word.
 int choice(TomlTable& table, const grit::mpm::CaseWord& word);
 std::optional<int> choice_if(TomlTable& table, const grit::mpm::CaseWord& word);
