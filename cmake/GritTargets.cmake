@@ -63,14 +63,12 @@ function(grit_hidden target)
                POSITION_INDEPENDENT_CODE ON)
 endfunction()
 
-# Code inside libgrit, of the room of this folder: hidden symbols, IEEE arithmetic as written, no contraction behind our back.
+# Code inside libgrit, which sees support and ROOMS: hidden symbols, IEEE arithmetic as written, no contraction behind our back.
 function(grit_library_part target)
-  add_library(${target} OBJECT ${ARGN})
+  cmake_parse_arguments(part "" "" "ROOMS;SOURCES" ${ARGN})
+  add_library(${target} OBJECT ${part_SOURCES})
   grit_warnings(${target})
-  cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME room)
-  set(seen support ${room})
-  list(REMOVE_DUPLICATES seen)
-  grit_sees(${target} PRIVATE ${seen})
+  grit_sees(${target} PRIVATE support ${part_ROOMS})
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/include)
   target_compile_definitions(${target} PRIVATE GRIT_BUILDING)
   target_compile_options(

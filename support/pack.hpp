@@ -144,4 +144,14 @@ template <int W> GRIT_INLINE Pack<W> split_exponent(Pack<W>& x) {
     return Pack<W>(magic) - Pack<W>(0x1p52 + 2048.0);
 }
 
+// A lane; a number has one.
+GRIT_INLINE void set_lane(double& x, int, double value) { x = value; }
+template <int W> GRIT_INLINE void set_lane(Pack<W>& x, int lane, double value) {
+    x.set(lane, value);
+}
+GRIT_INLINE double lane_of(double x, int) { return x; }
+template <int W> GRIT_INLINE double lane_of(const Pack<W>& x, int lane) { return x[lane]; }
+GRIT_INLINE bool lane_of(bool x, int) { return x; }
+template <int W> GRIT_INLINE bool lane_of(const PackMask<W>& x, int lane) { return x[lane]; }
+
 GRIT_KERNEL_END

@@ -12,7 +12,6 @@
 #include "adapters/lammps/read_function.hpp"
 #include "adapters/lammps/words.hpp"
 #include "adapters/mpm/case/case_words.hpp"
-#include "adapters/mpm/case/check_case.hpp"
 #include "adapters/mpm/io/checksum.hpp"
 #include "adapters/mpm/step/contact_pair.hpp"
 
@@ -31,6 +30,24 @@ const mpm::Member<Plan>* member_called(std::span<const mpm::Member<Plan>> member
     return nullptr;
 }
 
+using mpm::KeyName;
+
+std::string as_in_files(std::string_view key) { return std::string(key); }
+
+// Keys that have a word in the fix.
+template <class Plan> KeyName fix_words(std::span<const mpm::Member<Plan>> members) {
+    return [members](std::string_view key) {
+        for (const mpm::Member<Plan>& member : members)
+            if (member.word->key == key && !member.fix.empty()) return std::string(member.fix);
+        return std::string(key);
+    };
+}
+
+std::string name_of_body(std::string_view key) {
+    if (key.empty()) return {};
+    return key == "stiff" ? "the stiffer one" : ": the softer body";
+}
+
 void read_segment(Words& words, Case& plan) {
     static constexpr mpm::Spelling axes[] = {mpm::spelling("r", 0, ""), mpm::spelling("z", 1, "")};
     const int direction = words.choice("the direction of a grid segment", axes);
@@ -44,11 +61,11 @@ void read_segment(Words& words, Case& plan) {
     axis.segments.push_back(segment);
 }
 
-void read_boundary(Words& words, FixCase& out) {
+void read_boundary(Words& words, Case& plan) {
     const int side = words.choice("a side of the grid", mpm::words::sides);
-    out.plan.boundary[side] =
+    plan.boundary[side] =
         static_cast<mpm::Boundary>(words.choice("the boundary of a side", mpm::words::boundaries));
-    if (side == static_cast<int>(mpm::Side::left)) out.said.left = true;
+    refuse("boundary ", mpm::objection_to(plan, static_cast<mpm::Side>(side)), as_in_files);
 }
 
 void read_traction(Words& words, FixCase& out) {
@@ -68,7 +85,7 @@ void read_traction(Words& words, FixCase& out) {
     out.plan.tractions.push_back(std::move(traction));
 }
 
-void read_contact(Words& words, FixCase& out) {
+void read_contact(Words& words, Case& plan) {
     mpm::ContactPlan contact;
     contact.stiff = words.word("the stiffer body of a contact");
     contact.soft = words.word("the softer body of a contact");
@@ -78,8 +95,19 @@ void read_contact(Words& words, FixCase& out) {
     std::set<std::string> given;
     while (const auto* member = member_called(mpm::contact_members(), words.peek()))
         words.read(*given.insert(words.word("a keyword")).first, *member, contact);
-    out.plan.contacts.push_back(contact);
-    out.said.contacts.push_back({given.contains("power"), given.contains("distance")});
+    const KeyName name = fix_words(mpm::contact_members());
+    refuse(
+        "",
+        mpm::objection_to(contact, [&](std::string_view key) { return given.contains(name(key)); }),
+        name);
+    plan.contacts.push_back(contact);
+}
+
+void add_stage(const std::string& name, Case& plan) {
+    for (const mpm::StagePlan& other : plan.stages)
+        if (other.name == name)
+            throw std::invalid_argument("two stages are called \"" + name + '"');
+    plan.stages.emplace_back().name = name;
 }
 
 using Reader = std::function<void(Words&, FixCase&)>;
@@ -87,16 +115,16 @@ using Reader = std::function<void(Words&, FixCase&)>;
 const std::map<std::string, Reader>& readers() {
     static const std::map<std::string, Reader> all{
         {"grid", [](Words& w, FixCase& c) { read_segment(w, c.plan); }},
-        {"boundary", read_boundary},
+        {"boundary", [](Words& w, FixCase& c) { read_boundary(w, c.plan); }},
         {"body", read_body},
         {"motion", read_motion},
         {"points", read_points},
         {"traction", read_traction},
-        {"contact", read_contact},
+        {"contact", [](Words& w, FixCase& c) { read_contact(w, c.plan); }},
         {"stages",
          [](Words& w, FixCase& c) {
-             for (int n = w.integer("the number of stages", mpm::words::many); n > 0; --n)
-                 c.plan.stages.emplace_back().name = w.word("the name of a stage");
+             for (int n = w.integer("the number of stages", {1, 1000000}); n > 0; --n)
+                 add_stage(w.word("the name of a stage"), c.plan);
          }},
         {"driven",
          [](Words& w, FixCase& c) {
@@ -128,50 +156,18 @@ void check_grid(const mpm::AxisPlan& axis, double end, const char* name) {
                                     std::to_string(end) + " m");
 }
 
-// The key of a rule as the fix calls it.
-std::string name_of(std::string_view section, std::string_view key) {
-    static constexpr struct {
-        std::string_view section, key, name;
-    } names[] = {{"boundary", "left", "boundary left"},
-                 {"body", "name", "the name of a body"},
-                 {"body.rigid", "time_s", "the times of a motion"},
-                 {"traction", "body", "the body of a traction"},
-                 {"traction", "time_s", "the times of a traction"},
-                 {"traction.pulses", "peak_time_s", "the time of its peak"},
-                 {"traction.pulses", "interval_s", "the interval of pulses"},
-                 {"contact", "", "contact"},
-                 {"contact", "stiff", "the stiffer one"},
-                 {"contact", "soft", "the softer body of a contact"},
-                 {"stage", "name", "the name of a stage"}};
-    for (const auto& row : names)
-        if (row.section == section && row.key == key) return std::string(row.name);
-    for (const mpm::Member<mpm::ContactPlan>& member : mpm::contact_members())
-        if (member.word->section == section && member.word->key == key)
-            return std::string(member.fix);
-    for (const mpm::Member<mpm::StageEnd>& member : mpm::end_members())
-        if (member.word->section == section && member.word->key == key)
-            return std::string(member.fix);
-    return std::string(key);
-}
-
-void refuse(const mpm::Refused& refused) {
-    if (!refused) return;
-    std::string all = name_of(refused->section, refused->key) + refused->words;
-    if (!refused->other.empty()) all += name_of(refused->section, refused->other);
-    throw std::invalid_argument(all + refused->more);
-}
-
 void check_names(const Case& plan) {
     if (plan.bodies.empty()) throw std::invalid_argument("there is no body");
     for (const mpm::TractionPlan& traction : plan.tractions) {
-        plan.body(traction.body);
+        refuse("traction: ", mpm::objection_to(plan, traction), as_in_files);
         if (!traction.from_stage.empty()) plan.stage(traction.from_stage);
     }
     for (const mpm::BodyPlan& body : plan.bodies)
         if (const auto* rigid = std::get_if<mpm::RigidPlan>(&body.material))
             if (!rigid->from_stage.empty()) plan.stage(rigid->from_stage);
-    for (const mpm::ContactPlan& contact : plan.contacts)
-        for (const std::string& name : {contact.stiff, contact.soft}) plan.body(name);
+    for (std::size_t i = 0; i < plan.contacts.size(); ++i)
+        refuse("contact " + plan.contacts[i].stiff + ' ' + plan.contacts[i].soft,
+               mpm::objection_to_contact(plan, i, name_of_body), name_of_body);
     plan.body(plan.history.body);
 }
 
@@ -199,14 +195,13 @@ FixCase read_fix(const std::vector<std::string>& given, const double (&box)[2][2
     check_grid(plan.z, box[1][1], "z");
     if (plan.history.body.empty() && !plan.bodies.empty()) plan.history.body = plan.bodies[0].name;
     if (plan.stages.empty()) plan.stages.emplace_back().name = "run";
-    for (mpm::StagePlan& stage : plan.stages) stage = mpm::StagePlan::of(plan.settings, stage.name);
+    for (mpm::StagePlan& stage : plan.stages) stage = plan.plain_stage(stage.name);
     check_names(plan);
-    refuse(mpm::check_case(plan, out.said));
     return out;
 }
 
 mpm::StagePlan read_stage(const std::vector<std::string>& given, const mpm::StagePlan& before,
-                          const Case& plan) {
+                          mpm::Scheme scheme) {
     Words words(given);
     mpm::StagePlan out = before;
     out.end = {};
@@ -218,7 +213,8 @@ mpm::StagePlan read_stage(const std::vector<std::string>& given, const mpm::Stag
             words.read(key, *end, out.end);
         else throw std::invalid_argument("unknown keyword \"" + key + "\" of a stage");
     }
-    refuse(mpm::check_end(plan, 0, out.end));
+    const KeyName name = fix_words(mpm::end_members());
+    refuse("", mpm::objection_to(out.end, scheme, name), name);
     return out;
 }
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "adapters/mpm/case/case.hpp"
-#include "adapters/mpm/case/check_case.hpp"
 
 namespace grit::lammps {
 
@@ -30,16 +29,15 @@ struct FixCase {
     std::vector<MotionVariables> motion;          // of each body
     std::vector<std::string> traction_groups;     // of each traction
     std::vector<std::string> traction_variables;  // ... or empty
-    mpm::Said said;
-    std::uint64_t fingerprint = 0;  // of all words but names of files and threads
+    std::uint64_t fingerprint = 0;                // of all words but names of files and threads
 };
 
 // The words after the style's name. box: where the grid begins and ends along r and z.
 // Throws std::invalid_argument.
 FixCase read_fix(const std::vector<std::string>& words, const double (&box)[2][2]);
 
-// A stage of a case as fix_modify describes it; what it does not name is as before.
+// A stage as fix_modify describes it; what it does not name is as before.
 mpm::StagePlan read_stage(const std::vector<std::string>& words, const mpm::StagePlan& before,
-                          const mpm::Case& plan);
+                          mpm::Scheme scheme);
 
 }  // namespace grit::lammps

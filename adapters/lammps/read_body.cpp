@@ -73,9 +73,12 @@ mpm::SandPlan read_sand(Words& words) {
 void read_body(Words& words, FixCase& out) {
     mpm::BodyPlan body{};
     body.name = words.word("the name of a body");
+    for (const mpm::BodyPlan& other : out.plan.bodies)
+        if (other.name == body.name)
+            throw std::invalid_argument("two bodies are called \"" + body.name + '"');
     Members members;
     if (words.choice("what a body is made of", member_kinds) == 0)
-        members.type = words.integer("an atom type", mpm::words::many);
+        members.type = words.integer("an atom type", {1, 1000000});
     else members.group = words.word("the group of a body");
     switch (words.choice("the material of a body", materials)) {
         case 0: body.material = mpm::RigidPlan{{{0.0}, {0.0}}, {{0.0}, {0.0}}}; break;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "adapters/lammps/read_function.hpp"
 
+#include <stdexcept>
+
 namespace grit::lammps {
 namespace {
 
@@ -8,11 +10,18 @@ using mpm::case_word;
 
 mpm::TimeTable read_table(Words& words, const std::string& what) {
     mpm::TimeTable out;
-    for (int n = words.integer("the number of points of " + what, mpm::words::many); n > 0; --n) {
+    for (int n = words.integer("the number of points of " + what, {1, 1000000}); n > 0; --n) {
         out.time.push_back(words.number("a time of " + what));
         out.value.push_back(words.number("a value of " + what));
+        if (out.time.size() > 1 && !(out.time.back() > out.time[out.time.size() - 2]))
+            throw std::invalid_argument("the times of " + what + " must ascend");
     }
     return out;
+}
+
+std::string name_of_pulses(std::string_view key) {
+    if (key == "peak_time_s") return "the time of its peak";
+    return key == "duration_s" ? "the duration of a pulse" : "the interval of pulses";
 }
 
 mpm::PulseTrain read_pulses(Words& words) {
@@ -24,8 +33,8 @@ mpm::PulseTrain read_pulses(Words& words) {
         words.number("the duration of a pulse", case_word("traction.pulses", "duration_s"));
     out.peak_time =
         words.number("the time of its peak", case_word("traction.pulses", "peak_time_s"));
-    out.interval =
-        words.number("the interval of pulses", case_word("traction.pulses", "interval_s"));
+    out.interval = words.number("the interval of pulses");
+    refuse("", mpm::objection_to(out, name_of_pulses), name_of_pulses);
     out.start =
         words.number("the start of the first pulse", case_word("traction.pulses", "start_s"));
     out.count = words.integer("the number of pulses", case_word("traction.pulses", "count").range);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "adapters/mpm/case/case_words.hpp"
+#include "adapters/mpm/case/rules.hpp"
 
 namespace grit::lammps {
 
@@ -46,5 +47,8 @@ class Words {
     std::vector<std::string> words;
     std::size_t at = 0;
 };
+
+// Throws std::invalid_argument for what is objected to, in front of which where is said.
+void refuse(const std::string& where, const mpm::Objections& objection, const mpm::KeyName& name);
 
 }  // namespace grit::lammps

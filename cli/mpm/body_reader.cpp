@@ -116,7 +116,8 @@ SandPlan read_sand_body(TomlTable table) {
     out.parameters.granulate_hardness *= kPa;
     out.parameters.pressure_shift *= kPa;
     grit_sand_options_init(&out.options, sizeof out.options);
-    out.options.tolerance = number_or_plain(table, case_word("body.sand", "tolerance"));
+    const grit::mpm::CaseWord& tolerance = case_word("body.sand", "tolerance");
+    out.options.tolerance = number_if(table, tolerance).value_or(tolerance.otherwise_number());
     const std::string key = table.one_of({"void_ratio", "void_ratio_at_zero_pressure"});
     out.at_zero_pressure = key == "void_ratio_at_zero_pressure";
     out.void_ratio =
@@ -134,7 +135,8 @@ SandPlan read_sand_body(TomlTable table) {
 Geostatic read_stress_at_rest(TomlTable table) {
     Geostatic out;
     out.surface = number(table, case_word("body.stress_at_rest", "surface_m"));
-    out.surcharge = number_or_plain(table, case_word("body.stress_at_rest", "surcharge_kPa"));
+    out.surcharge =
+        number_if(table, case_word("body.stress_at_rest", "surcharge_kPa")).value_or(0.0);
     out.K0 = number_if(table, case_word("body.stress_at_rest", "K0"));
     table.finish();
     return out;
@@ -177,6 +179,10 @@ TimeTable read_time_table(TomlTable& table, const std::string& key, double unit)
         table.fail(key,
                    fmt::format("{} must have as many numbers as {}, {}, got {}", table.full(key),
                                table.full("time_s"), out.time.size(), out.value.size()));
+    for (std::size_t i = 1; i < out.time.size(); ++i)
+        if (!(out.time[i] > out.time[i - 1]))
+            table.fail("time_s", fmt::format("{} must ascend: {:g} after {:g}",
+                                             table.full("time_s"), out.time[i], out.time[i - 1]));
     if (out.time.empty()) table.fail("time_s", table.full("time_s") + " is empty");
     return out;
 }
@@ -191,8 +197,8 @@ BodyPlan read_body(TomlTable table, const Case& plan) {
     if (out.outlines.empty())
         table.fail("",
                    fmt::format("{0} needs a [[body.box]] or a [[body.polygon]]", table.full("")));
-    out.particles_r = integer_or_plain(table, case_word("body", "particles_per_cell_r"));
-    out.particles_z = integer_or_plain(table, case_word("body", "particles_per_cell_z"));
+    out.particles_r = integer_or(table, case_word("body", "particles_per_cell_r"), 2);
+    out.particles_z = integer_or(table, case_word("body", "particles_per_cell_z"), 2);
     read_material(table, out);
     read_density(table, out);
     if (auto rest = table.table_if("stress_at_rest"))

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/mpm/case_file.hpp"
 
+#include <cctype>
 #include <stdexcept>
-#include <utility>
 
-#include <adapters/mpm/case/check_case.hpp>
 #include <fmt/format.h>
 
 #include "cli/mpm/body_reader.hpp"
@@ -18,45 +17,45 @@ namespace {
 
 using namespace grit::mpm;
 
-// The table of a section; lists have more than one.
-TomlTable table_of(TomlTable& root, const std::string& section, std::size_t number) {
-    if (section.empty()) return root;
-    const std::size_t dot = section.find('.');
-    const std::string name = section.substr(0, dot);
-    const bool lists = name == "body" || name == "traction" || name == "contact" || name == "stage";
-    TomlTable out = lists ? root.tables_if(name)[number] : root.table(name);
-    return dot == std::string::npos ? out : out.table(section.substr(dot + 1));
+// Names become parts of file names, and of keys in [override].
+void check_name(const TomlTable& table, const std::string& key, const std::string& name) {
+    for (const char c : name)
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-')
+            table.fail(key, fmt::format("{} may have letters, digits, _ and - only, got \"{}\"",
+                                        table.full(key), name));
+    if (name.empty()) table.fail(key, table.full(key) + " is empty");
 }
 
-void refuse(TomlTable& root, const Refused& refused) {
-    if (!refused) return;
-    const TomlTable table = table_of(root, std::string(refused->section), refused->number);
-    const std::string key(refused->key);
-    table.fail(key, fmt::format("{}{}{}{}", table.full(key), refused->words, refused->other,
-                                refused->more));
+bool has_pulses(const Case& plan) {
+    for (const TractionPlan& traction : plan.tractions)
+        if (std::holds_alternative<PulseTrain>(traction.stress)) return true;
+    return false;
 }
 
-Said said_in(TomlTable& root) {
-    Said out;
-    if (auto boundary = root.table_if("boundary")) out.left = boundary->has("left");
-    for (TomlTable& table : root.tables_if("contact"))
-        out.contacts.push_back({table.has("penalty_power"), table.has("distance")});
-    return out;
-}
-
-StageEnd read_until(TomlTable table) {
+StageEnd read_until(TomlTable table, const Case& plan) {
     StageEnd out;
     read_members(table, "stage.until", end_members(), out);
     if (table.given().empty())
         table.fail("", fmt::format("{} must say what ends the stage", table.full("")));
+    refuse(table, objection_to(out, plan.settings.scheme, same_name));
+    if (out.blows > 0 && !has_pulses(plan))
+        table.fail("blows", fmt::format("{} needs a traction with pulses", table.full("blows")));
     table.finish();
     return out;
 }
 
 // Names alone: loads and motions refer to them.
 void read_stage_names(TomlTable& root, Case& plan) {
-    for (TomlTable& table : root.tables_if("stage"))
-        plan.stages.push_back(StagePlan::of(plan.settings, table.string("name")));
+    for (TomlTable& table : root.tables_if("stage")) {
+        StagePlan stage;
+        stage.name = table.string("name");
+        check_name(table, "name", stage.name);
+        for (const StagePlan& other : plan.stages)
+            if (other.name == stage.name)
+                table.fail("name", fmt::format("{}: there is a stage \"{}\" already",
+                                               table.full("name"), stage.name));
+        plan.stages.push_back(stage);
+    }
     if (plan.stages.empty()) root.fail("stage", "stage is missing: a case needs a [[stage]]");
 }
 
@@ -65,8 +64,9 @@ void read_stages(TomlTable& root, Case& plan) {
     for (TomlTable& table : root.tables_if("stage")) {
         StagePlan& stage = plan.stages[i++];
         table.has("name");
+        stage = plan.plain_stage(stage.name);
         read_members(table, "stage", stage_members(), stage);
-        stage.end = read_until(table.table("until"));
+        stage.end = read_until(table.table("until"), plan);
         table.finish();
     }
 }
@@ -74,6 +74,11 @@ void read_stages(TomlTable& root, Case& plan) {
 void read_bodies(TomlTable& root, Case& plan) {
     for (TomlTable& table : root.tables_if("body")) {
         BodyPlan body = read_body(table, plan);
+        check_name(table, "name", body.name);
+        for (const BodyPlan& other : plan.bodies)
+            if (other.name == body.name)
+                table.fail("name", fmt::format("{}: there is a body \"{}\" already",
+                                               table.full("name"), body.name));
         if (auto* rigid = std::get_if<RigidPlan>(&body.material);
             rigid && !rigid->from_stage.empty()) {
             TomlTable inner = table.table("rigid");
@@ -82,6 +87,13 @@ void read_bodies(TomlTable& root, Case& plan) {
         plan.bodies.push_back(std::move(body));
     }
     if (plan.bodies.empty()) root.fail("body", "body is missing: a case needs a [[body]]");
+}
+
+void read_contacts(TomlTable& root, Case& plan) {
+    for (TomlTable& table : root.tables_if("contact")) {
+        plan.contacts.push_back(read_contact(table, plan));
+        refuse(table, objection_to_contact(plan, plan.contacts.size() - 1, same_name));
+    }
 }
 
 // A thousandth of the first stage that says how long it is; 0: none does.
@@ -106,7 +118,7 @@ void read_history(TomlTable table, Case& plan) {
 
 FieldsPlan read_fields(TomlTable table) {
     FieldsPlan out;
-    out.interval = number_or_plain(table, case_word("fields", "interval_s"));
+    out.interval = number_if(table, case_word("fields", "interval_s")).value_or(0.0);
     std::vector<std::string> names = table.strings_or_none("variables");
     if (!table.has("variables")) names = mpm_field_names();
     for (const std::string& name : names) {
@@ -127,7 +139,7 @@ MpmCaseFile read_mpm_case(const std::filesystem::path& path) {
     TomlTable root = TomlTable::of_file(path, &out.inputs);
     Case& plan = out.plan;
     plan.name = root.string_if("name").value_or(path.stem().string());
-    refuse(root, check_name("", 0, plan.name));
+    check_name(root, "name", plan.name);
     plan.title = root.string_if("title").value_or(plan.name);
     read_members(root, "", numerics_members(), plan);
     read_grid(root.table("grid"), plan);
@@ -137,10 +149,8 @@ MpmCaseFile read_mpm_case(const std::filesystem::path& path) {
     read_bodies(root, plan);
     for (TomlTable& table : root.tables_if("traction"))
         plan.tractions.push_back(read_traction(std::move(table), plan));
-    for (TomlTable& table : root.tables_if("contact"))
-        plan.contacts.push_back(read_contact(std::move(table), plan));
+    read_contacts(root, plan);
     read_stages(root, plan);
-    refuse(root, check_case(plan, said_in(root)));
     plan.history.body = plan.bodies.front().name;
     plan.history.interval = kind_interval(plan);
     if (auto history = root.table_if("history")) read_history(std::move(*history), plan);

@@ -42,8 +42,9 @@ PulseTrain read_pulses(TomlTable table) {
         number_if(table, case_word("traction.pulses", "peak_time_s")).value_or(0.5 * out.duration);
     out.interval =
         number_if(table, case_word("traction.pulses", "interval_s")).value_or(out.duration);
-    out.count = integer_or_plain(table, case_word("traction.pulses", "count"));
-    out.start = number_or_plain(table, case_word("traction.pulses", "start_s"));
+    refuse(table, objection_to(out, same_name));
+    out.count = integer_or(table, case_word("traction.pulses", "count"), 1);
+    out.start = number_if(table, case_word("traction.pulses", "start_s")).value_or(0.0);
     table.finish();
     return out;
 }
@@ -86,7 +87,8 @@ PenaltyPlan read_penalty(TomlTable& table, const Case& plan) {
     if (!(out.modulus > 0.0))
         table.fail("modulus_kPa", fmt::format("{} must be positive, got {:g}",
                                               table.full("modulus_kPa"), out.modulus / kPa));
-    out.stiffness_multiple = number_or_plain(table, case_word("contact", "stiffness_multiple"));
+    out.stiffness_multiple =
+        number_if(table, case_word("contact", "stiffness_multiple")).value_or(1.0);
     out.stiff_line = read_line(table.table("stiff_line"), plan);
     out.soft_line = read_line(table.table("soft_line"), plan);
     return out;
@@ -105,6 +107,7 @@ std::string stage_name(TomlTable& table, const std::string& key, const Case& pla
 TractionPlan read_traction(TomlTable table, const Case& plan) {
     TractionPlan out;
     out.body = body_name(table, "body", plan);
+    refuse(table, objection_to(plan, out));
     out.edge = static_cast<Edge>(choice(table, case_word("traction", "edge")));
     read_range(table, "r_m", out.r);
     read_range(table, "z_m", out.z);
@@ -128,14 +131,16 @@ ContactPlan read_contact(TomlTable table, const Case& plan) {
     const int law = choice(table, case_word("contact", "law"));
     if (law == words::penalty_law_word) {
         out.law = GRIT_CONTACT_FRICTIONAL;
-        out.friction_coefficient = number_if(table, case_word("contact", "friction_coefficient"))
-                                       .value_or(out.friction_coefficient);
+        out.friction_coefficient =
+            number_if(table, case_word("contact", "friction_coefficient")).value_or(0.0);
         out.penalty = read_penalty(table, plan);
         table.finish();
         return out;
     }
     out.law = law;
     read_members(table, "contact", contact_members(), out);
+    refuse(table, objection_to(
+                      out, [&table](std::string_view key) { return table.has(std::string(key)); }));
     table.finish();
     return out;
 }

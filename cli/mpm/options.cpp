@@ -4,7 +4,6 @@
 #include <memory>
 
 #include <CLI/CLI.hpp>
-#include <adapters/mpm/case/case_words.hpp>
 
 #include "cli/mpm/command.hpp"
 
@@ -19,9 +18,8 @@ void add_mpm_command(CLI::App& app, Command& asked) {
                     "Print the keys of case files or the words of fix grit/mpm, as in docs/")
         ->check(CLI::IsMember({"cases", "fix"}));
     mpm->add_option("--out", request->out, "Folder for data and pictures, made if missing [.]");
-    const grit::mpm::Interval threads = grit::mpm::case_word("numerics", "threads").range;
     mpm->add_option("--threads", request->threads, "Instead of the case's; changes no result")
-        ->check(CLI::Range(static_cast<int>(threads.low), static_cast<int>(threads.high)));
+        ->check(CLI::Range(1, 1024));
     mpm->add_option("--checkpoint-minutes", request->checkpoint_minutes,
                     "Between checkpoints DIR/<case>.checkpoint; without, an interrupted run alone "
                     "leaves one")

@@ -28,14 +28,6 @@ int integer_or(TomlTable& table, const CaseWord& word, int otherwise) {
                             static_cast<int>(word.range.high));
 }
 
-double number_or_plain(TomlTable& table, const CaseWord& word) {
-    return number_if(table, word).value_or(word.otherwise_number());
-}
-
-int integer_or_plain(TomlTable& table, const CaseWord& word) {
-    return integer_or(table, word, static_cast<int>(word.otherwise_number()));
-}
-
 int choice(TomlTable& table, const CaseWord& word) {
     std::vector<std::string> known;
     for (const Spelling& spelling : word.words) known.emplace_back(spelling.word);
@@ -49,5 +41,13 @@ std::optional<int> choice_if(TomlTable& table, const CaseWord& word) {
     if (!table.has(std::string(word.key))) return {};
     return choice(table, word);
 }
+
+void refuse(const TomlTable& table, const grit::mpm::Objections& objection) {
+    if (!objection) return;
+    const std::string key(objection->key);
+    table.fail(key, table.full(key) + objection->what);
+}
+
+std::string same_name(std::string_view key) { return std::string(key); }
 
 }  // namespace cli

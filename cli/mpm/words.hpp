@@ -6,6 +6,7 @@
 #include <span>
 
 #include <adapters/mpm/case/case_words.hpp>
+#include <adapters/mpm/case/rules.hpp>
 
 #include "cli/toml/toml_table.hpp"
 
@@ -15,9 +16,6 @@ namespace cli {
 double number(TomlTable& table, const grit::mpm::CaseWord& word);
 std::optional<double> number_if(TomlTable& table, const grit::mpm::CaseWord& word);
 int integer_or(TomlTable& table, const grit::mpm::CaseWord& word, int otherwise);
-// What the word says if the key is not there.
-double number_or_plain(TomlTable& table, const grit::mpm::CaseWord& word);
-int integer_or_plain(TomlTable& table, const grit::mpm::CaseWord& word);
 // The value of a word.
 int choice(TomlTable& table, const grit::mpm::CaseWord& word);
 std::optional<int> choice_if(TomlTable& table, const grit::mpm::CaseWord& word);
@@ -44,5 +42,10 @@ void read_members(TomlTable& table, std::string_view section,
     for (const grit::mpm::Member<Plan>& member : members)
         if (member.word->section == section) read_member(table, member, plan);
 }
+
+// Refuses what is objected to.
+void refuse(const TomlTable& table, const grit::mpm::Objections& objection);
+// Keys are called as they are.
+std::string same_name(std::string_view key);
 
 }  // namespace cli

@@ -51,12 +51,10 @@ void TomlTable::fail(const std::string& key, const std::string& message) const {
                         : fmt::format("{}: {}{}", file, sample, message));
 }
 
-bool TomlTable::look(const std::string& key) {
+bool TomlTable::has(const std::string& key) {
     known.insert(key);
     return content->get(key) != nullptr;
 }
-
-bool TomlTable::has(const std::string& key) { return look(key); }
 
 // Where a key is missing, one that looks like it and means nothing else is the better message.
 void TomlTable::refuse_misspelt(const std::string& key) const {
@@ -66,7 +64,7 @@ void TomlTable::refuse_misspelt(const std::string& key) const {
 }
 
 void TomlTable::require(const std::string& key) {
-    if (look(key)) return;
+    if (has(key)) return;
     refuse_misspelt(key);
     fail(key, fmt::format("{} is missing{}", full(key),
                           given().empty() ? std::string()

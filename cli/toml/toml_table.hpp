@@ -67,7 +67,6 @@ class TomlTable {
     TomlTable(std::shared_ptr<const Content> content, std::string path, std::string name,
               const SampleRow* columns);
 
-    bool look(const std::string& key);  // and remember that it was asked for
     void require(const std::string& key);
     void refuse_misspelt(const std::string& key) const;
     // Of a key, or of a place in its list.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // grit_contact_surfaces_add: the loop over particles. A particle is checked against all its nodes
 // before it changes one.
-#define GRIT_TARGET c_api
 #include <algorithm>
 #include <cmath>
 
 #include "contact/distance/surfaces.hpp"
-#include "contact/nodal/node_checks.hpp"
+#include "contact/normals/limits.hpp"
+#include "support/vector.hpp"
 
 namespace grit {
 namespace {
@@ -14,8 +14,7 @@ namespace {
 constexpr int most_sides = 3;
 
 struct Domain {
-    double x[3] = {0.0, 0.0, 0.0};
-    double r[most_sides][3] = {};
+    Vector3 x{}, r[most_sides] = {};
     const std::ptrdiff_t* first = nullptr;
     const std::ptrdiff_t* last = nullptr;
 };
@@ -50,20 +49,20 @@ class Adding {
         p.last = d.node + last;
         for (int c = 0; c < s.components; ++c) {
             p.x[c] = component(d.position, at, c);
-            if (!(std::fabs(p.x[c]) <= c_api::largest_number))
+            if (!(std::fabs(p.x[c]) <= largest_number))
                 return failure(error, GRIT_BAD_STATE, i,
                                "particle %td: position component %d must be within %g, got %g", i,
-                               c, c_api::largest_number, p.x[c]);
+                               c, largest_number, p.x[c]);
         }
         for (int j = 0; j < d.sides; ++j)
             for (int c = 0; c < s.components; ++c) {
                 p.r[j][c] = d.side.base[at * d.side.point_stride + j * d.side.row_stride +
                                         c * d.side.column_stride];
-                if (!(std::fabs(p.r[j][c]) <= c_api::largest_number))
+                if (!(std::fabs(p.r[j][c]) <= largest_number))
                     return failure(error, GRIT_BAD_STATE, i,
                                    "particle %td: component %d of side %d must be within %g, got "
                                    "%g",
-                                   i, c, j, c_api::largest_number, p.r[j][c]);
+                                   i, c, j, largest_number, p.r[j][c]);
             }
         return GRIT_OK;
     }
@@ -75,24 +74,25 @@ class Adding {
         double square = 0.0;
         for (int c = 0; c < s.components; ++c) {
             const double x = component(s.position, node, c), n = component(s.normal, node, c);
-            if (!(std::fabs(x) <= c_api::largest_number))
+            if (!(std::fabs(x) <= largest_number))
                 return failure(error, GRIT_BAD_STATE, i,
                                "particle %td: position component %d of node %td must be within %g, "
                                "got %g",
-                               i, c, node, c_api::largest_number, x);
+                               i, c, node, largest_number, x);
             square += n * n;
         }
-        if (!(square == 0.0 || std::fabs(square - 1.0) <= c_api::normal_tolerance))
+        if (!(square == 0.0 || std::fabs(square - 1.0) <= normal_tolerance))
             return failure(error, GRIT_BAD_STATE, i,
                            "particle %td: |normal|^2 of node %td must be within %g of 1, or 0, "
                            "got %g",
-                           i, node, c_api::normal_tolerance, square);
+                           i, node, normal_tolerance, square);
         return GRIT_OK;
     }
 
     // From the farthest corner along the outward normal of the body to the node, (C4).
     Reach reach(const Domain& p, std::ptrdiff_t node) const {
-        double n[3] = {0.0, 0.0, 0.0}, to_node = 0.0, half_width = 0.0, square = 0.0, n_n = 0.0;
+        Vector3 n{};
+        double to_node = 0.0, half_width = 0.0, square = 0.0, n_n = 0.0;
         const double outward = d.body == GRIT_CONTACT_BODY_A ? 1.0 : -1.0;
         for (int c = 0; c < s.components; ++c) {
             n[c] = outward * component(s.normal, node, c);
@@ -101,8 +101,7 @@ class Adding {
             to_node += apart * n[c];
             square += apart * apart;
         }
-        for (int j = 0; j < d.sides; ++j)
-            half_width += std::fabs(p.r[j][0] * n[0] + p.r[j][1] * n[1] + p.r[j][2] * n[2]);
+        for (int j = 0; j < d.sides; ++j) half_width += std::fabs(dot(p.r[j], n));
         return {to_node - half_width, s.centre.base ? std::sqrt(square) : 0.0, n_n > 0.0};
     }
 

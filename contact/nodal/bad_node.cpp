@@ -59,7 +59,7 @@ grit_status describe_node(const grit_contact_nodes& q, const grit_contact_option
     const bool silent = o.allow_zero_normal && c_api::zero_normal(n);
     if (!silent && !c_api::good_normal(n))
         return say("node %td: normal must be a unit vector, |n|^2 within %g of 1 [-], got |n| = %g",
-                   c_api::normal_tolerance, std::sqrt(c_api::fused_dot(n, n)));
+                   normal_tolerance, std::sqrt(c_api::fused_dot(n, n)));
     if (q.gap.base && !c_api::good_signed_length(number(q.gap, at)))
         return say("node %td: gap must be >= -1e100 [length], got %g", number(q.gap, at));
     if (o.law == GRIT_CONTACT_GEO) {

@@ -4,11 +4,9 @@
 #pragma once
 
 #include "contact/nodal/pair_law.hpp"
+#include "contact/normals/limits.hpp"
 
 GRIT_KERNEL_BEGIN
-
-constexpr double largest_number = 1e100;  // of masses, velocities and lengths: products stay finite
-constexpr double normal_tolerance = 1e-6;  // of |n|^2
 
 template <class Real> GRIT_INLINE MaskOf<Real> good_mass(const Real& m) {
     return (m >= Real(0.0)) & (m <= Real(largest_number));

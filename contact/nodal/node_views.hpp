@@ -34,11 +34,6 @@ GRIT_INLINE NodeIndices<W> node_indices(const std::ptrdiff_t* index, std::ptrdif
 
 template <class Real> inline constexpr int lanes_of = NumberTraits<Real>::lanes;
 
-template <class Real> GRIT_INLINE double lane_of(const Real& x, int lane) { return x[lane]; }
-GRIT_INLINE double lane_of(double x, int) { return x; }
-template <class Mask> GRIT_INLINE bool holds(const Mask& x, int lane) { return x[lane]; }
-GRIT_INLINE bool holds(bool x, int) { return x; }
-
 // The offset of a number of a component is summed before it is added to the base: what lies between need not be
 // in the array.
 GRIT_INLINE double gather(const double* base, std::ptrdiff_t from, std::ptrdiff_t stride,

@@ -131,10 +131,10 @@ template <int C, bool geo> class Correction {
         for (int lane = 0; lane < indices.used; ++lane) {
             grit_contact_report report{};
             double moment[3] = {0.0, 0.0, 0.0};
-            if (holds(bad, lane)) {
+            if (lane_of(bad, lane)) {
                 report.status = GRIT_BAD_STATE;
                 if (outcome.node < 0) outcome.node = first + lane;
-            } else if (holds(shares.active, lane)) {
+            } else if (lane_of(shares.active, lane)) {
                 describe(lane, indices.at[lane], shares, r, x, v, report, moment);
             }
             if (reports) reports[first + lane] = report;

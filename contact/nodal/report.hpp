@@ -18,9 +18,9 @@ template <class Real, int C>
 GRIT_INLINE NodeResponse<C> lane_of(const Shares<Real>& shares, const Response<Real, C>& r,
                                     int lane) {
     NodeResponse<C> x;
-    x.active = holds(shares.active, lane);
-    x.touches = holds(r.touches, lane);
-    x.slips = holds(r.slips, lane);
+    x.active = lane_of(shares.active, lane);
+    x.touches = lane_of(r.touches, lane);
+    x.slips = lane_of(r.slips, lane);
     x.m_r = lane_of(shares.m_r, lane);
     x.a = lane_of(shares.a, lane);
     x.b = lane_of(shares.b, lane);

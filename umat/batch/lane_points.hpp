@@ -8,15 +8,6 @@
 
 GRIT_KERNEL_BEGIN
 
-GRIT_INLINE void set_lane(double& x, int, double value) { x = value; }
-template <int W> GRIT_INLINE void set_lane(Pack<W>& x, int lane, double value) {
-    x.set(lane, value);
-}
-GRIT_INLINE double lane_of(double x, int) { return x; }
-template <int W> GRIT_INLINE double lane_of(const Pack<W>& x, int lane) { return x[lane]; }
-GRIT_INLINE bool lane_of(bool x, int) { return x; }
-template <int W> GRIT_INLINE bool lane_of(const PackMask<W>& x, int lane) { return x[lane]; }
-
 template <class Real> GRIT_INLINE Tensor<double> lane_of(const Tensor<Real>& A, int lane) {
     Tensor<double> r;
     for (int c = 0; c < 6; ++c) r[c] = lane_of(A[c], lane);
@@ -61,33 +52,28 @@ template <class Real> struct LanePoints {
 };
 
 template <class Real, class View>
-GRIT_INLINE Real read(const View& view, const LanePoints<Real>& lane_points, int component) {
+GRIT_INLINE Real read(const View& view, const LanePoints<Real>& lane_points, int c) {
     Real x;
     if (lane_points.neighbours && view.point_stride == 1) {
-        __builtin_memcpy(&x, view.base + lane_points.at[0] + component * view.component_stride,
-                         sizeof x);
+        __builtin_memcpy(&x, view.base + lane_points.at[0] + c * view.component_stride, sizeof x);
         return x;
     }
     for (int lane = 0; lane < LanePoints<Real>::lanes; ++lane)
-        set_lane(x, lane,
-                 element(view.base, view.point_stride, view.component_stride, lane_points.at[lane],
-                         component));
+        set_lane(x, lane, component(view, lane_points.at[lane], c));
     return x;
 }
 
 template <class Real>
-GRIT_INLINE void write(const grit_mutable_view& view, const LanePoints<Real>& lane_points,
-                       int component, const Real& x, const MaskOf<Real>& where) {
+GRIT_INLINE void write(const grit_mutable_view& view, const LanePoints<Real>& lane_points, int c,
+                       const Real& x, const MaskOf<Real>& where) {
     if (lane_points.neighbours && view.point_stride == 1) {
-        const Real there = select(where, x, read(view, lane_points, component));
-        __builtin_memcpy(view.base + lane_points.at[0] + component * view.component_stride, &there,
+        const Real there = select(where, x, read(view, lane_points, c));
+        __builtin_memcpy(view.base + lane_points.at[0] + c * view.component_stride, &there,
                          sizeof there);
         return;
     }
     for (int lane = 0; lane < LanePoints<Real>::lanes; ++lane)
-        if (lane_of(where, lane))
-            view.base[lane_points.at[lane] * view.point_stride +
-                      component * view.component_stride] = lane_of(x, lane);
+        if (lane_of(where, lane)) component(view, lane_points.at[lane], c) = lane_of(x, lane);
 }
 
 GRIT_KERNEL_END

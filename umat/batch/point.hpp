@@ -16,11 +16,6 @@ struct RawPoint {
     bool rotates;
 };
 
-GRIT_INLINE double element(const double* base, std::ptrdiff_t point_stride,
-                           std::ptrdiff_t component_stride, std::ptrdiff_t point, int component) {
-    return base[point * point_stride + component * component_stride];
-}
-
 constexpr double tolerated_tilt = 1e-12;  // of a Q about axis 3 with 4 components
 
 // With 4 components what a Q tilts out of the plane is roundoff, and h13 and h23 stay zero: not taken over.
@@ -35,17 +30,15 @@ inline RawPoint read_point(const grit_sand_points& q, std::ptrdiff_t at) {
     for (int c = 0; c < 6; ++c) {
         const auto& d = q.strain_increment;
         const auto& t = q.stress;
-        raw.strain[c] = c < n ? element(d.base, d.point_stride, d.component_stride, at, c) : 0.0;
-        raw.stress[c] = c < n ? element(t.base, t.point_stride, t.component_stride, at, c) : 0.0;
+        raw.strain[c] = c < n ? component(d, at, c) : 0.0;
+        raw.stress[c] = c < n ? component(t, at, c) : 0.0;
     }
     const auto& s = q.state;
-    for (int c = 0; c < GRIT_SAND_STATE_SIZE; ++c)
-        raw.state[c] = element(s.base, s.point_stride, s.component_stride, at, c);
+    for (int c = 0; c < GRIT_SAND_STATE_SIZE; ++c) raw.state[c] = component(s, at, c);
     const auto& r = q.rotation_increment;
     raw.rotates = false;  // by Q = I nothing is touched
     if (r.base) {
-        for (int c = 0; c < 9; ++c)
-            raw.Q[c] = element(r.base, r.point_stride, r.component_stride, at, c);
+        for (int c = 0; c < 9; ++c) raw.Q[c] = component(r, at, c);
         if (n == 4) keep_in_plane(raw.Q);
         for (int c = 0; c < 9; ++c)
             raw.rotates = raw.rotates || raw.Q[c] != (c % 4 == 0 ? 1.0 : 0.0);

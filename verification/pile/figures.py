@@ -8,9 +8,9 @@ import pathlib
 import subprocess
 import sys
 
-from aside import aside
 from measures import PEAK, level_of_tip, sets
 from results import Run, Unusable
+from whole_file import whole_file
 
 INK = "#222222"
 BLUE, ORANGE, GREEN, GREY = "#0072B2", "#D55E00", "#009E73", "#888888"
@@ -26,10 +26,10 @@ PALETTES = {  # light to dark; and, as in the paper, red where sand is denser, b
 
 
 def gnuplot(script, target, width, height):
-    """PNG for fields, SVG for curves; written aside and renamed."""
+    """PNG for fields, SVG for curves; there whole or not at all."""
     terminal = (f"pngcairo size {2 * width},{2 * height} fontscale 2 linewidth 2 pointscale 2 font 'sans,11'"
                 if target.suffix == ".png" else f"svg size {width},{height} font 'sans,12' background rgb 'white'")
-    with aside(target) as path:
+    with whole_file(target) as path:
         text = f"set terminal {terminal}\nset output '{path}'\n" + HEAD + script + "\nunset output\n"
         done = subprocess.run(["gnuplot"], input=text, text=True, capture_output=True)
         if done.returncode != 0 or path.stat().st_size == 0:

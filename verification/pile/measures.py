@@ -14,8 +14,8 @@ import subprocess
 import sys
 
 import tables
-from aside import aside
 from results import Run, Unusable
+from whole_file import whole_file
 
 GRAVITY = 9.81  # [m/s2]
 RADIUS, DIAMETER = 0.15, 0.3  # of the pile [m]
@@ -289,7 +289,7 @@ def main():
             where = origin(pathlib.Path(__file__).parent)
             for run in numbers:
                 run |= where | ({"commit": options.commit} if options.commit else {})
-                with aside(options.save / f"{run['name']}.json") as path:
+                with whole_file(options.save / f"{run['name']}.json") as path:
                     path.write_text(json.dumps(run) + "\n")
         tables.report(numbers)
     except Unusable as problem:

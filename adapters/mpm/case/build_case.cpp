@@ -126,6 +126,15 @@ std::size_t Case::body(const std::string& wanted) const {
     return find_name(bodies, wanted, "body");
 }
 
+StagePlan Case::plain_stage(const std::string& stage_name) const {
+    StagePlan out;
+    out.name = stage_name;
+    out.local_damping = settings.local_damping;
+    out.pic_rate = settings.pic_rate;
+    out.cfl = settings.cfl;
+    return out;
+}
+
 std::size_t Case::stage(const std::string& wanted) const {
     return find_name(stages, wanted, "stage");
 }

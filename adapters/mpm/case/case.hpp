@@ -5,7 +5,6 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -120,16 +119,6 @@ struct StagePlan {
     double local_damping = 0.0, pic_rate = 0.0, cfl = 0.4;  // as in Settings
     StageEnd end = {};
 
-    // As the settings are, for what it does not name.
-    static StagePlan of(const Settings& settings, std::string name) {
-        StagePlan out;
-        out.name = std::move(name);
-        out.local_damping = settings.local_damping;
-        out.pic_rate = settings.pic_rate;
-        out.cfl = settings.cfl;
-        return out;
-    }
-
     template <class Self, class Archive> static void visit(Self& stage, Archive& archive) {
         archive.list(stage.name);
         archive.value(stage.gravity);
@@ -164,6 +153,8 @@ struct Case {
     // Throws std::invalid_argument for a name that is not there.
     std::size_t body(const std::string& wanted) const;
     std::size_t stage(const std::string& wanted) const;
+    // A stage that says nothing yet.
+    StagePlan plain_stage(const std::string& name) const;
 };
 
 }  // namespace grit::mpm

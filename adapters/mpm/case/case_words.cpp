@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/mpm/case/case_words.hpp"
 
-#include <cstdlib>
 #include <stdexcept>
 #include <type_traits>
 #include <vector>
@@ -71,11 +70,9 @@ constexpr Member<StageEnd> of_end[] = {
 constexpr FixKeyword keywords[] = {
     {"grid", "`r`|`z` TO CELLS GROWTH",
      "the next segment of an axis up to TO [m]; a cell is GROWTH times as long as the one before"},
-    {"boundary", "{side} {boundary.left}",
-     "of a side of the grid; default `free`, the axis is a roller"},
+    {"boundary", "{side} {boundary.left}", "of a side of the grid; default `free`"},
     {"body", "NAME `type` N|`group` G MATERIAL",
-     "NAME: letters, digits, _ and -; MATERIAL: `rigid`; `elastic` E NU; `neo_hooke` E NU; `sand` "
-     "NAME|`custom` (PARAMETER "
+     "MATERIAL: `rigid`; `elastic` E NU; `neo_hooke` E NU; `sand` NAME|`custom` (PARAMETER "
      "VALUE)... with the "
      "parameters of `grit/sand.h`, Pa and rad, and `tolerance`, `evaluation_limit`, `intergranular "
      "on`|`off`"},
@@ -88,8 +85,7 @@ constexpr FixKeyword keywords[] = {
      "STIFF SOFT {contact.law} MU [`power` K] [`normal` {contact.normal}] [`distance` "
      "{contact.distance}] [`gated` `yes`|`no`]",
      "at nodes; `power` of the geo law alone, `distance` not without gate where it is frictional"},
-    {"stages", "N NAME...",
-     "all stages, in order; default: one, `run`; names: letters, digits, _ and -"},
+    {"stages", "N NAME...", "all stages, in order; default: one, `run`"},
     {"driven", "NAME {history.depth_of}", "the body of the history; default: the first"}};
 
 std::string joined(Spellings words, bool of_fix_alone) {
@@ -218,23 +214,9 @@ template <class Plan> std::string rows_of(std::span<const Member<Plan>> members,
 
 }  // namespace
 
-std::string_view word_of(Spellings words, int value) {
-    for (const Spelling& spelling : words)
-        if (spelling.value == value) return spelling.word;
-    throw std::logic_error("no word for value " + std::to_string(value));
-}
-
 std::string Interval::text() const {
     if (open && high == infinite) return "> " + mpm::text(low);
     return (open ? "in (" : "in [") + mpm::text(low) + ", " + mpm::text(high) + (open ? ')' : ']');
-}
-
-double CaseWord::otherwise_number() const {
-    char* end = nullptr;
-    const double value = std::strtod(otherwise, &end);
-    if (end == otherwise || *end != '\0')
-        throw std::logic_error(std::string(key) + " is no number where it is not given");
-    return si * value;
 }
 
 std::span<const Member<Case>> numerics_members() { return of_numerics; }

@@ -3,6 +3,7 @@
 // grit/mpm, the writer of scripts for LAMMPS and the tables of the documentation all look here.
 #pragma once
 
+#include <cstdlib>
 #include <limits>
 #include <span>
 #include <string>
@@ -44,8 +45,7 @@ struct CaseWord {
 
     // A number in SI units.
     constexpr Interval si_range() const { return {range.low * si, range.high * si, range.open}; }
-    // ... of one whose otherwise is a number.
-    double otherwise_number() const;
+    double otherwise_number() const { return si * std::strtod(otherwise, nullptr); }
 };
 
 namespace words {

@@ -2,34 +2,14 @@
 // How the enumerations of a case are spelt, in case files and in fix grit/mpm.
 #pragma once
 
-#include <span>
-#include <string_view>
-
 #include <grit/contact.h>
 #include <grit/contact_distance.h>
 #include <grit/contact_normals.h>
 
 #include "adapters/mpm/case/case.hpp"
+#include "adapters/mpm/step/spellings.hpp"
 
 namespace grit::mpm {
-
-// A word of an enumeration.
-struct Spelling {
-    std::string_view word;
-    int value;
-    const char* text;
-    bool in_fix = true;  // fix grit/mpm has it too
-};
-using Spellings = std::span<const Spelling>;
-
-template <class Value>
-constexpr Spelling spelling(const char* word, Value value, const char* text) {
-    return {word, static_cast<int>(value), text};
-}
-constexpr Spelling only_in_files(Spelling spelling) {
-    spelling.in_fix = false;
-    return spelling;
-}
 
 namespace words {
 
@@ -45,15 +25,6 @@ inline constexpr Spelling boundaries[] = {
     spelling("fixed", Boundary::fixed, "no velocity at all"),
     only_in_files(spelling("absorbing", Boundary::absorbing,
                            "dashpots, besides what holds the bodies at the first step"))};
-inline constexpr Spelling shapes[] = {
-    spelling("cpdi", Shape::cpdi, "corners weighted by their radii"),
-    spelling("cpdi_published", Shape::cpdi_published, "unweighted corners"),
-    spelling("ugimp", Shape::ugimp, "the undeformed, upright domain"),
-    spelling("linear", Shape::point, "at the particle: the original method")};
-inline constexpr Spelling schemes[] = {
-    spelling("usl", Scheme::usl, "stress last"),
-    spelling("musl", Scheme::musl, "stress last, by velocities mapped back from the particles"),
-    spelling("usf", Scheme::usf, "stress first")};
 inline constexpr Spelling edges[] = {
     spelling("bottom", Edge::bottom, ""), spelling("right", Edge::right, ""),
     spelling("top", Edge::top, ""), spelling("left", Edge::left, "")};
@@ -81,11 +52,5 @@ inline constexpr Spelling intergranular_starts[] = {
 inline constexpr Spelling on_off[] = {spelling("on", 0, ""), spelling("off", 1, "")};
 
 }  // namespace words
-
-// The word of a value that is among them.
-std::string_view word_of(Spellings words, int value);
-template <class Value> std::string_view word_of(Spellings words, Value value) {
-    return word_of(words, static_cast<int>(value));
-}
 
 }  // namespace grit::mpm

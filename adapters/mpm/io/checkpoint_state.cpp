@@ -7,6 +7,7 @@
 
 #include "adapters/mpm/io/archive.hpp"
 #include "adapters/mpm/io/checksum.hpp"
+#include "adapters/mpm/step/spellings.hpp"
 
 namespace grit::mpm {
 namespace {
@@ -18,19 +19,6 @@ std::string of(const Axis& axis) {
     out << axis.nodes() << " nodes from " << nodes.front() << " to " << nodes.back()
         << " m, checksum " << checksum(nodes.data(), nodes.size() * sizeof(double));
     return out.str();
-}
-
-const char* name_of(Scheme scheme) {
-    return scheme == Scheme::usl ? "usl" : scheme == Scheme::musl ? "musl" : "usf";
-}
-
-const char* name_of(Shape shape) {
-    switch (shape) {
-        case Shape::cpdi: return "cpdi";
-        case Shape::cpdi_published: return "cpdi, as published";
-        case Shape::ugimp: return "ugimp";
-        default: return "point";
-    }
 }
 
 void grid_words(const Simulation& s, std::ostream& out) {
@@ -45,8 +33,8 @@ void grid_words(const Simulation& s, std::ostream& out) {
         << ", checksum " << checksum(nodes.data(), nodes.size()) << '\n'
         << "absorbing nodes: " << rates.size() / 3 << ", checksum "
         << checksum(rates.data(), rates.size() * sizeof(double)) << '\n'
-        << "shape functions: " << name_of(settings.shape) << '\n'
-        << "scheme: " << name_of(settings.scheme) << '\n'
+        << "shape functions: " << word_of(words::shapes, settings.shape) << '\n'
+        << "scheme: " << word_of(words::schemes, settings.scheme) << '\n'
         << "bulk viscosity: linear " << settings.linear_viscosity << ", quadratic "
         << settings.quadratic_viscosity << '\n'
         << "volumetric strain: " << (settings.cell_mean ? "mean of the cell" : "own") << '\n'

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 #include "support/kernel.hpp"
@@ -34,6 +35,11 @@ enum : int {
     q,    // bulk viscous pressure, compression positive [Pa]
     own   // first column of the material
 };
+// As files have them.
+inline constexpr const char* names[] = {"r",    "z",    "v_r",  "v_z", "F_rr", "F_rz", "F_zr",
+                                        "F_zz", "F_tt", "l_r",  "l_z", "mass", "V0",   "S_rr",
+                                        "S_zz", "S_tt", "S_rz", "b_r", "b_z",  "q"};
+static_assert(std::size(names) == own);
 }  // namespace column
 
 // What kernels see: column c of particle p is base[c * stride + p].

@@ -7,7 +7,7 @@ import tempfile
 
 
 @contextlib.contextmanager
-def aside(target):
+def whole_file(target):
     """A new file beside target, which takes its name where the block ends well and is gone where it does not."""
     handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
     os.close(handle)
