@@ -104,9 +104,7 @@ void read_contact(Words& words, Case& plan) {
 }
 
 void add_stage(const std::string& name, Case& plan) {
-    for (const mpm::StagePlan& other : plan.stages)
-        if (other.name == name)
-            throw std::invalid_argument("two stages are called \"" + name + '"');
+    refuse("the name of a stage", mpm::objection_to_name_of_stage(plan, name), no_name);
     plan.stages.emplace_back().name = name;
 }
 
@@ -201,7 +199,7 @@ FixCase read_fix(const std::vector<std::string>& given, const double (&box)[2][2
 }
 
 mpm::StagePlan read_stage(const std::vector<std::string>& given, const mpm::StagePlan& before,
-                          mpm::Scheme scheme) {
+                          const Case& plan) {
     Words words(given);
     mpm::StagePlan out = before;
     out.end = {};
@@ -214,7 +212,7 @@ mpm::StagePlan read_stage(const std::vector<std::string>& given, const mpm::Stag
         else throw std::invalid_argument("unknown keyword \"" + key + "\" of a stage");
     }
     const KeyName name = fix_words(mpm::end_members());
-    refuse("", mpm::objection_to(out.end, scheme, name), name);
+    refuse("", mpm::objection_to(plan, out.end, name), name);
     return out;
 }
 

@@ -36,8 +36,8 @@ struct FixCase {
 // Throws std::invalid_argument.
 FixCase read_fix(const std::vector<std::string>& words, const double (&box)[2][2]);
 
-// A stage as fix_modify describes it; what it does not name is as before.
+// A stage of a case as fix_modify describes it; what it does not name is as before.
 mpm::StagePlan read_stage(const std::vector<std::string>& words, const mpm::StagePlan& before,
-                          mpm::Scheme scheme);
+                          const mpm::Case& plan);
 
 }  // namespace grit::lammps

@@ -289,8 +289,7 @@ int FixGritMpm::modify_param(int count, char** words) {
 void FixGritMpm::begin_stage(const std::vector<std::string>& words) {
     mpm::Runner& runner = run->run();
     runner.begin(words[0], [&](const mpm::StagePlan& before) {
-        return read_stage({words.begin() + 1, words.end()}, before,
-                          runner.description().settings.scheme);
+        return read_stage({words.begin() + 1, words.end()}, before, runner.description());
     });
 }
 

@@ -75,9 +75,7 @@ mpm::SandPlan read_sand(Words& words) {
 void read_body(Words& words, FixCase& out) {
     mpm::BodyPlan body{};
     body.name = words.word("the name of a body");
-    for (const mpm::BodyPlan& other : out.plan.bodies)
-        if (other.name == body.name)
-            throw std::invalid_argument("two bodies are called \"" + body.name + '"');
+    refuse("the name of a body", mpm::objection_to_name_of_body(out.plan, body.name), no_name);
     Members members;
     if (words.choice("what a body is made of", member_kinds) == 0)
         members.type = words.integer("an atom type", mpm::words::many);

@@ -81,6 +81,8 @@ double Words::value(const std::string& what, const mpm::CaseWord& of) {
     }
 }
 
+std::string no_name(std::string_view) { return {}; }
+
 void refuse(const std::string& where, const mpm::Objections& objection, const mpm::KeyName& name) {
     if (objection) throw std::invalid_argument(where + name(objection->key) + objection->what);
 }

@@ -48,6 +48,8 @@ class Words {
     std::size_t at = 0;
 };
 
+// Where that says the key already.
+std::string no_name(std::string_view key);
 // Throws std::invalid_argument for what is objected to, in front of which where is said.
 void refuse(const std::string& where, const mpm::Objections& objection, const mpm::KeyName& name);
 

@@ -180,10 +180,7 @@ TimeTable read_time_table(TomlTable& table, const std::string& key, double unit)
         table.fail(key,
                    fmt::format("{} must have as many numbers as {}, {}, got {}", table.full(key),
                                table.full("time_s"), out.time.size(), out.value.size()));
-    for (std::size_t i = 1; i < out.time.size(); ++i)
-        if (!(out.time[i] > out.time[i - 1]))
-            table.fail("time_s", fmt::format("{} must ascend: {:g} after {:g}",
-                                             table.full("time_s"), out.time[i], out.time[i - 1]));
+    refuse(table, objection_to(out));
     if (out.time.empty()) table.fail("time_s", table.full("time_s") + " is empty");
     return out;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/mpm/case_file.hpp"
 
-#include <cctype>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -17,29 +16,12 @@ namespace {
 
 using namespace grit::mpm;
 
-// Names become parts of file names, and of keys in [override].
-void check_name(const TomlTable& table, const std::string& key, const std::string& name) {
-    for (const char c : name)
-        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-')
-            table.fail(key, fmt::format("{} may have letters, digits, _ and - only, got \"{}\"",
-                                        table.full(key), name));
-    if (name.empty()) table.fail(key, table.full(key) + " is empty");
-}
-
-bool has_pulses(const Case& plan) {
-    for (const TractionPlan& traction : plan.tractions)
-        if (std::holds_alternative<PulseTrain>(traction.stress)) return true;
-    return false;
-}
-
 StageEnd read_until(TomlTable table, const Case& plan) {
     StageEnd out;
     read_members(table, "stage.until", end_members(), out);
     if (table.given().empty())
         table.fail("", fmt::format("{} must say what ends the stage", table.full("")));
-    refuse(table, objection_to(out, plan.settings.scheme, same_name));
-    if (out.blows > 0 && !has_pulses(plan))
-        table.fail("blows", fmt::format("{} needs a traction with pulses", table.full("blows")));
+    refuse(table, objection_to(plan, out, same_name));
     table.finish();
     return out;
 }
@@ -49,11 +31,7 @@ void read_stage_names(TomlTable& root, Case& plan) {
     for (TomlTable& table : root.tables_if("stage")) {
         StagePlan stage;
         stage.name = table.string("name");
-        check_name(table, "name", stage.name);
-        for (const StagePlan& other : plan.stages)
-            if (other.name == stage.name)
-                table.fail("name", fmt::format("{}: there is a stage \"{}\" already",
-                                               table.full("name"), stage.name));
+        refuse(table, objection_to_name_of_stage(plan, stage.name));
         plan.stages.push_back(stage);
     }
     if (plan.stages.empty()) root.fail("stage", "stage is missing: a case needs a [[stage]]");
@@ -74,11 +52,7 @@ void read_stages(TomlTable& root, Case& plan) {
 void read_bodies(TomlTable& root, Case& plan) {
     for (TomlTable& table : root.tables_if("body")) {
         BodyPlan body = read_body(table, plan);
-        check_name(table, "name", body.name);
-        for (const BodyPlan& other : plan.bodies)
-            if (other.name == body.name)
-                table.fail("name", fmt::format("{}: there is a body \"{}\" already",
-                                               table.full("name"), body.name));
+        refuse(table, objection_to_name_of_body(plan, body.name));
         if (auto* rigid = std::get_if<RigidPlan>(&body.material);
             rigid && !rigid->from_stage.empty()) {
             TomlTable inner = table.table("rigid");
@@ -139,7 +113,7 @@ MpmCaseFile read_mpm_case(const std::filesystem::path& path) {
     TomlTable root = TomlTable::of_file(path, &out.inputs);
     Case& plan = out.plan;
     plan.name = root.string_if("name").value_or(path.stem().string());
-    check_name(root, "name", plan.name);
+    refuse(root, objection_to_name(plan.name));
     plan.title = root.string_if("title").value_or(plan.name);
     read_members(root, "", numerics_members(), plan);
     read_grid(root.table("grid"), plan);

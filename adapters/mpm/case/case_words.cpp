@@ -70,9 +70,11 @@ constexpr Member<StageEnd> of_end[] = {
 constexpr FixKeyword keywords[] = {
     {"grid", "`r`|`z` TO CELLS GROWTH",
      "the next segment of an axis up to TO [m]; a cell is GROWTH times as long as the one before"},
-    {"boundary", "{side} {boundary.left}", "of a side of the grid; default `free`"},
+    {"boundary", "{side} {boundary.left}",
+     "of a side of the grid; default `free`, the axis is a roller"},
     {"body", "NAME `type` N|`group` G MATERIAL",
-     "MATERIAL: `rigid`; `elastic` E NU; `neo_hooke` E NU; `sand` NAME|`custom` (PARAMETER "
+     "NAME: letters, digits, _ and -; MATERIAL: `rigid`; `elastic` E NU; `neo_hooke` E NU; `sand` "
+     "NAME|`custom` (PARAMETER "
      "VALUE)... with the "
      "parameters of `grit/sand.h`, Pa and rad, and `tolerance`, `evaluation_limit`, `intergranular "
      "on`|`off`"},
@@ -85,7 +87,8 @@ constexpr FixKeyword keywords[] = {
      "STIFF SOFT {contact.law} MU [`power` K] [`normal` {contact.normal}] [`distance` "
      "{contact.distance}] [`gated` `yes`|`no`]",
      "at nodes; `power` of the geo law alone, `distance` not without gate where it is frictional"},
-    {"stages", "N NAME...", "all stages, in order; default: one, `run`"},
+    {"stages", "N NAME...",
+     "all stages, in order; default: one, `run`; names: letters, digits, _ and -"},
     {"driven", "NAME {history.depth_of}", "the body of the history; default: the first"}};
 
 std::string joined(Spellings words, bool of_fix_alone) {

@@ -1,14 +1,58 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/mpm/case/rules.hpp"
 
+#include <algorithm>
+
 #include "adapters/mpm/step/text.hpp"
 
 namespace grit::mpm {
+namespace {
+
+// Letters of ASCII: names are the same everywhere.
+bool may_be_in_name(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-';
+}
+
+template <class Plans>
+Objections objection_to_another(const Plans& plans, const std::string& name, const char* kind) {
+    if (auto objection = objection_to_name(name)) return objection;
+    for (const auto& other : plans)
+        if (other.name == name)
+            return Objection{"name",
+                             std::string(": there is a ") + kind + " \"" + name + "\" already"};
+    return {};
+}
+
+}  // namespace
+
+Objections objection_to_name(const std::string& name) {
+    if (name.empty()) return Objection{"name", " is empty"};
+    if (!std::all_of(name.begin(), name.end(), may_be_in_name))
+        return Objection{"name", " may have letters, digits, _ and - only, got \"" + name + '"'};
+    return {};
+}
+
+Objections objection_to_name_of_body(const Case& plan, const std::string& name) {
+    return objection_to_another(plan.bodies, name, "body");
+}
+
+Objections objection_to_name_of_stage(const Case& plan, const std::string& name) {
+    return objection_to_another(plan.stages, name, "stage");
+}
 
 Objections objection_to(const Case& plan, Side side) {
     if (side == Side::left && plan.settings.axisymmetric && plan.r.from == 0.0 &&
         plan.boundary[static_cast<int>(side)] != Boundary::roller)
         return Objection{"left", " is the axis r = 0: roller"};
+    return {};
+}
+
+Objections objection_to(const TimeTable& table) {
+    for (std::size_t i = 1; i < table.time.size(); ++i)
+        if (!(table.time[i] > table.time[i - 1]))
+            return Objection{"time_s", " must ascend: " + text(table.time[i]) + " after " +
+                                           text(table.time[i - 1])};
     return {};
 }
 
@@ -59,13 +103,18 @@ Objections objection_to(const ContactPlan& contact, const IsGiven& given) {
     return {};
 }
 
-Objections objection_to(const StageEnd& end, Scheme scheme, const KeyName& name) {
+Objections objection_to(const Case& plan, const StageEnd& end, const KeyName& name) {
     if (end.kinetic_share > 0.0 && end.unbalanced_share == 0.0)
         return Objection{"kinetic_share",
                          " needs " + name("unbalanced_share") +
                              ": a body that turns back has no kinetic energy either"};
-    if (end.unbalanced_share > 0.0 && scheme == Scheme::musl)
+    if (end.unbalanced_share > 0.0 && plan.settings.scheme == Scheme::musl)
         return Objection{"unbalanced_share", " is not measured with the scheme musl"};
+    const auto has_pulses = [](const TractionPlan& traction) {
+        return std::holds_alternative<PulseTrain>(traction.stress);
+    };
+    if (end.blows > 0 && std::none_of(plan.tractions.begin(), plan.tractions.end(), has_pulses))
+        return Objection{"blows", " needs a traction with pulses"};
     return {};
 }
 

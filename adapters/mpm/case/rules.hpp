@@ -23,14 +23,20 @@ using KeyName = std::function<std::string(std::string_view key)>;
 // Does the part say something of a key?
 using IsGiven = std::function<bool(std::string_view key)>;
 
+// Names become parts of file names, of keys in [override] and of commands.
+Objections objection_to_name(const std::string& name);
+// ... of a body or a stage besides those that the case has.
+Objections objection_to_name_of_body(const Case& plan, const std::string& name);
+Objections objection_to_name_of_stage(const Case& plan, const std::string& name);
 // A side that is given a boundary.
 Objections objection_to(const Case& plan, Side side);
+Objections objection_to(const TimeTable& table);
 Objections objection_to(const PulseTrain& pulses, const KeyName& name);
 Objections objection_to(const Case& plan, const TractionPlan& traction);
 // Of the contact and of those before it.
 Objections objection_to_contact(const Case& plan, std::size_t contact, const KeyName& name);
 // Of the law and of what is given for it.
 Objections objection_to(const ContactPlan& contact, const IsGiven& given);
-Objections objection_to(const StageEnd& end, Scheme scheme, const KeyName& name);
+Objections objection_to(const Case& plan, const StageEnd& end, const KeyName& name);
 
 }  // namespace grit::mpm

@@ -26,7 +26,7 @@ std::string refusal_of(const std::vector<std::string>& words) {
 
 std::string refusal_of_stage(const std::vector<std::string>& words) {
     try {
-        grit::lammps::read_stage(words, {}, Scheme::usl);
+        grit::lammps::read_stage(words, {}, Case());
     } catch (const std::invalid_argument& refused) {
         return refused.what();
     }

@@ -116,8 +116,7 @@ std::string refusal_of_fix(const Pair& pair, double number) {
     if (!pair.of_stage) words += ' ' + given;
     try {
         const grit::lammps::FixCase plan = grit::lammps::read_fix(split(words), box);
-        if (pair.of_stage)
-            grit::lammps::read_stage(split(given), plan.plan.stages[0], plan.plan.settings.scheme);
+        if (pair.of_stage) grit::lammps::read_stage(split(given), plan.plan.stages[0], plan.plan);
     } catch (const std::invalid_argument& refused) {
         return refused.what();
     }
@@ -163,7 +162,7 @@ TEST(LammpsRanges, OfWordsThatMustFitTogetherAreThoseOfCaseFiles) {
               "distance: the frictional law measures none unless it is gated");
     EXPECT_EQ(plane(geo + " contact block plate geo 0.1"),
               "contact block plate: \"block\" and \"plate\" have a contact already");
-    EXPECT_EQ(plane("stages 3 a b a"), "two stages are called \"a\"");
+    EXPECT_EQ(plane("stages 3 a b a"), "the name of a stage: there is a stage \"a\" already");
     EXPECT_EQ(plane("traction block all top 0 0 5"), "the direction of a traction must not be 0");
     EXPECT_EQ(plane("traction block all top 0 -1 pulses half_sine 1 3 1 4 0 2"),
               "the time of its peak: a half sine has its peak at 1.5 s, got 1");
@@ -177,11 +176,13 @@ TEST(LammpsRanges, OfWordsThatMustFitTogetherAreThoseOfCaseFiles) {
 TEST(LammpsRanges, OfStagesThatEndAtRestAreThoseOfCaseFiles) {
     using grit::lammps::read_stage;
     using grit::mpm::Scheme;
+    grit::mpm::Case plan;
     const std::vector<std::string> rest = split("until_unbalanced 0.1 until_kinetic 0.01");
-    EXPECT_EQ(read_stage(rest, {}, Scheme::usl).end.kinetic_share, 0.01);
-    const auto refusal = [](const std::vector<std::string>& words, Scheme scheme) {
+    EXPECT_EQ(read_stage(rest, {}, plan).end.kinetic_share, 0.01);
+    const auto refusal = [&plan](const std::vector<std::string>& words, Scheme scheme) {
+        plan.settings.scheme = scheme;
         try {
-            read_stage(words, {}, scheme);
+            read_stage(words, {}, plan);
         } catch (const std::invalid_argument& refused) {
             return std::string(refused.what());
         }
@@ -191,6 +192,151 @@ TEST(LammpsRanges, OfStagesThatEndAtRestAreThoseOfCaseFiles) {
     EXPECT_EQ(refusal(split("until_kinetic 0.01"), Scheme::usl),
               "until_kinetic needs until_unbalanced: a body that turns back has no kinetic energy "
               "either");
+}
+
+// A case file and the words of the fix for the same case.
+const char* const sound_file = R"([numerics]
+scheme = "usl"
+[grid]
+geometry = "axisymmetric"
+r = [{to_m = 30, cells = 3}]
+z = [{to_m = 30, cells = 3}]
+[boundary]
+left = "roller"
+[[body]]
+name = "plate"
+box = [{r_m = [0, 9], z_m = [20, 21]}]
+rigid = {time_s = [0, 1], velocity_z_m_per_s = [0, 1]}
+[[body]]
+name = "other"
+box = [{r_m = [0, 9], z_m = [23, 24]}]
+rigid = {}
+[[body]]
+name = "block"
+box = [{r_m = [0, 9], z_m = [1, 9]}]
+density_kg_per_m3 = 1000
+elastic = {youngs_modulus_kPa = 1, poissons_ratio = 0.3}
+[[traction]]
+body = "block"
+edge = "top"
+pulses = {peak_kPa = 1, form = "half_sine", duration_s = 3, peak_time_s = 1.5, interval_s = 4}
+[[contact]]
+stiff = "plate"
+soft = "block"
+law = "geo"
+[[stage]]
+name = "one"
+until = {time_s = 1, blows = 1, unbalanced_share = 0.1, kinetic_share = 0.01}
+)";
+const char* const sound_fix =
+    "axisymmetric grid r 30 3 1 grid z 30 3 1 scheme usl boundary left roller "
+    "body plate type 1 rigid motion plate 0 table 2 0 0 1 1 body other type 2 rigid "
+    "body block type 3 elastic 1000 0.3 "
+    "traction block loaded top 0 -1 pulses half_sine 1000 3 1.5 4 0 1 "
+    "contact plate block geo 0 stages 1 one";
+const char* const sound_stage =
+    "until_time 1 until_blows 1 until_unbalanced 0.1 until_kinetic 0.01";
+
+// Other words in the place of those of the sound case, in the file and in the fix or its stage.
+struct Change {
+    const char *in_file, *file, *in_fix, *fix;
+    const char* refusal;  // what both say behind the place; "": both take it
+};
+
+const Change changes[] = {
+    {"", "", "", "", ""},
+    {"left = \"roller\"", "", " boundary left roller", "", ""},
+    {"\"roller\"", "\"fixed\"", "left roller", "left fixed", " is the axis r = 0: roller"},
+    {"\"roller\"", "\"free\"", "left roller", "left free", " is the axis r = 0: roller"},
+    {"body = \"block\"", "body = \"plate\"", "traction block", "traction plate",
+     ": \"plate\" is rigid, no load moves it"},
+    {"soft = \"block\"", "soft = \"plate\"", "contact plate block", "contact plate plate",
+     " must be another body than "},
+    {"soft = \"block\"", "soft = \"other\"", "contact plate block", "contact plate other",
+     ": both bodies are rigid"},
+    {"[[stage]]", "[[contact]]\nstiff = \"block\"\nsoft = \"plate\"\nlaw = \"geo\"\n[[stage]]",
+     "stages", "contact block plate geo 0 stages",
+     ": \"block\" and \"plate\" have a contact already"},
+    {"[[stage]]", "[[contact]]\nstiff = \"block\"\nsoft = \"other\"\nlaw = \"geo\"\n[[stage]]",
+     "stages", "contact block other geo 0 stages", ""},
+    {"\"geo\"", "\"geo\"\npenalty_power = 6", "geo 0", "geo 0 power 6", ""},
+    {"\"geo\"", "\"frictional\"\npenalty_power = 6", "geo 0", "frictional 0 power 6",
+     " belongs to the geo law, not to the frictional one"},
+    {"\"geo\"", "\"frictional\"\ndistance = \"edge\"", "geo 0", "frictional 0 distance edge", ""},
+    {"\"geo\"", "\"frictional\"\ndistance = \"support\"\ngated = false", "geo 0",
+     "frictional 0 distance support gated no",
+     ": the frictional law measures none unless it is gated"},
+    {"unbalanced_share = 0.1, ", "", " until_unbalanced 0.1", "",
+     ": a body that turns back has no kinetic energy either"},
+    {"unbalanced_share = 0.1", "unbalanced_share = 0", "unbalanced 0.1", "unbalanced 0",
+     ": a body that turns back has no kinetic energy either"},
+    {", kinetic_share = 0.01", "", " until_kinetic 0.01", "", ""},
+    {"unbalanced_share = 0.1, kinetic_share = 0.01", "kinetic_share = 0",
+     "until_unbalanced 0.1 until_kinetic 0.01", "until_kinetic 0", ""},
+    {"\"usl\"", "\"musl\"", "usl", "musl", " is not measured with the scheme musl"},
+    {"time_s = [0, 1]", "time_s = [1, 2]", "table 2 0 0 1 1", "table 2 1 0 2 1", ""},
+    {"half_sine", "triangle", "half_sine", "triangle", ""},
+    {"peak_time_s = 1.5", "peak_time_s = 1", "3 1.5", "3 1",
+     ": a half sine has its peak at 1.5 s, got 1"},
+    {"\"half_sine\", duration_s = 3, peak_time_s = 1.5",
+     "\"triangle\", duration_s = 3, peak_time_s = 3", "half_sine 1000 3 1.5", "triangle 1000 3 3",
+     "3, got 3"},
+    {"interval_s = 4", "interval_s = 3", "1.5 4", "1.5 3", ""},
+    {"interval_s = 4", "interval_s = 2.5", "1.5 4", "1.5 2.5", "3, got 2.5"},
+    {"time_s = [0, 1]", "time_s = [1, 0.5]", "table 2 0 0 1 1", "table 2 1 0 0.5 1",
+     " must ascend: 0.5 after 1"},
+    {"pulses = {peak_kPa = 1, form = \"half_sine\", duration_s = 3, peak_time_s = 1.5, interval_s "
+     "= 4}",
+     "time_s = [0, 0]\nstress_kPa = [1, 2]", "pulses half_sine 1000 3 1.5 4 0 1",
+     "table 2 0 1000 0 2000", " must ascend: 0 after 0"},
+    {"pulses = {peak_kPa = 1, form = \"half_sine\", duration_s = 3, peak_time_s = 1.5, interval_s "
+     "= 4}",
+     "time_s = [0, 1]\nstress_kPa = [1, 2]", "pulses half_sine 1000 3 1.5 4 0 1",
+     "table 2 0 1000 1 2000", " needs a traction with pulses"},
+    {"name = \"other\"", "name = \"block\"", "other", "block",
+     ": there is a body \"block\" already"},
+    {"name = \"other\"", "name = \"other.one\"", "other", "other.one",
+     " may have letters, digits, _ and - only, got \"other.one\""},
+    {"name = \"other\"", "name = \"Other_1-b\"", "other", "Other_1-b", ""},
+    {"[[stage]]", "[[stage]]\nname = \"one\"\nuntil = {time_s = 1}\n[[stage]]", "stages 1",
+     "stages 2 one", ": there is a stage \"one\" already"},
+    {"name = \"one\"", "name = \"o/ne\"", "stages 1 one", "stages 1 o/ne",
+     " may have letters, digits, _ and - only, got \"o/ne\""},
+};
+
+std::string refusal_of_fix_and_stage(const std::string& fix, const std::string& stage) {
+    const double box[2][2] = {{0.0, 30.0}, {0.0, 30.0}};
+    try {
+        const grit::mpm::Case plan = grit::lammps::read_fix(split(fix), box).plan;
+        grit::lammps::read_stage(split(stage), plan.stages[0], plan);
+    } catch (const std::invalid_argument& refused) {
+        return refused.what();
+    }
+    return {};
+}
+
+TEST(LammpsRanges, OfWholeCasesAreBrokenInTheSameWordsForBothReaders) {
+    const Folder folder;
+    // False: it is not there.
+    const auto put = [](std::string& text, const std::string& words, const char* others) {
+        const std::size_t at = text.find(words);
+        if (at != std::string::npos) text.replace(at, words.size(), others);
+        return at != std::string::npos;
+    };
+    for (const Change& change : changes) {
+        std::string text = sound_file, fix = sound_fix, stage = sound_stage;
+        ASSERT_TRUE(put(text, change.in_file, change.file)) << change.in_file;
+        ASSERT_TRUE(put(fix, change.in_fix, change.fix) || put(stage, change.in_fix, change.fix))
+            << change.in_fix;
+        const std::string refusals[] = {refusal_of_file(folder, text),
+                                        refusal_of_fix_and_stage(fix, stage)};
+        const std::string all = fmt::format("{}, {}\nfile: {}\nfix: {}", change.file, change.fix,
+                                            refusals[0], refusals[1]);
+        for (const std::string& refusal : refusals) {
+            EXPECT_EQ(refusal.empty(), !*change.refusal) << all;
+            EXPECT_TRUE(refusal.find(change.refusal) != std::string::npos) << all;
+        }
+    }
 }
 
 }  // namespace
