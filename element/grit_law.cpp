@@ -35,11 +35,15 @@ GritLaw::GritLaw(const grit_sand_parameters& parameters, const GritLawOptions& g
     grit_error error{};
     if (grit_sand_prepare(&parameters, &prepared, &error) != GRIT_OK) throw BadCase(error.message);
     options = usual_options();
-    if (!(given.tolerance >= 1e-12 && given.tolerance <= 0.1))
-        throw BadCase(text("tolerance must be in [1e-12, 0.1], got %g", given.tolerance));
-    if (given.evaluation_limit < 2 || given.evaluation_limit > 1000000)
-        throw BadCase(
-            text("evaluation_limit must be in [2, 1000000], got %d", given.evaluation_limit));
+    if (!(given.tolerance >= GRIT_SAND_LEAST_TOLERANCE &&
+          given.tolerance <= GRIT_SAND_LARGEST_TOLERANCE))
+        throw BadCase(text("tolerance must be in [%g, %g], got %g", GRIT_SAND_LEAST_TOLERANCE,
+                           GRIT_SAND_LARGEST_TOLERANCE, given.tolerance));
+    if (given.evaluation_limit < GRIT_SAND_LEAST_EVALUATION_LIMIT ||
+        given.evaluation_limit > GRIT_SAND_LARGEST_EVALUATION_LIMIT)
+        throw BadCase(text("evaluation_limit must be in [%d, %d], got %d",
+                           GRIT_SAND_LEAST_EVALUATION_LIMIT, GRIT_SAND_LARGEST_EVALUATION_LIMIT,
+                           given.evaluation_limit));
     if (!(water_stiffness >= 0.0) || !std::isfinite(water_stiffness))
         throw BadCase(
             text("the stiffness of the pore water must be >= 0 [stress], got %g", water_stiffness));

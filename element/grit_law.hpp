@@ -12,7 +12,7 @@ namespace element {
 grit_sand_options usual_options();
 
 struct GritLawOptions {
-    double tolerance = usual_options().tolerance;  // stress error / |stress|, [1e-12, 0.1]
+    double tolerance = usual_options().tolerance;  // stress error / |stress|
     int evaluation_limit = usual_options().evaluation_limit;
     bool intergranular_strain = true;  // false: basic hypoplasticity
     // (W1) K_w/n_p of the mixture [stress], 0: no pore water. If positive, stress is the total

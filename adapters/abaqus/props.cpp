@@ -43,9 +43,11 @@ grit_status prepare(const double* props, Material& out, grit_error& error) {
     const double tolerance = props[tolerance_place];
     grit_sand_options_init(&out.options, sizeof out.options);
     if (tolerance != 0.0) out.options.tolerance = tolerance;
-    if (!(out.options.tolerance >= 1e-12 && out.options.tolerance <= 0.1))
+    if (!(out.options.tolerance >= GRIT_SAND_LEAST_TOLERANCE &&
+          out.options.tolerance <= GRIT_SAND_LARGEST_TOLERANCE))
         return failure(error, GRIT_BAD_PARAMETER,
-                       "PROPS(17) (tolerance) must be 0 or in [1e-12, 0.1], got %g", tolerance);
+                       "PROPS(17) (tolerance) must be 0 or in [%g, %g], got %g",
+                       GRIT_SAND_LEAST_TOLERANCE, GRIT_SAND_LARGEST_TOLERANCE, tolerance);
     return grit_sand_prepare(&parameters, &out.sand, &error);
 }
 

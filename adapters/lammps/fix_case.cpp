@@ -121,7 +121,7 @@ const std::map<std::string, Reader>& readers() {
         {"contact", [](Words& w, FixCase& c) { read_contact(w, c.plan); }},
         {"stages",
          [](Words& w, FixCase& c) {
-             for (int n = w.integer("the number of stages", {1, 1000000}); n > 0; --n)
+             for (int n = w.integer("the number of stages", mpm::words::many); n > 0; --n)
                  add_stage(w.word("the name of a stage"), c.plan);
          }},
         {"driven",

@@ -54,7 +54,9 @@ mpm::SandPlan read_sand(Words& words) {
         } else if (words.take("tolerance")) {
             out.options.tolerance = words.number("tolerance", case_word("body.sand", "tolerance"));
         } else if (words.take("evaluation_limit")) {
-            out.options.evaluation_limit = words.integer("evaluation_limit", {2, 1000000});
+            out.options.evaluation_limit =
+                words.integer("evaluation_limit", {GRIT_SAND_LEAST_EVALUATION_LIMIT,
+                                                   GRIT_SAND_LARGEST_EVALUATION_LIMIT});
         } else if (words.take("intergranular")) {
             out.options.intergranular_off = words.choice("intergranular", mpm::words::on_off);
         } else {
@@ -76,7 +78,7 @@ void read_body(Words& words, FixCase& out) {
     refuse("the name of a body", mpm::objection_to_name_of_body(out.plan, body.name), no_name);
     Members members;
     if (words.choice("what a body is made of", member_kinds) == 0)
-        members.type = words.integer("an atom type", {1, 1000000});
+        members.type = words.integer("an atom type", mpm::words::many);
     else members.group = words.word("the group of a body");
     switch (words.choice("the material of a body", materials)) {
         case 0: body.material = mpm::RigidPlan{{{0.0}, {0.0}}, {{0.0}, {0.0}}}; break;

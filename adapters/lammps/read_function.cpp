@@ -8,7 +8,7 @@ using mpm::case_word;
 
 mpm::TimeTable read_table(Words& words, const std::string& what) {
     mpm::TimeTable out;
-    for (int n = words.integer("the number of points of " + what, {1, 1000000}); n > 0; --n) {
+    for (int n = words.integer("the number of points of " + what, mpm::words::many); n > 0; --n) {
         out.time.push_back(words.number("a time of " + what));
         out.value.push_back(words.number("a value of " + what));
     }

@@ -37,11 +37,12 @@ extern "C" {
 __attribute__((visibility("default"))) int GritSand_setParameter(const char* name, double value) {
     using namespace grit::mgis;
     if (is(name, "tolerance")) {
-        if (value >= 1e-12 && value <= 0.1) {
+        if (value >= GRIT_SAND_LEAST_TOLERANCE && value <= GRIT_SAND_LARGEST_TOLERANCE) {
             tolerance = value;
             return 1;
         }
-        std::fprintf(stderr, "GritSand: tolerance must be in [1e-12, 0.1], got %g\n", value);
+        std::fprintf(stderr, "GritSand: tolerance must be in [%g, %g], got %g\n",
+                     GRIT_SAND_LEAST_TOLERANCE, GRIT_SAND_LARGEST_TOLERANCE, value);
         return 0;
     }
     if (is(name, "minimal_time_step_scaling_factor")) {
@@ -61,11 +62,12 @@ __attribute__((visibility("default"))) int GritSand_setIntegerParameter(const ch
                                                                         int value) {
     using namespace grit::mgis;
     if (!is(name, "evaluation_limit")) return refuse_name(name, "integer", "evaluation_limit");
-    if (value >= 2 && value <= 1000000) {
+    if (value >= GRIT_SAND_LEAST_EVALUATION_LIMIT && value <= GRIT_SAND_LARGEST_EVALUATION_LIMIT) {
         evaluation_limit = value;
         return 1;
     }
-    std::fprintf(stderr, "GritSand: evaluation_limit must be in [2, 1000000], got %d\n", value);
+    std::fprintf(stderr, "GritSand: evaluation_limit must be in [%d, %d], got %d\n",
+                 GRIT_SAND_LEAST_EVALUATION_LIMIT, GRIT_SAND_LARGEST_EVALUATION_LIMIT, value);
     return 0;
 }
 }

@@ -7,7 +7,7 @@
 namespace grit::mgis {
 
 constexpr double default_tolerance = GRIT_SAND_DEFAULT_TOLERANCE;
-constexpr int default_evaluation_limit = 20000;
+constexpr int default_evaluation_limit = GRIT_SAND_DEFAULT_EVALUATION_LIMIT;
 constexpr double default_smallest_reduction = 0.1;
 
 struct Parameters {

@@ -61,9 +61,11 @@ Samples read_samples(TomlTable& root) {
 
 void read_numerics(TomlTable table, CaseFile& file) {
     file.options.tolerance = table.positive_or("tolerance", file.options.tolerance);
-    if (!(file.options.tolerance >= 1e-12 && file.options.tolerance <= 0.1))
-        table.fail("tolerance", fmt::format("{} must be in [1e-12, 0.1], got {:g}",
-                                            table.full("tolerance"), file.options.tolerance));
+    if (!(file.options.tolerance >= GRIT_SAND_LEAST_TOLERANCE &&
+          file.options.tolerance <= GRIT_SAND_LARGEST_TOLERANCE))
+        table.fail("tolerance", fmt::format("{} must be in [{:g}, {:g}], got {:g}",
+                                            table.full("tolerance"), GRIT_SAND_LEAST_TOLERANCE,
+                                            GRIT_SAND_LARGEST_TOLERANCE, file.options.tolerance));
     file.settings.tolerance = table.positive_or("stress_tolerance", file.settings.tolerance);
     if (!(file.settings.tolerance >= 1e-14 && file.settings.tolerance <= 1e-2))
         table.fail("stress_tolerance",
@@ -77,7 +79,8 @@ void read_numerics(TomlTable table, CaseFile& file) {
     file.settings.iteration_limit =
         table.integer_or("iteration_limit", file.settings.iteration_limit, 1, 1000);
     file.options.evaluation_limit =
-        table.integer_or("evaluation_limit", file.options.evaluation_limit, 2, 1000000);
+        table.integer_or("evaluation_limit", file.options.evaluation_limit,
+                         GRIT_SAND_LEAST_EVALUATION_LIMIT, GRIT_SAND_LARGEST_EVALUATION_LIMIT);
     table.finish();
 }
 

@@ -49,8 +49,10 @@ Outline read_outline(TomlTable table, bool box, const Case& plan) {
                                           table.full("r_m"), r.size()));
         for (std::size_t i = 0; i < r.size(); ++i) out.corners.push_back({r[i], z[i]});
     }
-    out.particles_r = integer_or(table, case_word("body.box", "particles_per_cell_r"), 0);
-    out.particles_z = integer_or(table, case_word("body.box", "particles_per_cell_z"), 0);
+    if (table.has("particles_per_cell_r"))
+        out.particles_r = integer(table, case_word("body.box", "particles_per_cell_r"));
+    if (table.has("particles_per_cell_z"))
+        out.particles_z = integer(table, case_word("body.box", "particles_per_cell_z"));
     table.finish();
     return out;
 }
@@ -117,7 +119,7 @@ SandPlan read_sand_body(TomlTable table) {
     out.parameters.pressure_shift *= kPa;
     grit_sand_options_init(&out.options, sizeof out.options);
     const grit::mpm::CaseWord& tolerance = case_word("body.sand", "tolerance");
-    out.options.tolerance = number_if(table, tolerance).value_or(tolerance.otherwise_number());
+    out.options.tolerance = number_or_default(table, tolerance);
     const std::string key = table.one_of({"void_ratio", "void_ratio_at_zero_pressure"});
     out.at_zero_pressure = key == "void_ratio_at_zero_pressure";
     out.void_ratio =
@@ -135,8 +137,7 @@ SandPlan read_sand_body(TomlTable table) {
 Geostatic read_stress_at_rest(TomlTable table) {
     Geostatic out;
     out.surface = number(table, case_word("body.stress_at_rest", "surface_m"));
-    out.surcharge =
-        number_if(table, case_word("body.stress_at_rest", "surcharge_kPa")).value_or(0.0);
+    out.surcharge = number_or_default(table, case_word("body.stress_at_rest", "surcharge_kPa"));
     out.K0 = number_if(table, case_word("body.stress_at_rest", "K0"));
     table.finish();
     return out;
@@ -194,8 +195,8 @@ BodyPlan read_body(TomlTable table, const Case& plan) {
     if (out.outlines.empty())
         table.fail("",
                    fmt::format("{0} needs a [[body.box]] or a [[body.polygon]]", table.full("")));
-    out.particles_r = integer_or(table, case_word("body", "particles_per_cell_r"), 2);
-    out.particles_z = integer_or(table, case_word("body", "particles_per_cell_z"), 2);
+    out.particles_r = integer_or_default(table, case_word("body", "particles_per_cell_r"));
+    out.particles_z = integer_or_default(table, case_word("body", "particles_per_cell_z"));
     read_material(table, out);
     read_density(table, out);
     if (auto rest = table.table_if("stress_at_rest"))

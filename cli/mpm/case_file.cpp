@@ -92,7 +92,7 @@ void read_history(TomlTable table, Case& plan) {
 
 FieldsPlan read_fields(TomlTable table) {
     FieldsPlan out;
-    out.interval = number_if(table, case_word("fields", "interval_s")).value_or(0.0);
+    out.interval = number_or_default(table, case_word("fields", "interval_s"));
     std::vector<std::string> names = table.strings_or_none("variables");
     if (!table.has("variables")) names = mpm_field_names();
     for (const std::string& name : names) {

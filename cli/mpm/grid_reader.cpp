@@ -21,9 +21,9 @@ AxisSegment read_segment(TomlTable table, double from) {
         table.fail("to_m",
                    fmt::format("{} must be above {:g} m, where the segment begins, got {:g}",
                                table.full("to_m"), from, out.to));
-    out.growth = number_if(table, case_word("grid.r", "growth")).value_or(1.0);
+    out.growth = number_or_default(table, case_word("grid.r", "growth"));
     if (table.one_of({"cell_m", "cells"}) == "cells") {
-        out.cells = integer_or(table, case_word("grid.r", "cells"), 1);
+        out.cells = integer(table, case_word("grid.r", "cells"));
     } else {
         const double cell = number(table, case_word("grid.r", "cell_m"));
         if (!(cell <= out.to - from))
@@ -36,9 +36,9 @@ AxisSegment read_segment(TomlTable table, double from) {
     return out;
 }
 
-AxisPlan read_axis(TomlTable& grid, const std::string& name) {
+AxisPlan read_axis(TomlTable& grid, const std::string& name, const CaseWord& begin) {
     AxisPlan out;
-    out.from = grid.number_if(name + "_from_m").value_or(0.0);
+    out.from = number_or_default(grid, begin);
     double from = out.from;
     for (TomlTable& segment : grid.tables_if(name)) {
         out.segments.push_back(read_segment(std::move(segment), from));
@@ -59,8 +59,8 @@ double nodes_of(const AxisPlan& plan) {
 
 void read_grid(TomlTable table, Case& plan) {
     plan.settings.axisymmetric = choice(table, case_word("grid", "geometry")) != 0;
-    plan.r = read_axis(table, "r");
-    plan.z = read_axis(table, "z");
+    plan.r = read_axis(table, "r", case_word("grid", "r_from_m"));
+    plan.z = read_axis(table, "z", case_word("grid", "z_from_m"));
     if (plan.settings.axisymmetric && plan.r.from < 0.0)
         table.fail("r_from_m", fmt::format("{}: an axisymmetric grid must not reach across the "
                                            "axis r = 0, got {:g}",

@@ -43,8 +43,8 @@ PulseTrain read_pulses(TomlTable table) {
     out.interval =
         number_if(table, case_word("traction.pulses", "interval_s")).value_or(out.duration);
     refuse(table, objection_to(out, same_name));
-    out.count = integer_or(table, case_word("traction.pulses", "count"), 1);
-    out.start = number_if(table, case_word("traction.pulses", "start_s")).value_or(0.0);
+    out.count = integer_or_default(table, case_word("traction.pulses", "count"));
+    out.start = number_or_default(table, case_word("traction.pulses", "start_s"));
     table.finish();
     return out;
 }
@@ -83,12 +83,8 @@ PenaltyLine read_line(TomlTable table, const Case& plan) {
 
 PenaltyPlan read_penalty(TomlTable& table, const Case& plan) {
     PenaltyPlan out{};
-    out.modulus = kPa * table.number("modulus_kPa");
-    if (!(out.modulus > 0.0))
-        table.fail("modulus_kPa", fmt::format("{} must be positive, got {:g}",
-                                              table.full("modulus_kPa"), out.modulus / kPa));
-    out.stiffness_multiple =
-        number_if(table, case_word("contact", "stiffness_multiple")).value_or(1.0);
+    out.modulus = number(table, case_word("contact", "modulus_kPa"));
+    out.stiffness_multiple = number_or_default(table, case_word("contact", "stiffness_multiple"));
     out.stiff_line = read_line(table.table("stiff_line"), plan);
     out.soft_line = read_line(table.table("soft_line"), plan);
     return out;
@@ -131,8 +127,8 @@ ContactPlan read_contact(TomlTable table, const Case& plan) {
     const int law = choice(table, case_word("contact", "law"));
     if (law == words::penalty_law_word) {
         out.law = GRIT_CONTACT_FRICTIONAL;
-        out.friction_coefficient =
-            number_if(table, case_word("contact", "friction_coefficient")).value_or(0.0);
+        out.friction_coefficient = number_if(table, case_word("contact", "friction_coefficient"))
+                                       .value_or(out.friction_coefficient);
         out.penalty = read_penalty(table, plan);
         table.finish();
         return out;

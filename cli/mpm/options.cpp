@@ -5,6 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <adapters/mpm/case/case_words.hpp>
+
 #include "cli/mpm/command.hpp"
 
 namespace cli {
@@ -13,13 +15,14 @@ void add_mpm_command(CLI::App& app, Command& asked) {
     CLI::App* mpm =
         app.add_subcommand("mpm", "Run a material-point case, see docs/material-points.md");
     const auto request = std::make_shared<MpmRequest>();
+    constexpr grit::mpm::Interval threads = grit::mpm::case_word("numerics", "threads").range;
     mpm->add_option("CASE", request->file, "TOML file");
     mpm->add_option("--keys", request->keys,
                     "Print the keys of case files or the words of fix grit/mpm, as in docs/")
         ->check(CLI::IsMember({"cases", "fix"}));
     mpm->add_option("--out", request->out, "Folder for data and pictures, made if missing [.]");
     mpm->add_option("--threads", request->threads, "Instead of the case's; changes no result")
-        ->check(CLI::Range(1, 1024));
+        ->check(CLI::Range(threads.low, threads.high));
     mpm->add_option("--checkpoint-minutes", request->checkpoint_minutes,
                     "Between checkpoints DIR/<case>.checkpoint; without, an interrupted run alone "
                     "leaves one")

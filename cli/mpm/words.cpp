@@ -23,9 +23,20 @@ double number(TomlTable& table, const CaseWord& word) {
     return table.number(std::string(word.key));  // says that it is missing
 }
 
-int integer_or(TomlTable& table, const CaseWord& word, int otherwise) {
-    return table.integer_or(std::string(word.key), otherwise, static_cast<int>(word.range.low),
+int integer(TomlTable& table, const CaseWord& word) {
+    const std::string key(word.key);
+    if (!table.has(key)) table.number(key);  // says that it is missing
+    return table.integer_or(key, 0, static_cast<int>(word.range.low),
                             static_cast<int>(word.range.high));
+}
+
+double number_or_default(TomlTable& table, const CaseWord& word) {
+    return number_if(table, word).value_or(word.otherwise_number());
+}
+
+int integer_or_default(TomlTable& table, const CaseWord& word) {
+    if (table.has(std::string(word.key))) return integer(table, word);
+    return static_cast<int>(word.otherwise_number());
 }
 
 int choice(TomlTable& table, const CaseWord& word) {

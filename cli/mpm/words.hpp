@@ -15,7 +15,10 @@ namespace cli {
 // The table is the one that the key stands in.
 double number(TomlTable& table, const grit::mpm::CaseWord& word);
 std::optional<double> number_if(TomlTable& table, const grit::mpm::CaseWord& word);
-int integer_or(TomlTable& table, const grit::mpm::CaseWord& word, int otherwise);
+int integer(TomlTable& table, const grit::mpm::CaseWord& word);
+// ... or what the word says where it is not given.
+double number_or_default(TomlTable& table, const grit::mpm::CaseWord& word);
+int integer_or_default(TomlTable& table, const grit::mpm::CaseWord& word);
 // The value of a word.
 int choice(TomlTable& table, const grit::mpm::CaseWord& word);
 std::optional<int> choice_if(TomlTable& table, const grit::mpm::CaseWord& word);
@@ -30,7 +33,7 @@ void read_member(TomlTable& table, const grit::mpm::Member<Plan>& member, Plan& 
     switch (word.kind) {
         case Kind::yes_or_no: return member.set(plan, table.boolean_or(key, false) ? 1.0 : 0.0);
         case Kind::choice: return member.set(plan, choice(table, word));
-        case Kind::integer: return member.set(plan, integer_or(table, word, 0));
+        case Kind::integer: return member.set(plan, integer(table, word));
         default: member.set(plan, number(table, word));
     }
 }

@@ -11,7 +11,7 @@ grit_contact_options default_contact_options() {
     grit_contact_options options{};
     options.struct_size = sizeof options;
     options.components = 3;
-    options.penalty_power = 6.0;
+    options.penalty_power = GRIT_CONTACT_DEFAULT_PENALTY_POWER;
     options.mass_tolerance = 1e-10;
     return options;
 }

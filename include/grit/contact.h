@@ -29,11 +29,12 @@ enum {
 
 enum { GRIT_CONTACT_NONE_RIGID = 0, GRIT_CONTACT_A_RIGID = 1, GRIT_CONTACT_B_RIGID = 2 };
 
+#define GRIT_CONTACT_DEFAULT_PENALTY_POWER 6.0
 typedef struct grit_contact_options {
     size_t struct_size;          /* set by init */
     int components;              /* 2 or 3, default 3 */
     int law;                     /* GRIT_CONTACT_GEO (default) or _FRICTIONAL */
-    double penalty_power;        /* k [-] in (0, 1e6], default 6 */
+    double penalty_power;        /* k [-] in (0, 1e6], default GRIT_CONTACT_DEFAULT_PENALTY_POWER */
     double friction_coefficient; /* mu [-] >= 0, default 0 */
     double adhesion;       /* c_a [stress] >= 0, default 0; needs contact_area and time_step */
     double time_step;      /* dt [time] > 0; 0 (default): not given, see grit_contact_nodes */

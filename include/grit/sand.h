@@ -100,10 +100,15 @@ enum {
     GRIT_TANGENT_CONSISTENT = 2 /* derivative of the stress by the strain increment */
 };
 #define GRIT_SAND_DEFAULT_TOLERANCE 3e-4 /* whole paths within 2e-4 of the exact stress */
+#define GRIT_SAND_LEAST_TOLERANCE 1e-12
+#define GRIT_SAND_LARGEST_TOLERANCE 0.1
+#define GRIT_SAND_DEFAULT_EVALUATION_LIMIT 20000
+#define GRIT_SAND_LEAST_EVALUATION_LIMIT 2
+#define GRIT_SAND_LARGEST_EVALUATION_LIMIT 1000000
 typedef struct grit_sand_options {
     size_t struct_size;    /* set by init */
-    double tolerance;      /* of the stress, see grit_sand_update; [1e-12, 0.1] */
-    int evaluation_limit;  /* of the rate per point, [2, 1000000], default 20000 */
+    double tolerance;      /* of the stress, see grit_sand_update; LEAST to LARGEST */
+    int evaluation_limit;  /* of the rate per point, LEAST to LARGEST */
     int intergranular_off; /* 1: basic hypoplasticity (H1), h left alone; default 0 */
     int tangent;           /* GRIT_TANGENT_..., default NONE */
     int instruction_set;   /* GRIT_ISA_..., default best */

@@ -13,7 +13,7 @@ inline constexpr grit_sand_options default_options = [] {
     grit_sand_options options{};
     options.struct_size = sizeof options;
     options.tolerance = GRIT_SAND_DEFAULT_TOLERANCE;
-    options.evaluation_limit = 20000;
+    options.evaluation_limit = GRIT_SAND_DEFAULT_EVALUATION_LIMIT;
     return options;
 }();
 

@@ -12,10 +12,14 @@ namespace grit {
 namespace {
 
 grit_status check_options(const grit_sand_options& o, grit_error* error) {
-    GRIT_REQUIRE(o.tolerance >= 1e-12 && o.tolerance <= 0.1,
-                 "tolerance must be in [1e-12, 0.1], got %g", o.tolerance);
-    GRIT_REQUIRE(o.evaluation_limit >= 2 && o.evaluation_limit <= 1000000,
-                 "evaluation_limit must be in [2, 1000000], got %d", o.evaluation_limit);
+    GRIT_REQUIRE(o.tolerance >= GRIT_SAND_LEAST_TOLERANCE &&
+                     o.tolerance <= GRIT_SAND_LARGEST_TOLERANCE,
+                 "tolerance must be in [%g, %g], got %g", GRIT_SAND_LEAST_TOLERANCE,
+                 GRIT_SAND_LARGEST_TOLERANCE, o.tolerance);
+    GRIT_REQUIRE(o.evaluation_limit >= GRIT_SAND_LEAST_EVALUATION_LIMIT &&
+                     o.evaluation_limit <= GRIT_SAND_LARGEST_EVALUATION_LIMIT,
+                 "evaluation_limit must be in [%d, %d], got %d", GRIT_SAND_LEAST_EVALUATION_LIMIT,
+                 GRIT_SAND_LARGEST_EVALUATION_LIMIT, o.evaluation_limit);
     GRIT_CHECK(check_switch(o.intergranular_off, "intergranular_off", error));
     GRIT_CHECK(check_switch(o.stress_is_rotated, "stress_is_rotated", error));
     GRIT_CHECK(check_switch(o.validate_only, "validate_only", error));

@@ -68,7 +68,8 @@ std::vector<Row> parameters(bool radian) {
         parameter(
             "tol", "tol", "–",
             "tolerance of the stress; may be missing; 0: " AS_WRITTEN(GRIT_SAND_DEFAULT_TOLERANCE),
-            "0 or 1e-12 … 0.1")};
+            "0 or " AS_WRITTEN(GRIT_SAND_LEAST_TOLERANCE) " … " AS_WRITTEN(
+                GRIT_SAND_LARGEST_TOLERANCE))};
 }
 
 Row state(int first, int last, const char* symbol, const char* plain, const char* meaning,

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include <grit/contact.h>
 #include <grit/sand.h>
 
 #include "adapters/mpm/case/time_function.hpp"
@@ -96,7 +97,7 @@ struct PenaltyPlan {
 struct ContactPlan {
     std::string stiff, soft;  // bodies
     int law = 0;              // GRIT_CONTACT_...
-    double friction_coefficient = 0.0, penalty_power = 6.0;
+    double friction_coefficient = 0.0, penalty_power = GRIT_CONTACT_DEFAULT_PENALTY_POWER;
     int normal = 0, measure = 0;  // GRIT_CONTACT_...
     bool gated = true;
     std::optional<PenaltyPlan> penalty = {};  // in place of a nodal law

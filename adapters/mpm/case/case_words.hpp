@@ -3,6 +3,7 @@
 // grit/mpm, the writer of scripts for LAMMPS and the tables of the documentation all look here.
 #pragma once
 
+#include <cassert>
 #include <cstdlib>
 #include <limits>
 #include <span>
@@ -45,7 +46,10 @@ struct CaseWord {
 
     // A number in SI units.
     constexpr Interval si_range() const { return {range.low * si, range.high * si, range.open}; }
-    double otherwise_number() const { return si * std::strtod(otherwise, nullptr); }
+    double otherwise_number() const {
+        assert(*otherwise);
+        return si * std::strtod(otherwise, nullptr);
+    }
 };
 
 namespace words {
@@ -183,7 +187,8 @@ inline constexpr CaseWord all[] = {
            "`mobilised` if the sand has parameters for it"),
     numbers("body.sand", "intergranular_direction", none, "of h if mobilised: rr zz tt rz",
             "vertical compression"),
-    number("body.sand", "tolerance", {1e-12, 0.1}, none, "of an update, relative", "0.001"),
+    number("body.sand", "tolerance", {GRIT_SAND_LEAST_TOLERANCE, GRIT_SAND_LARGEST_TOLERANCE}, none,
+           "of an update, relative", "0.001"),
 
     number("body.stress_at_rest", "surface_m", anything, metre, "level of no overburden ..."),
     number("body.stress_at_rest", "surcharge_kPa", time_range, kilopascal, "... but this", "0"),

@@ -23,7 +23,8 @@ struct ContactLaw {
 };
 
 // GRIT_CONTACT_GEO or _FRICTIONAL.
-ContactLaw contact_law(int law, double friction_coefficient, double penalty_power = 6.0);
+ContactLaw contact_law(int law, double friction_coefficient,
+                       double penalty_power = GRIT_CONTACT_DEFAULT_PENALTY_POWER);
 
 struct ContactBody {
     const NodeRecord* records;
