@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/mpm/case/case_words.hpp"
 
+#include <cstdlib>
 #include <stdexcept>
 #include <type_traits>
 #include <vector>
@@ -220,6 +221,14 @@ template <class Plan> std::string rows_of(std::span<const Member<Plan>> members,
 std::string Interval::text() const {
     if (open && high == infinite) return "> " + mpm::text(low);
     return (open ? "in (" : "in [") + mpm::text(low) + ", " + mpm::text(high) + (open ? ')' : ']');
+}
+
+double CaseWord::otherwise_number() const {
+    char* end = nullptr;
+    const double value = std::strtod(otherwise, &end);
+    if (end == otherwise || *end != '\0')
+        throw std::logic_error(std::string(key) + " is no number where it is not given");
+    return si * value;
 }
 
 std::span<const Member<Case>> numerics_members() { return of_numerics; }

@@ -3,8 +3,6 @@
 // grit/mpm, the writer of scripts for LAMMPS and the tables of the documentation all look here.
 #pragma once
 
-#include <cassert>
-#include <cstdlib>
 #include <limits>
 #include <span>
 #include <string>
@@ -46,10 +44,8 @@ struct CaseWord {
 
     // A number in SI units.
     constexpr Interval si_range() const { return {range.low * si, range.high * si, range.open}; }
-    double otherwise_number() const {
-        assert(*otherwise);
-        return si * std::strtod(otherwise, nullptr);
-    }
+    // ... of one whose otherwise is a number.
+    double otherwise_number() const;
 };
 
 namespace words {

@@ -86,6 +86,22 @@ TEST(CaseWords, AreEachOneMemberOfAPlanAlone) {
     expect_members_to_fit(end_members());
 }
 
+// Plans that are made without a reader.
+TEST(CaseWords, SayForWhatIsNotGivenWhatPlansDo) {
+    EXPECT_EQ(case_word("body", "particles_per_cell_r").otherwise_number(), BodyPlan{}.particles_r);
+    EXPECT_EQ(case_word("body", "particles_per_cell_z").otherwise_number(), BodyPlan{}.particles_z);
+    EXPECT_EQ(case_word("body.stress_at_rest", "surcharge_kPa").otherwise_number(),
+              Geostatic{}.surcharge);
+    EXPECT_EQ(case_word("contact", "stiffness_multiple").otherwise_number(),
+              PenaltyPlan{}.stiffness_multiple);
+    EXPECT_EQ(case_word("traction.pulses", "count").otherwise_number(), PulseTrain{}.count);
+    EXPECT_EQ(case_word("traction.pulses", "start_s").otherwise_number(), PulseTrain{}.start);
+    EXPECT_EQ(case_word("body.rigid", "velocity_r_m_per_s").otherwise_number(), 0.0);
+    EXPECT_THROW(case_word("body.box", "particles_per_cell_r").otherwise_number(),
+                 std::logic_error);
+    EXPECT_THROW(case_word("body.elastic", "poissons_ratio").otherwise_number(), std::logic_error);
+}
+
 TEST(CaseWords, OfTheFixAreKnownToIt) {
     for (const FixKeyword& keyword : fix_keywords())
         EXPECT_EQ(refusal_of({"plane_strain", std::string(keyword.word)}).find("the command ends"),
