@@ -17,9 +17,10 @@ constexpr int tolerance_place = GRIT_CLASSIC_NPROPS, props_read = tolerance_plac
 
 // phi_c in the layout's own unit: the library would speak of radians whatever PROPS are.
 grit_status check_angle(double phi_c, grit_error& error) {
-    const double unit = GRIT_DEGREE / layout.angle;  // one degree
-    const double low = 10.0 * unit, high = 60.0 * unit;
-    if (phi_c >= low && phi_c <= high) return GRIT_OK;
+    const grit_sand_parameter_info& known = *grit_sand_parameter_describe(0);
+    const double low = known.lowest / layout.angle, high = known.highest / layout.angle;
+    if (phi_c * layout.angle >= known.lowest && phi_c * layout.angle <= known.highest)
+        return GRIT_OK;
     const double other = layout.angle == 1.0 ? phi_c * GRIT_DEGREE : phi_c / GRIT_DEGREE;
     return failure(error, GRIT_BAD_PARAMETER,
                    "PROPS(1) (phi_c) must be in [%.6g, %.6g] %s, got %g%s%s%s", low, high,

@@ -11,9 +11,12 @@ namespace grit::mgis {
 
 grit_status read_material(const double* properties, Material& out, grit_error& error) {
     const double phi_c = properties[0];
-    if (!(phi_c >= 10.0 && phi_c <= 60.0))
+    const grit_sand_parameter_info& known = *grit_sand_parameter_describe(0);
+    const double angle = phi_c * GRIT_DEGREE;
+    if (!(angle >= known.lowest && angle <= known.highest))
         return failure(error, GRIT_BAD_PARAMETER,
-                       "CriticalFrictionAngle must be in [10, 60] degrees, got %g%s", phi_c,
+                       "CriticalFrictionAngle must be in [%g, %g] degrees, got %g%s",
+                       known.lowest / GRIT_DEGREE, known.highest / GRIT_DEGREE, phi_c,
                        phi_c > 0.0 && phi_c < 1.1 ? ": radians?" : "");
     out.K_w = properties[GRIT_CLASSIC_WATER_STIFFNESS];
     if (!(out.K_w >= 0.0 && std::isfinite(out.K_w)))

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include "cli/mpm/case_file.hpp"
+#include "cli/mpm/fields.hpp"
+#include "cli/mpm/history.hpp"
 #include "cli/mpm/run.hpp"
 #include "cli/mpm/to_lammps.hpp"
 #include "cli/process/abnormal_end.hpp"
@@ -75,9 +77,17 @@ ExitCode convert(const MpmRequest& request, const Case& plan) {
 
 }  // namespace
 
+const std::map<std::string, std::string (*)()>& printed_tables() {
+    static const std::map<std::string, std::string (*)()> all{{"cases", &keys_of_cases},
+                                                              {"fix", &keys_of_fix},
+                                                              {"fields", &mpm_field_table},
+                                                              {"history", &history_table}};
+    return all;
+}
+
 ExitCode run_mpm(const MpmRequest& request) {
     if (!request.keys.empty()) {
-        fmt::print("{}", request.keys == "fix" ? keys_of_fix() : keys_of_cases());
+        fmt::print("{}", printed_tables().at(request.keys)());
         return ok;
     }
     MpmCaseFile file = read_mpm_case(request.file);

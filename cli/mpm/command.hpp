@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -10,7 +11,7 @@
 namespace cli {
 
 struct MpmRequest {
-    std::string keys;  // "cases" or "fix": print their table, and no more
+    std::string keys;  // print this table, and no more; empty: none
     std::filesystem::path file;
     std::filesystem::path out = ".";
     std::optional<int> threads;  // instead of the case's
@@ -24,6 +25,9 @@ struct MpmRequest {
 // Run a case, write DIR/<case>.csv. DIR/<case>.checkpoint is written every so many minutes, and when the
 // run is interrupted, and removed when it is done. Throws BadInput before anything is computed if the
 // case or the checkpoint is wrong, or if a file would be overwritten.
+// By the word of --keys.
+const std::map<std::string, std::string (*)()>& printed_tables();
+
 ExitCode run_mpm(const MpmRequest& request);
 
 }  // namespace cli

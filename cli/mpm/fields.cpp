@@ -64,6 +64,20 @@ std::vector<std::string> mpm_field_names() {
     return out;
 }
 
+std::string mpm_field_table() {
+    std::string out = "| variable | unit | of | what |\n|---|---|---|---|\n";
+    for (const MpmField& field : mpm_fields()) {
+        const char* const of = field.of == ShownOf::every_body ? "all"
+                               : field.of == ShownOf::stressed ? "all but rigid"
+                                                               : "sand";
+        std::string meaning;
+        for (const char c : std::string_view(field.meaning))
+            meaning += c == '|' ? std::string("\\|") : std::string(1, c);
+        out += fmt::format("| `{}` | {} | {} | {} |\n", field.name, field.unit, of, meaning);
+    }
+    return out;
+}
+
 const MpmField& mpm_field(const std::string& name) {
     for (const MpmField& field : mpm_fields())
         if (field.name == name) return field;

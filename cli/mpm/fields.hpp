@@ -24,6 +24,8 @@ struct MpmField {
 
 const std::vector<MpmField>& mpm_fields();
 std::vector<std::string> mpm_field_names();
+// Table of the documentation, Markdown.
+std::string mpm_field_table();
 // Throws std::invalid_argument with the nearest name.
 const MpmField& mpm_field(const std::string& name);
 

@@ -24,6 +24,15 @@ std::vector<Column> history_columns() {
     return out;
 }
 
+std::string history_table() {
+    std::string out = "| `f_ID[...]` | column | unit |\n|---|---|---|\n";
+    int number = 0;
+    for (const HistoryColumn& column : grit::mpm::history_columns())
+        out += fmt::format("| {} | `{}` | {} |\n", ++number, column.name,
+                           *column.unit ? column.unit : "-");
+    return out;
+}
+
 std::vector<double> history_values(const grit::mpm::HistoryRow& row) {
     std::vector<double> out;
     for (const HistoryColumn& column : grit::mpm::history_columns())

@@ -13,6 +13,8 @@ namespace cli {
 
 std::vector<Column> history_columns();
 std::vector<double> history_values(const grit::mpm::HistoryRow& row);
+// Table of the documentation, Markdown: as fix grit/mpm has them, in SI units.
+std::string history_table();
 // What stands above them.
 std::vector<std::string> history_comments(const grit::mpm::Runner& runner);
 

@@ -175,7 +175,7 @@ std::string id_list(const std::vector<int>& ids) {
 std::string columns_comment() {
     std::string out = "# Columns:";
     int number = 1;
-    for (const HistoryColumn& column : history_columns())
+    for (const HistoryColumn& column : grit::mpm::history_columns())
         out += fmt::format("{}{} {}{}", number % 6 == 1 ? "\n#   " : ", ", number, column.name,
                            *column.unit ? fmt::format(" [{}]", column.unit) : ""),
             ++number;

@@ -17,9 +17,11 @@ void add_mpm_command(CLI::App& app, Command& asked) {
     const auto request = std::make_shared<MpmRequest>();
     constexpr grit::mpm::Interval threads = grit::mpm::case_word("numerics", "threads").range;
     mpm->add_option("CASE", request->file, "TOML file");
-    mpm->add_option("--keys", request->keys,
-                    "Print the keys of case files or the words of fix grit/mpm, as in docs/")
-        ->check(CLI::IsMember({"cases", "fix"}));
+    mpm->add_option(
+           "--keys", request->keys,
+           "Print the keys of case files, the words of fix grit/mpm, the variables of fields "
+           "or the columns of the history, as in docs/")
+        ->check(CLI::IsMember(printed_tables()));
     mpm->add_option("--out", request->out, "Folder for data and pictures, made if missing [.]");
     mpm->add_option("--threads", request->threads, "Instead of the case's; changes no result")
         ->check(CLI::Range(threads.low, threads.high));

@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <functional>
 #include <limits>
+#include <map>
+#include <sstream>
 #include <thread>
 
 #include "support/mgis_point.hpp"
@@ -30,7 +33,43 @@ TEST(MgisParameter, HasTheDefaultOfTheLibrary) {
     ASSERT_EQ(grit_sand_options_init(&options, sizeof options), GRIT_OK);
     EXPECT_EQ(b.real_defaults, (std::vector<double>{options.tolerance, 0.1}));
     EXPECT_EQ(b.integer_parameters, std::vector<std::string>{"evaluation_limit"});
-    EXPECT_EQ(b.integer_defaults, std::vector<int>{20000});
+    EXPECT_EQ(b.integer_defaults, std::vector<int>{options.evaluation_limit});
+}
+
+// "| tolerance | `setParameter` | 3e-4 of the stress | 1e-12 … 0.1 |"
+TEST(MgisParameter, IsAsItsDocumentationSays) {
+    const Behaviour b = load("Tridimensional");
+    std::map<std::string, double> known;
+    for (std::size_t i = 0; i < b.real_parameters.size(); ++i)
+        known[b.real_parameters[i]] = b.real_defaults[i];
+    for (std::size_t i = 0; i < b.integer_parameters.size(); ++i)
+        known[b.integer_parameters[i]] = b.integer_defaults[i];
+    const auto is_taken = [&b](const std::string& name, double value) {
+        testing::internal::CaptureStderr();
+        const int taken = name == "evaluation_limit"
+                              ? b.set_integer(name.c_str(), static_cast<int>(value))
+                              : b.set_real(name.c_str(), value);
+        testing::internal::GetCapturedStderr();
+        return taken == 1;
+    };
+    std::ifstream page(GRIT_MGIS_PAGE);
+    for (std::string line; std::getline(page, line);) {
+        std::istringstream words(line);
+        std::string bar, name, function, value, lowest, dots, highest;
+        words >> bar >> name >> bar >> function >> bar >> value;
+        if (bar != "|" || !known.contains(name)) continue;
+        EXPECT_EQ(std::stod(value), known[name]) << line;
+        std::getline(words, bar, '|');
+        words >> lowest >> dots >> highest;
+        if (dots == "…") {
+            const double low = std::stod(lowest), high = std::stod(highest);
+            EXPECT_TRUE(is_taken(name, low) && is_taken(name, high)) << line;
+            EXPECT_FALSE(is_taken(name, 0.99 * low - 0.01) || is_taken(name, 1.01 * high)) << line;
+        }
+        EXPECT_TRUE(is_taken(name, known[name])) << line;
+        known.erase(name);
+    }
+    EXPECT_TRUE(known.empty()) << known.begin()->first;
 }
 
 TEST(MgisParameter, ToleranceSharpensTheStress) {

@@ -72,11 +72,12 @@ grit_status grit_sand_record_parameters(int index, double stress_scale,
         !std::isfinite(stress_scale))
         return GRIT_BAD_CALL;
     const double* v = records[index].values;
-    for (int k = 0; k < 13; ++k) {
-        double value = v[k];
-        if (k == 0) value *= degree;
-        if (k == 1) value *= stress_scale;
-        const int at = k < 8 ? k : k + 1;  // p_t is not part of a record
+    for (int at = 0; at < GRIT_SAND_PARAMETER_COUNT; ++at) {
+        const grit_sand_parameter_info& info = *grit_sand_parameter_describe(at);
+        if (info.optional == 1) continue;  // not part of a record
+        double value = *v++;
+        if (std::strcmp(info.unit, "rad") == 0) value *= degree;
+        if (std::strcmp(info.unit, "stress") == 0) value *= stress_scale;
         if (const grit_status s = grit_sand_parameter_set(parameters, at, value)) return s;
     }
     return GRIT_OK;

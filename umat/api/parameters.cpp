@@ -21,26 +21,41 @@ using Member = double grit_sand_parameters::*;
 struct Entry {
     grit_sand_parameter_info info;
     Member member;
+    double Material::*prepared;
+    double without = 0.0;  // prepared where there is no intergranular strain
 };
 
 using P = grit_sand_parameters;
 constexpr Entry table[] = {
     {{"critical_friction_angle", "phi_c", "rad", 10 * degree, 60 * degree, 0},
-     &P::critical_friction_angle},
-    {{"granulate_hardness", "h_s", "stress", 1e-30, 1e30, 0}, &P::granulate_hardness},
-    {{"stiffness_exponent", "n", "-", 0.01, 0.99, 0}, &P::stiffness_exponent},
-    {{"densest_void_ratio", "e_d0", "-", 0.01, 5, 0}, &P::densest_void_ratio},
-    {{"critical_void_ratio", "e_c0", "-", 0.01, 5, 0}, &P::critical_void_ratio},
-    {{"loosest_void_ratio", "e_i0", "-", 0.01, 5, 0}, &P::loosest_void_ratio},
-    {{"pyknotropy_exponent", "alpha", "-", 0.001, 2, 0}, &P::pyknotropy_exponent},
-    {{"stiffness_void_exponent", "beta", "-", 0, 5, 0}, &P::stiffness_void_exponent},
-    {{"pressure_shift", "p_t", "stress", 0, infinite, 1}, &P::pressure_shift},
-    {{"reversal_stiffness", "m_R", "-", 1, 20, 2}, &P::reversal_stiffness},
-    {{"transverse_stiffness", "m_T", "-", 1, 20, 2}, &P::transverse_stiffness},
-    {{"elastic_strain_radius", "R", "-", 1e-6, 1e-2, 2}, &P::elastic_strain_radius},
-    {{"evolution_exponent", "beta_r", "-", 0.01, 2, 2}, &P::evolution_exponent},
+     &P::critical_friction_angle,
+     &Material::phi_c},
+    {{"granulate_hardness", "h_s", "stress", 1e-30, 1e30, 0},
+     &P::granulate_hardness,
+     &Material::h_s},
+    {{"stiffness_exponent", "n", "-", 0.01, 0.99, 0}, &P::stiffness_exponent, &Material::n},
+    {{"densest_void_ratio", "e_d0", "-", 0.01, 5, 0}, &P::densest_void_ratio, &Material::e_d0},
+    {{"critical_void_ratio", "e_c0", "-", 0.01, 5, 0}, &P::critical_void_ratio, &Material::e_c0},
+    {{"loosest_void_ratio", "e_i0", "-", 0.01, 5, 0}, &P::loosest_void_ratio, &Material::e_i0},
+    {{"pyknotropy_exponent", "alpha", "-", 0.001, 2, 0}, &P::pyknotropy_exponent, &Material::alpha},
+    {{"stiffness_void_exponent", "beta", "-", 0, 5, 0},
+     &P::stiffness_void_exponent,
+     &Material::beta},
+    {{"pressure_shift", "p_t", "stress", 0, infinite, 1}, &P::pressure_shift, &Material::p_t},
+    {{"reversal_stiffness", "m_R", "-", 1, 20, 2}, &P::reversal_stiffness, &Material::m_R, 1.0},
+    {{"transverse_stiffness", "m_T", "-", 1, 20, 2}, &P::transverse_stiffness, &Material::m_T, 1.0},
+    {{"elastic_strain_radius", "R", "-", 1e-6, 1e-2, 2},
+     &P::elastic_strain_radius,
+     &Material::R,
+     1e-4},
+    {{"evolution_exponent", "beta_r", "-", 0.01, 2, 2},
+     &P::evolution_exponent,
+     &Material::beta_r,
+     1.0},
     {{"stiffness_interpolation_exponent", "chi", "-", 0.5, 20, 2},
-     &P::stiffness_interpolation_exponent},
+     &P::stiffness_interpolation_exponent,
+     &Material::chi,
+     1.0},
 };
 static_assert(std::size(table) == GRIT_SAND_PARAMETER_COUNT);
 
@@ -105,21 +120,10 @@ grit_status prepare(const grit_sand_parameters& p, Material& m, grit_error* erro
 
     Material r{};
     r.stamp = material_stamp;
-    r.phi_c = p.critical_friction_angle;
-    r.h_s = p.granulate_hardness;
-    r.n = p.stiffness_exponent;
-    r.e_d0 = p.densest_void_ratio;
-    r.e_c0 = p.critical_void_ratio;
-    r.e_i0 = p.loosest_void_ratio;
-    r.alpha = p.pyknotropy_exponent;
-    r.beta = p.stiffness_void_exponent;
-    r.p_t = p.pressure_shift;
     r.has_intergranular_strain = given == 5;
-    r.m_R = given ? p.reversal_stiffness : 1.0;
-    r.m_T = given ? p.transverse_stiffness : 1.0;
-    r.R = given ? p.elastic_strain_radius : 1e-4;
-    r.beta_r = given ? p.evolution_exponent : 1.0;
-    r.chi = given ? p.stiffness_interpolation_exponent : 1.0;
+    for (const Entry& entry : table)
+        r.*entry.prepared =
+            entry.info.optional == 2 && given == 0 ? entry.without : p.*entry.member;
 
     const double sine = std::sin(r.phi_c);
     r.a = std::sqrt(3.0) * (3.0 - sine) / (2.0 * std::sqrt(2.0) * sine);  // (H4)
@@ -210,11 +214,9 @@ grit_status grit_sand_parameters_of(const grit_sand* sand, grit_sand_parameters*
     const Material& m = material_of(*sand);
     grit_sand_parameters ours;
     grit_sand_parameters_init(&ours, sizeof ours);
-    const double values[] = {m.phi_c, m.h_s, m.n,   m.e_d0, m.e_c0, m.e_i0,   m.alpha,
-                             m.beta,  m.p_t, m.m_R, m.m_T,  m.R,    m.beta_r, m.chi};
-    for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i)
-        if (table[i].info.optional != 2 || m.has_intergranular_strain != 0.0)
-            ours.*table[i].member = values[i];
+    for (const Entry& entry : table)
+        if (entry.info.optional != 2 || m.has_intergranular_strain != 0.0)
+            ours.*entry.member = m.*entry.prepared;
     return write_versioned(ours, parameters) ? GRIT_OK : GRIT_BAD_CALL;
 }
 }
