@@ -87,7 +87,7 @@ const std::map<std::string, std::string (*)()>& printed_tables() {
 
 ExitCode run_mpm(const MpmRequest& request) {
     if (!request.keys.empty()) {
-        fmt::print("{}", printed_tables().at(request.keys)());
+        say("{}", printed_tables().at(request.keys)());
         return ok;
     }
     MpmCaseFile file = read_mpm_case(request.file);
@@ -96,7 +96,7 @@ ExitCode run_mpm(const MpmRequest& request) {
     if (request.threads) file.plan.settings.threads = *request.threads;
     if (const std::string word = word_of_unused_threads(plan.settings.threads);
         !word.empty() && !request.quiet)
-        fmt::print(stderr, "grit: {}: {}\n", plan.name, word);
+        warn("grit: {}: {}\n", plan.name, word);
     const MpmRunOptions options{request.out / (plan.name + ".csv"),
                                 request.out / (plan.name + ".checkpoint"),
                                 request.out / plan.name,

@@ -69,6 +69,23 @@ TEST_F(StandardStreams, ThatFailLeaveTheResultsWhole) {
     }
 }
 
+#ifdef GRIT_MPM_CASES
+TEST_F(StandardStreams, OfErrorsThatNobodyTakesEndNoRunOfMaterialPoints) {
+    const std::string run =
+        "mpm --threads 1000 --no-plot " GRIT_MPM_CASES "/every_key_override.toml --out ";
+    EXPECT_EQ(here.grit(run + "plain").status, 0);
+    for (const std::string how : {"2> /dev/full", "2>&-"}) {
+        EXPECT_EQ(here.grit(run + "out " + how).status, 0) << how;
+        EXPECT_EQ(here.text("out/every_key_override.csv"),
+                  here.text("plain/every_key_override.csv"))
+            << how;
+    }
+    const Answer answer = here.grit("mpm --keys cases > /dev/full");
+    EXPECT_EQ(answer.status, 1);
+    EXPECT_TRUE(answer.says("grit: standard output did not take all that was said")) << answer.text;
+}
+#endif
+
 TEST_F(StandardStreams, ThatAreClosedNeverEndUpInAResult) {
     here.write_case("long", long_run);
     const std::string command = "element --quiet --no-plot --out ";
