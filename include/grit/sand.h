@@ -99,7 +99,7 @@ enum {
     GRIT_TANGENT_CONTINUUM = 1, /* M of (G1) at the end, along the increment */
     GRIT_TANGENT_CONSISTENT = 2 /* derivative of the stress by the strain increment */
 };
-#define GRIT_SAND_DEFAULT_TOLERANCE 3e-4 /* whole paths within 2e-4 of the exact stress */
+#define GRIT_SAND_DEFAULT_TOLERANCE 2e-4 /* whole paths within 2e-4 of the exact stress */
 #define GRIT_SAND_LEAST_TOLERANCE 1e-12
 #define GRIT_SAND_LARGEST_TOLERANCE 0.1
 #define GRIT_SAND_DEFAULT_EVALUATION_LIMIT 20000

@@ -36,7 +36,7 @@ TEST(MgisParameter, HasTheDefaultOfTheLibrary) {
     EXPECT_EQ(b.integer_defaults, std::vector<int>{options.evaluation_limit});
 }
 
-// "| tolerance | `setParameter` | 3e-4 of the stress | 1e-12 … 0.1 |"
+// "| tolerance | `setParameter` | 2e-4 of the stress | 1e-12 … 0.1 |"
 TEST(MgisParameter, IsAsItsDocumentationSays) {
     const Behaviour b = load("Tridimensional");
     std::map<std::string, double> known;

@@ -28,9 +28,46 @@ TEST(Paths, OfReferenceCurvesInFewAndManyCallsAreExactToTwoTenThousandths) {
         expect_accurate(paths::reference_paths(GRIT_DATA "/reference", calls));
 }
 
+// Dense and loose sand start between the limits of their void ratio.
+TEST(Paths, OfLaboratoryTestsStartDenserThanCritical) {
+    for (const paths::StrainPath& path : paths::laboratory_paths(30)) {
+        double limits[3];  // e_i, e_c, e_d
+        ASSERT_EQ(grit_sand_void_ratios(&path.sand, -path.stress[0], limits), GRIT_OK);
+        EXPECT_GT(path.state[GRIT_SAND_VOID_RATIO], limits[2]) << path.sand_name;
+        EXPECT_LT(path.state[GRIT_SAND_VOID_RATIO], limits[1]) << path.sand_name;
+    }
+}
+
+TEST(Paths, OfReferenceCurvesComeToTheSameStrainInAnyNumberOfCalls) {
+    const auto rows = paths::reference_paths(GRIT_DATA "/reference", 0);
+    for (const int calls : {30, 1000}) {
+        const auto list = paths::reference_paths(GRIT_DATA "/reference", calls);
+        ASSERT_EQ(list.size(), rows.size());
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            EXPECT_EQ(list[i].increments.size(), static_cast<std::size_t>(calls));
+            for (std::size_t c = 0; c < 6; ++c) {
+                double whole = 0.0, same = 0.0;
+                for (const auto& d : rows[i].increments) whole += d[c];
+                for (const auto& d : list[i].increments) same += d[c];
+                EXPECT_NEAR(same, whole, 1e-12) << list[i].kind;
+            }
+        }
+    }
+}
+
 TEST(Paths, OfLaboratoryTestsOfEverySandAreExactToTwoTenThousandths) {
     for (const int calls : {30, 67, 100, 300, 1000})
         expect_accurate(paths::laboratory_paths(calls));
+}
+
+// Any void ratio, pressure, memory and size: a tenth of those of path_errors.
+TEST(Paths, ThatAreDrawnAreExactToTwoTenThousandths) {
+    std::vector<paths::StrainPath> list = paths::random_paths(300, 1);
+    std::erase_if(list, [](const paths::StrainPath& path) {
+        return paths::opens(paths::run(path, paths::exact_tolerance));
+    });
+    EXPECT_GE(list.size(), 250u);
+    expect_accurate(list);
 }
 
 }  // namespace

@@ -57,8 +57,8 @@ inline Integrated<Real> integrate(const Material& m, const Control& control,
             const Segment<Real> second = second_segment(m, path, first, out.y.T);
             const auto again =
                 short_increment<Real, igs>(m, control, path, second, allowed, Plain(0.0));
-            to_end_of_segment<Real, igs>(m, control, path, second, again, turned, allowed,
-                                         advised_step, out);
+            to_end_of_segment<Real, igs>(m, control, path, second, again, turned,
+                                         turned_share * allowed, advised_step, out);
         }
     }
     return out;

@@ -159,7 +159,7 @@ template <class Real, bool igs> class Integrator {
         const StepContext<Real> c{m, path, dq, arc, stress_scale};
         if constexpr (igs) average(m, seg.course, here, course, averaged);
         else basic_average(m, course, averaged);
-        trial = dormand_prince_step<Real, igs>(c, out.y, k1, here.ds, averaged);
+        trial = dormand_prince_step<Real, igs>(c, out.y, k1, here, averaged);
         count(active, 6.0);
     }
 

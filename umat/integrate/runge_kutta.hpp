@@ -56,13 +56,6 @@ GRIT_INLINE void meet_end(const StepContext<Real>& c, const Real& own_arc, const
     y.compression.expansion = fma(dq, rate.compression.expansion, y.compression.expansion);
 }
 
-// The same for an estimate of the error in T and s: |dT - ds dT/ds| over the stress scale.
-template <class Plain>
-GRIT_INLINE Plain error_at_end(const Tensor<Plain>& dT, const Plain& arc_error, const Plain& ds,
-                               const Tensor<Plain>& rate, const Plain& stress_scale) {
-    return norm(scaled_sum(-(arc_error / ds), rate, dT)) / stress_scale;
-}
-
 // Relative change of the stress at the larger of two rates per q, over the step: more than the net one where the stress
 // turns back.
 template <class Plain, class Real>
@@ -80,36 +73,83 @@ GRIT_INLINE Waypoint<Plain> combined(const double (&weight)[3], const Waypoint<P
             sum(a.across, b.across, c.across), sum(a.flow, b.flow, c.flow)};
 }
 
+// What a step misses that passes by the hydrostatic axis: F has the tip of a cone there (H5), a corner that the
+// difference of two methods does not see. Over the stress scale; of second order in the step. From the stress at one
+// end of the step and T_hat* at the other.
+template <class Plain>
+GRIT_INLINE Plain axis_error(const Tensor<Plain>& T, const Tensor<Plain>& other_dev,
+                             const Plain& growth) {
+    const Tensor<Plain> dev = deviator(T);
+    const MaskOf<Plain> turns = contract(dev, other_dev) * trace(T) < Plain(0.0);
+    if (!any(turns)) return Plain(0.0);
+    const Tensor<Plain> from = scaled(dev, 1.0 / trace(T)), way = difference(other_dev, from);
+    const Plain way_sq = square(way), along = contract(from, way);
+    const Plain near_sq = max(square(from) - square(along) / way_sq, Plain(0.0));
+    // A way that stays farther off than half its length meets no corner.
+    const Plain corner = max(sqrt(way_sq) - 2.0 * sqrt(near_sq), Plain(0.0));
+    return select(turns, axis_safety * growth * corner, Plain(0.0));
+}
+
+// The void ratios of a step, expanded to zero pressure, over e_d0.
+template <class Plain> struct Looseness {
+    Plain low, high;
+    // Of the step on the way to e_d, where the slope of f_d is infinite: 0 far from there, 1 from there on.
+    Plain nearing() const { return min((high - low) / max(high, Plain(1e-300)), Plain(1.0)); }
+};
+
+template <class Real>
+GRIT_INLINE Looseness<PlainOf<Real>> looseness(const Material& m, const Marched<Real>& y,
+                                               const Real& e, const Marched<Real>& end,
+                                               const Real& end_e) {
+    const auto one = value(e) * value(y.compression.expansion),
+               other = value(end_e) * value(end.compression.expansion);
+    return {min(one, other) - m.e_d0, max(one, other) - m.e_d0};
+}
+
+// What a step misses that comes to e_d, where f_d of (H7) has an infinite slope, cut off by its linear part: the difference
+// of two methods does not see it. Over the stress scale.
+template <class Plain>
+GRIT_INLINE Plain density_error(const Material& m, const Looseness<Plain>& over_e_d,
+                                const Plain& growth) {
+    const Plain low = over_e_d.low, high = over_e_d.high, nearing = over_e_d.nearing();
+    const Plain linear(linear_density / m.inverse_e_range);
+    const MaskOf<Plain> near =
+        (high > Plain(0.0)) & ((nearing > Plain(0.75)) | ((low < linear) & (high > linear)));
+    if (!any(near)) return Plain(0.0);
+    const Plain f_d = density_factor(m, max(high, Plain(0.0)) + m.e_d0);
+    return select(near, density_safety * growth * f_d * nearing, Plain(0.0));
+}
+
+// The stress takes the mean of the rates per arc length at both ends: the stress changes the rate along the arc, and J
+// may grow by several times over a step from near h = 0.
 template <class Real, bool igs>
-GRIT_INLINE Trial<Real> heun_step(const StepContext<Real>& c, const Marched<Real>& y,
-                                  const Real& ds_start, const Waypoint<Real>& end,
-                                  const Marched<Real>& k1, const PlainOf<Real>& stiffness_change) {
+GRIT_INLINE Trial<Real> heun_step(const StepContext<Real>& c, const Segment<Real>& start,
+                                  const Waypoint<Real>& end,
+                                  const PlainOf<Real>& stiffness_change) {
     using Plain = PlainOf<Real>;
     constexpr double euler[] = {1.0};
     constexpr double half[] = {0.5, 0.5};
+    const Real by_start = c.arc / start.at.ds, ratio = start.at.ds / end.ds;
     Marched<Real> k[2];
-    k[0] = k1;
-    k[1] = course_rate<Real, igs>(c.m, c.path, end, advanced(y, c.dq, euler, k));
+    k[0] = start.rate;
+    k[1] = course_rate<Real, igs>(c.m, c.path, end, advanced(start.y, by_start, euler, k));
+    for (int i = 0; i < 6; ++i) k[1].T[i] = ratio * k[1].T[i];
     Trial<Real> trial;
-    trial.y = advanced(y, c.dq, half, k);
-    trial.rate = k[1];
-    const Plain half_dq = 0.5 * value(c.dq);
-    const Plain euler_error = error_at_end<Plain>(
-        scaled(difference(value(k[1].T), value(k1.T)), half_dq),
-        half_dq * (value(end.ds) - value(ds_start)), value(end.ds), value(k[1].T), c.stress_scale);
+    trial.y = advanced(start.y, by_start, half, k);
+    const Plain euler_error =
+        0.5 * value(by_start) * norm(difference(value(k[1].T), value(k[0].T))) / c.stress_scale;
     // The difference to Euler's result is of second order; the error left is of third: smaller by
     // the relative change of the rate over the step. What of that h does not explain is the stress's doing,
     // which goes on for the whole path, while h has turned after a few R.
-    const Plain first_order = value(c.dq) * norm(value(k1.T)) / c.stress_scale;
+    const Plain first_order = value(by_start) * norm(value(k[0].T)) / c.stress_scale;
     const Plain of_rate = euler_error / max(first_order, Plain(1e-300));
     const Plain of_stress = max(of_rate - stiffness_change, Plain(0.0));
-    const Plain share = fma(heun_safety, stiffness_change, heun_stress_safety * of_stress);
-    const Real own_arc = 0.5 * c.dq * (ds_start + end.ds);
-    // What is left of the arc gets the rate at the end alone.
-    const Plain left =
-        fabs(value(c.arc) - value(own_arc)) / max(value(c.dq) * value(ds_start), Plain(1e-300));
-    trial.error = euler_error * (min(share, Plain(heun_safety)) + left);
-    meet_end(c, own_arc, end.ds, k[1], trial.y);
+    const Looseness<Plain> over_e_d = looseness(c.m, start.y, start.e, trial.y, end.e);
+    const Plain share =
+        fma(heun_safety, stiffness_change + over_e_d.nearing(), heun_stress_safety * of_stress);
+    trial.error = fma(euler_error, min(share, Plain(heun_safety)),
+                      axis_error(value(trial.y.T), start.stiffness.shape.T_hat_dev, first_order) +
+                          density_error(c.m, over_e_d, first_order));
     return trial;
 }
 
@@ -141,7 +181,8 @@ GRIT_INLINE Trial<Real> third_order_step(const StepContext<Real>& c, const Segme
     const Tensor<Plain> increment = difference(value(trial.y.T), value(y.T));
     const Plain coupling = norm(scaled_sum(-value(c.dq), unchanged, increment)) / c.stress_scale;
     const Plain growth = norm(increment) / c.stress_scale;
-    const Plain change = min(stiffness_change + growth, Plain(1.0));
+    const Looseness<Plain> over_e_d = looseness(c.m, y, start.e, trial.y, at[1].e);
+    const Plain change = min(stiffness_change + growth + over_e_d.nearing(), Plain(1.0));
     // The embedded midpoint rule, less what is due to the waypoints.
     const Tensor<Plain> due = unstressed(d);
     Tensor<Plain> bend;
@@ -152,32 +193,18 @@ GRIT_INLINE Trial<Real> third_order_step(const StepContext<Real>& c, const Segme
     const Plain midpoint_error = value(c.dq) * norm(bend) / c.stress_scale;
     trial.error = max(third_order_safety * coupling * change, midpoint_safety * midpoint_error) +
                   roughness_safety * course.roughness *
-                      growth_of<Plain>(c, norm(value(k[0].T)), norm(value(k[2].T)));
+                      growth_of<Plain>(c, norm(value(k[0].T)), norm(value(k[2].T))) +
+                  axis_error(value(trial.y.T), start.stiffness.shape.T_hat_dev, growth) +
+                  density_error(c.m, over_e_d, growth);
     const Real own_mean = fma(b[0], start.at.ds, fma(b[1], at[0].ds, b[2] * at[1].ds));
     meet_end(c, c.dq * own_mean, at[1].ds, k[2], trial.y);
     return trial;
 }
 
-// What a step misses that passes by the hydrostatic axis: F has the tip of a cone there (H5), a corner that the
-// difference of two methods does not see. Over the stress scale; of second order in the step.
-template <class Plain>
-GRIT_INLINE Plain axis_error(const Tensor<Plain>& T, const Tensor<Plain>& end_dev,
-                             const Plain& growth) {
-    const Tensor<Plain> dev = deviator(T);
-    const MaskOf<Plain> turns = contract(dev, end_dev) * trace(T) < Plain(0.0);
-    if (!any(turns)) return Plain(0.0);
-    const Tensor<Plain> from = scaled(dev, 1.0 / trace(T)), way = difference(end_dev, from);
-    const Plain way_sq = square(way), along = contract(from, way);
-    const Plain near_sq = max(square(from) - square(along) / way_sq, Plain(0.0));
-    // A way that stays farther off than half its length meets no corner.
-    const Plain corner = max(sqrt(way_sq) - 2.0 * sqrt(near_sq), Plain(0.0));
-    return select(turns, axis_safety * growth * corner, Plain(0.0));
-}
-
 // Dormand & Prince 5(4) (1980, J. Comput. Appl. Math. 6:19) on averaged waypoints.
 template <class Real, bool igs, class Nodes>
 GRIT_INLINE Trial<Real> dormand_prince_step(const StepContext<Real>& c, const Marched<Real>& y,
-                                            const Marched<Real>& k1, const Real& ds_start,
+                                            const Marched<Real>& k1, const Waypoint<Real>& start,
                                             const AveragedCourse<Real, Nodes>& course) {
     using Plain = PlainOf<Real>;
     constexpr double a2[] = {1.0 / 5.0};
@@ -223,12 +250,14 @@ GRIT_INLINE Trial<Real> dormand_prince_step(const StepContext<Real>& c, const Ma
     trial.error = fma(error_safety * min(change, Plain(1.0)), embedded,
                       roughness_safety * course.roughness * growth);
     trial.order = select(change < Plain(1.0), Plain(6.0), Plain(5.0));
-    const Plain corner = axis_error(value(y.T), value(at_end.shape.T_hat_dev), growth);
+    const Plain corner =
+        axis_error(value(y.T), value(at_end.shape.T_hat_dev), growth) +
+        density_error(c.m, looseness(c.m, y, start.e, trial.y, course.end.e), growth);
     trial.order = select(corner > trial.error, Plain(2.0), trial.order);
     trial.error = trial.error + corner;
     // Stages 5 and 6 are at the same place.
     const Real own_mean =
-        fma(b[0], ds_start,
+        fma(b[0], start.ds,
             fma(b[2], at[1].ds, fma(b[3], at[2].ds, fma(b[4], at[3].ds, b[5] * at[4].ds))));
     meet_end(c, c.dq * own_mean, course.end.ds, trial.rate, trial.y);
     return trial;

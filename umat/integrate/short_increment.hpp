@@ -83,8 +83,7 @@ template <class Real, bool igs> class ShortSegment {
             end = basic_waypoint(m, start.e_end);
         }
         const StepContext<Real> c{m, path, dq_here, arc, start.stress_scale};
-        judge(met, heun_step<Real, igs>(c, start.y, start.at.ds, end, start.rate, change), h,
-              Plain(0.0));
+        judge(met, heun_step<Real, igs>(c, start, end, change), h, Plain(0.0));
         r.evaluations = r.evaluations + select(where, Plain(1.0), Plain(0.0));
     }
 

@@ -56,8 +56,8 @@ constexpr double heun_safety = 1.5;     // of Euler's error times the change of 
 constexpr double heun_stress_safety = 5.0;   // ... and by the stress
 constexpr double third_order_safety = 0.07;  // of what the stress makes of the increment
 constexpr double midpoint_safety = 0.5;      // of a method of second order for one of third
-constexpr double axis_safety =
-    0.2;  // of the change of the stress times that of its ratio, past the axis
+// Of the change of the stress, times that of its ratio past the axis, and times f_d past e_d:
+constexpr double axis_safety = 0.2, density_safety = 0.2;
 constexpr double roughness_safety = 1.0;  // of what a quadrature might miss
 constexpr double longest_averaged = 2.0;  // in R: beyond, waypoints are too rough as a rule
 constexpr double resolution = 0.1;  // largest error of a falling stress, of what is left of it
@@ -65,6 +65,7 @@ constexpr double start_reach = 3.0;
 constexpr double growth_reach = 0.7;  // longest step, in relative stress change / tolerance^(1/5)
 constexpr double slowest_rate = 3.0;  // of relative stress change per strain that is told from none
 constexpr double turning_share = 0.1;  // of the tolerance, for a turn of h by R
+constexpr double turned_share = 0.5;   // of what a call is allowed, for its steps past a turn of h
 constexpr double smallest_fraction = 1e-13;
 
 // What the call may add to the error: the tolerance times the share of the stress it changes, so that errors

@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <random>
 #include <stdexcept>
+#include <utility>
 
 #include "paths/strain_path.hpp"
 
@@ -39,7 +41,7 @@ std::vector<Six> cycles(const Six& direction, double amplitude, int count) {
     return r;
 }
 
-std::vector<Test> tests() {
+std::vector<Test> tests(int calls) {
     constexpr Six oedometric{-1, 0, 0, 0, 0, 0}, isotropic{-1, -1, -1, 0, 0, 0};
     constexpr Six undrained{-1, 0.5, 0.5, 0, 0, 0}, sheared{0, 0, 0, 1, 0, 0};
     std::vector<Test> r;
@@ -62,13 +64,14 @@ std::vector<Test> tests() {
                 {"drained cycles", true, 0.4, 100, memory, cycles(oedometric, amplitude, 5)});
         }
         // Many within R: each turns h, and errors of one sign add up.
+        const int many = std::min(50, calls / 2);
         for (const double amplitude : {3e-6, 1e-5, 3e-5, 5e-5}) {
             r.push_back({"small undrained cycles", false, 0.4, 100, memory,
-                         cycles(undrained, amplitude, 50)});
+                         cycles(undrained, amplitude, many)});
             r.push_back({"small simple shear cycles", false, 0.4, 100, memory,
-                         cycles(sheared, amplitude, 50)});
+                         cycles(sheared, amplitude, many)});
             r.push_back({"small isotropic cycles", false, 0.4, 100, memory,
-                         cycles(isotropic, amplitude, 50)});
+                         cycles(isotropic, amplitude, many)});
         }
     }
     return r;
@@ -78,12 +81,32 @@ void check(grit_status status, const char* what) {
     if (status != GRIT_OK) throw std::runtime_error(std::string(what) + " failed");
 }
 
-StrainPath start_of(const Test& test, const std::string& name, const grit_sand& sand, bool off) {
-    StrainPath path{test.kind, name, sand, off, opening_pressure(sand), {}, {}, {}};
+struct CatalogueSand {
+    std::string name;
+    grit_sand sand;
+    bool has_h;
+};
+
+std::vector<CatalogueSand> catalogue() {
+    std::vector<CatalogueSand> r;
+    for (int i = 0; i < grit_sand_record_count(); ++i) {
+        grit_sand_parameters p;
+        grit_sand_parameters_init(&p, sizeof p);
+        check(grit_sand_record_parameters(i, 1.0, &p), "grit_sand_record_parameters");
+        grit_sand sand;
+        check(grit_sand_prepare(&p, &sand, nullptr), "grit_sand_prepare");
+        r.push_back({grit_sand_record_at(i)->name, sand, !std::isnan(p.elastic_strain_radius)});
+    }
+    return r;
+}
+
+StrainPath start_of(const Test& test, const CatalogueSand& of, bool off) {
+    const grit_sand& sand = of.sand;
+    StrainPath path{test.kind, of.name, sand, off, opening_pressure(sand), {}, {}, {}};
     for (std::size_t c = 0; c < 3; ++c) path.stress[c] = -test.pressure;
-    double limits[3];  // e_d, e_c, e_i
+    double limits[3];  // e_i, e_c, e_d
     check(grit_sand_void_ratios(&sand, test.pressure, limits), "grit_sand_void_ratios");
-    path.state[GRIT_SAND_VOID_RATIO] = limits[0] + test.looseness * (limits[1] - limits[0]);
+    path.state[GRIT_SAND_VOID_RATIO] = limits[2] + test.looseness * (limits[1] - limits[2]);
     const double compression[6] = {-1, -1, -1, 0, 0, 0};
     if (test.memory > 0.0)
         check(grit_sand_mobilise(&sand, compression, test.memory, path.state.data()),
@@ -160,25 +183,56 @@ void drive(const Test& test, int calls, StrainPath& path) {
     }
 }
 
+StrainPath path_of(const Test& test, int calls, const CatalogueSand& sand, bool off) {
+    StrainPath path = start_of(test, sand, off);
+    drive(test, calls, path);
+    return path;
+}
+
+// A lateral strain above the axial one: Newton's method took the stress along the limit cone, where F = 0 and what is
+// exact depends on the last digit (docs/adr/0002).
+bool dilates_beyond_any_sand(const StrainPath& path) {
+    return std::any_of(path.increments.begin(), path.increments.end(), [](const Six& d) {
+        return d[0] != 0.0 && d[1] == d[2] && std::fabs(d[1]) > 1.0001 * std::fabs(d[0]);
+    });
+}
+
 }  // namespace
 
 std::vector<StrainPath> laboratory_paths(int calls) {
     std::vector<StrainPath> r;
-    for (int i = 0; i < grit_sand_record_count(); ++i) {
-        const std::string name = grit_sand_record_at(i)->name;
-        grit_sand_parameters p;
-        grit_sand_parameters_init(&p, sizeof p);
-        check(grit_sand_record_parameters(i, 1.0, &p), "grit_sand_record_parameters");
-        grit_sand sand;
-        check(grit_sand_prepare(&p, &sand, nullptr), "grit_sand_prepare");
-        const bool has_h = !std::isnan(p.elastic_strain_radius);
-        for (const Test& test : tests())
+    for (const CatalogueSand& sand : catalogue())
+        for (const Test& test : tests(calls))
             for (const bool off : {false, true}) {
-                if ((!has_h && !off) || (off && test.memory > 0.0)) continue;
-                StrainPath path = start_of(test, name, sand, off);
-                drive(test, calls, path);
-                r.push_back(path);
+                if ((!sand.has_h && !off) || (off && test.memory > 0.0)) continue;
+                r.push_back(path_of(test, calls, sand, off));
             }
+    return r;
+}
+
+std::vector<StrainPath> random_paths(int count, unsigned seed) {
+    constexpr double fewest = 30.0, most = 1000.0;
+    std::mt19937 bits(seed);
+    const auto uniform = [&bits] { return std::ldexp(static_cast<double>(bits()), -32); };
+    const auto between = [&](double least, double largest) {
+        return least * std::pow(largest / least, uniform());
+    };
+    const std::vector<CatalogueSand> sands = catalogue();
+    std::vector<StrainPath> r;
+    while (static_cast<int>(r.size()) < count) {
+        const CatalogueSand& sand = sands[bits() % sands.size()];
+        const int calls = static_cast<int>(between(fewest, most));
+        const std::vector<Test> kinds = tests(calls);
+        Test test = kinds[bits() % kinds.size()];
+        const bool off = !sand.has_h || bits() % 4 == 0;
+        test.looseness = uniform();
+        test.pressure = between(2.0, 1000.0);
+        test.memory = off || bits() % 2 == 0 ? 0.0 : uniform();
+        // Many cycles stay within R.
+        const double size = between(0.2, test.corners.size() > 10 ? 1.0 : 2.0);
+        for (Six& corner : test.corners) corner = along(corner, size);
+        StrainPath path = path_of(test, calls, sand, off);
+        if (!dilates_beyond_any_sand(path)) r.push_back(std::move(path));
     }
     return r;
 }

@@ -37,11 +37,21 @@ StrainPath path_of(const std::filesystem::path& file, int calls) {
     const Six h = six(table, rows[0], memory);
     std::copy(h.begin(), h.end(), path.state.begin());
     path.state[GRIT_SAND_VOID_RATIO] = rows[0][table.at("e")];
+    // The strain at a share i/pieces of the rows, linear between two of them.
     const std::size_t last = rows.size() - 1;
-    const std::size_t pieces = calls == 0 ? last : std::min(last, static_cast<std::size_t>(calls));
+    const std::size_t pieces = calls == 0 ? last : static_cast<std::size_t>(calls);
+    const auto strain_at = [&](std::size_t i) {
+        const std::size_t row = i * last / pieces;
+        const double share = static_cast<double>(i * last % pieces) / static_cast<double>(pieces);
+        Six r = six(table, rows[row], strain);
+        if (share == 0.0) return r;
+        const Six next = six(table, rows[row + 1], strain);
+        for (std::size_t c = 0; c < 6; ++c) r[c] += share * (next[c] - r[c]);
+        return r;
+    };
     for (std::size_t i = 1; i <= pieces; ++i) {
-        Six d = six(table, rows[i * last / pieces], strain);
-        const Six from = six(table, rows[(i - 1) * last / pieces], strain);
+        Six d = strain_at(i);
+        const Six from = strain_at(i - 1);
         for (std::size_t c = 0; c < 6; ++c) d[c] -= from[c];
         path.increments.push_back(d);
     }

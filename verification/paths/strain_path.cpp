@@ -70,6 +70,11 @@ Course run(const StrainPath& path, double tolerance) {
     return course;
 }
 
+bool opens(const Course& course) {
+    return std::any_of(course.stress.begin(), course.stress.end(),
+                       [](const Six& stress) { return norm(stress) == 0.0; });
+}
+
 double error(const StrainPath& path, const Course& course, const Course& exact) {
     double off = 0.0, largest = 0.0;
     for (std::size_t i = 0; i < exact.stress.size(); ++i) {
