@@ -25,10 +25,13 @@ struct Start {
 // What a sand starts with if nobody says otherwise: mobilised, off if it has no parameters for more.
 IntergranularStrain usual_intergranular_strain(const grit_sand_parameters& parameters);
 
-struct VoidRatioRange {
-    double lowest, highest;  // e_d, e_i [-]
+// At a mean pressure of the stress that is stored: p_t is added (H10).
+struct VoidRatios {
+    double densest, critical, loosest;  // e_d, e_c, e_i [-]
 };
-VoidRatioRange void_ratio_range(const grit_sand& sand, double mean_pressure);
+VoidRatios void_ratios(const grit_sand& sand, double mean_pressure);
+// e there, from e_0 at zero pressure (H6).
+double void_ratio_at_pressure(const grit_sand& sand, double e_0, double mean_pressure);
 
 // Throws BadCase unless the stress presses and the void ratio is within its range.
 MaterialPoint start_point(const GritLaw& law, const Start& start);

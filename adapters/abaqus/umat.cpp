@@ -84,9 +84,20 @@ bool rests(const UmatArguments& call) {
     return size == 0.0;
 }
 
+// Meant as a rotation: its columns are nearly of length 1 and nearly at right angles.
+bool resembles_rotation(const double Q[9]) {
+    bool near = true;  // never of what is not a number
+    for (int a = 0; a < 3; ++a)
+        for (int b = 0; b < 3; ++b) {
+            const double product = Q[a] * Q[b] + Q[3 + a] * Q[3 + b] + Q[6 + a] * Q[6 + b];
+            near = near && std::fabs(product - (a == b ? 1.0 : 0.0)) < 0.5;
+        }
+    return near;
+}
+
 // DROT as a row-major Q. False where nothing is to be turned: null, the identity, or nothing above the
 // denormals, which is how hosts without finite rotations fill it. Hosts that ask for the first stiffness
-// without a strain may not have set DROT at all: then only what is a rotation turns.
+// without a strain may not have set DROT at all: then what does not even resemble a rotation is none.
 bool read_rotation(const UmatArguments& call, double Q[9]) {
     if (!call.drot || *call.ntens == 3) return false;
     const bool in_plane = *call.ntens != 6;
@@ -101,8 +112,9 @@ bool read_rotation(const UmatArguments& call, double Q[9]) {
             Q[3 * r + c] = entry;
         }
     if (size < smallest_normal || from_identity == 0.0) return false;
+    const bool meant = !rests(call) || resembles_rotation(Q);
     const bool turns = project(Q);
-    return turns || !rests(call);
+    return turns || meant;
 }
 
 grit_status update(const UmatArguments& call, const Material& material, Point& point,

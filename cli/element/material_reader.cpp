@@ -46,16 +46,14 @@ double start_void_ratio(TomlTable& table, const grit_sand& sand, double p) {
     const std::string key =
         table.one_of({"void_ratio", "void_ratio_at_zero_pressure", "relative_density"});
     const double value = table.number(key);
+    const element::VoidRatios limits = element::void_ratios(sand, p);
     double e = value;
-    if (key == "void_ratio_at_zero_pressure") grit_sand_void_ratio_at_pressure(&sand, value, p, &e);
-    double limits[3];  // e_i, e_c, e_d
-    grit_sand_void_ratios(&sand, p, limits);
-    if (key == "relative_density") e = limits[1] - value * (limits[1] - limits[2]);
-    const element::VoidRatioRange range = element::void_ratio_range(sand, p);
-    if (!(e >= range.lowest && e <= range.highest))
+    if (key == "void_ratio_at_zero_pressure") e = element::void_ratio_at_pressure(sand, value, p);
+    if (key == "relative_density") e = limits.critical - value * (limits.critical - limits.densest);
+    if (!(e >= limits.densest && e <= limits.loosest))
         table.fail(key, fmt::format("{}: the void ratio must be in [e_d, e_i] = [{:.4f}, {:.4f}] "
                                     "at p = {:g} kPa, got {:.6g}",
-                                    table.full(key), range.lowest, range.highest, p, e));
+                                    table.full(key), limits.densest, limits.loosest, p, e));
     return e;
 }
 

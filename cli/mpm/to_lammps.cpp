@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <memory>
+#include <deque>
 
 #include <adapters/mpm/case/build_case.hpp>
 #include <adapters/mpm/case/fill.hpp>
@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 
 #include "cli/mpm/lammps_script.hpp"
-#include "cli/process/exit_code.hpp"
 #include "cli/process/outputs.hpp"
+#include "element/atomic_file.hpp"
 
 namespace cli {
 namespace {
@@ -20,23 +20,17 @@ namespace {
 using namespace grit::mpm;
 namespace c = column;
 
-class TextFile {
+// All of them, or none.
+class TextFiles {
   public:
-    explicit TextFile(const std::filesystem::path& path)
-        : name(path), file(std::fopen(path.c_str(), "w"), &std::fclose) {
-        if (!file) throw BadInput(fmt::format("cannot write {}", path.string()));
-    }
-    template <class... Args> void print(fmt::format_string<Args...> text, Args&&... args) {
-        fmt::print(file.get(), text, std::forward<Args>(args)...);
-    }
-    void close() {
-        std::fflush(file.get());
-        if (std::ferror(file.get())) throw BadInput(fmt::format("cannot write {}", name.string()));
+    std::FILE* open(const std::filesystem::path& path) { return files.emplace_back(path).stream(); }
+    void complete() {
+        for (element::AtomicFile& file : files) file.flush();
+        for (element::AtomicFile& file : files) file.complete();
     }
 
   private:
-    std::filesystem::path name;
-    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file;
+    std::deque<element::AtomicFile> files;
 };
 
 // Atoms are numbered from 1, body after body.
@@ -46,16 +40,18 @@ int first_atom(Simulation& simulation, std::size_t body) {
     return static_cast<int>(first);
 }
 
-void write_data(const Case& plan, Simulation& simulation, const std::filesystem::path& path) {
-    TextFile file(path);
+void write_data(const Case& plan, Simulation& simulation, std::FILE* file) {
     const std::size_t bodies = simulation.bodies();
-    file.print("{}\n\n{} atoms\n{} atom types\n\n", plan.title.empty() ? plan.name : plan.title,
-               first_atom(simulation, bodies) - 1, bodies);
-    file.print("{:.17g} {:.17g} xlo xhi\n{:.17g} {:.17g} ylo yhi\n-0.5 0.5 zlo zhi\n\nMasses\n\n",
+    fmt::print(file, "{}\n\n{} atoms\n{} atom types\n\n",
+               plan.title.empty() ? plan.name : plan.title, first_atom(simulation, bodies) - 1,
+               bodies);
+    fmt::print(file,
+               "{:.17g} {:.17g} xlo xhi\n{:.17g} {:.17g} ylo yhi\n-0.5 0.5 zlo zhi\n\nMasses\n\n",
                plan.r.from, plan.r.to(), plan.z.from, plan.z.to());
-    for (std::size_t i = 0; i < bodies; ++i) file.print("{} 1 # {}\n", i + 1, plan.bodies[i].name);
+    for (std::size_t i = 0; i < bodies; ++i)
+        fmt::print(file, "{} 1 # {}\n", i + 1, plan.bodies[i].name);
     const auto section = [&](const char* name, const auto& line) {
-        file.print("\n{}\n\n", name);
+        fmt::print(file, "\n{}\n\n", name);
         for (std::size_t i = 0; i < bodies; ++i) {
             const Particles& particles = simulation.body(i).particles;
             const int first = first_atom(simulation, i);
@@ -64,36 +60,27 @@ void write_data(const Case& plan, Simulation& simulation, const std::filesystem:
         }
     };
     section("Atoms # atomic", [&](int id, std::size_t type, const Particles& q, std::ptrdiff_t p) {
-        file.print("{} {} {:.17g} {:.17g} 0\n", id, type, q(c::r, p), q(c::z, p));
+        fmt::print(file, "{} {} {:.17g} {:.17g} 0\n", id, type, q(c::r, p), q(c::z, p));
     });
     section("Velocities", [&](int id, std::size_t, const Particles& q, std::ptrdiff_t p) {
-        file.print("{} {:.17g} {:.17g} 0\n", id, q(c::v_r, p), q(c::v_z, p));
+        fmt::print(file, "{} {:.17g} {:.17g} 0\n", id, q(c::v_r, p), q(c::v_z, p));
     });
-    file.close();
 }
 
 // What the atoms do not have: all columns from F on.
-void write_points(Simulation& simulation, std::size_t body, const std::filesystem::path& path) {
-    TextFile file(path);
+void write_points(Simulation& simulation, std::size_t body, std::FILE* file) {
     const Body& of = simulation.body(body);
     const std::vector<std::string> names = column_names(of.material.get());
     std::string line = "id";
     for (std::size_t k = c::F_rr; k < names.size(); ++k) line += " " + names[k];
-    file.print("{}\n", line);
+    fmt::print(file, "{}\n", line);
     const int first = first_atom(simulation, body);
     for (std::ptrdiff_t p = 0; p < of.particles.size(); ++p) {
         line = fmt::format("{}", first + of.particles.ids()[p]);
         for (std::size_t k = c::F_rr; k < names.size(); ++k)
             line += fmt::format(" {:.17g}", of.particles(static_cast<int>(k), p));
-        file.print("{}\n", line);
+        fmt::print(file, "{}\n", line);
     }
-    file.close();
-}
-
-void write_text(const std::string& text, const std::filesystem::path& path) {
-    TextFile file(path);
-    file.print("{}", text);
-    file.close();
 }
 
 TractionAtoms traction_atoms(const Case& plan, Simulation& simulation) {
@@ -116,13 +103,19 @@ void write_lammps_files(const Case& plan, const std::filesystem::path& folder) {
     Simulation& simulation = *built.simulation;
     const std::string fix = lammps_fix(plan, plan.name);
     const std::string script = lammps_script(plan, plan.name, traction_atoms(plan, simulation));
-    make_output_folder(folder);
-    write_data(plan, simulation, folder / (plan.name + ".data"));
+    const auto named = [&](const std::string& end) { return folder / (plan.name + end); };
+    const auto points = [&](std::size_t i) { return named("_" + plan.bodies[i].name + ".points"); };
+    Outputs outputs;
+    for (const char* end : {".data", ".fix", ".in"}) outputs.add(named(end), plan.name);
+    for (std::size_t i = 0; i < plan.bodies.size(); ++i) outputs.add(points(i), plan.name);
+    const auto lock = outputs.lock();
+    TextFiles files;
+    write_data(plan, simulation, files.open(named(".data")));
     for (std::size_t i = 0; i < plan.bodies.size(); ++i)
-        write_points(simulation, i,
-                     folder / fmt::format("{}_{}.points", plan.name, plan.bodies[i].name));
-    write_text(fix, folder / (plan.name + ".fix"));
-    write_text(script, folder / (plan.name + ".in"));
+        write_points(simulation, i, files.open(points(i)));
+    fmt::print(files.open(named(".fix")), "{}", fix);
+    fmt::print(files.open(named(".in")), "{}", script);
+    files.complete();
 }
 
 }  // namespace cli

@@ -104,6 +104,21 @@ TEST(UmatRotation, TakesTheRotationThatIsNearestToDrotWhereItIsNearly) {
     EXPECT_NE(far.complaint().find("proper orthogonal"), std::string::npos);
 }
 
+TEST(UmatRotation, IsRefusedWithoutStrainTooWhereDrotResemblesOneButIsOff) {
+    const double axis[3] = {1.0 / 3.0, -2.0 / 3.0, 2.0 / 3.0};
+    for (const double scale : {0.8, 0.98, 1.02, 1.2}) {
+        double Q[9];
+        turn_about(axis, 0.4, Q);
+        UmatCall call = UmatCall::hochstetten();
+        const double h[6] = {-5e-5, 2e-5, -3e-5, 4e-5, -1e-5, 2e-5};
+        for (int c = 0; c < 6; ++c) call.statev[c] = h[c];
+        for (int i = 0; i < 9; ++i) call.drot[i % 3 * 3 + i / 3] = scale * Q[i];
+        EXPECT_NE(call.complaint().find("proper orthogonal"), std::string::npos) << scale;
+        EXPECT_LT(call.pnewdt, 1.0);
+        for (int c = 0; c < 6; ++c) EXPECT_EQ(call.statev[c], h[c]);
+    }
+}
+
 TEST(UmatRotation, TurnsByNinetyDegreesInTenIncrementsAboutAnyAxis) {
     const double quarter = 1.5707963267948966, third = 1.0 / 3.0, half = std::sqrt(0.5);
     const double axes[][3] = {

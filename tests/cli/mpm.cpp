@@ -238,4 +238,43 @@ TEST(MaterialPointCommand, SaysWhereParticlesLeftTheGrid) {
     EXPECT_TRUE(answer.says("particles left the grid at t = ")) << answer.text;
 }
 
+class LammpsFiles : public testing::Test {
+  protected:
+    LammpsFiles() {
+        EXPECT_EQ(here.grit(convert).status, 0);
+        for (const std::string& file : here.files("out")) before[file] = here.text("out/" + file);
+        EXPECT_EQ(before.size(), 5U);  // data, fix, in, points of two bodies
+    }
+    void are_as_they_were() const {
+        for (const auto& [file, text] : before) EXPECT_EQ(here.text("out/" + file), text) << file;
+        EXPECT_EQ(here.files("out").size(), before.size());
+    }
+    Workplace here;
+    const std::string convert = "mpm --quiet --to-lammps out " GRIT_MPM_CASES "/pile_push.toml";
+    std::map<std::string, std::string> before;
+};
+
+TEST_F(LammpsFiles, AreAllThereOrAsTheyWereWhereTheDiskIsFull) {
+    for (const int blocks : {0, 1, 100, 1000}) {
+        const Answer answer = here.grit("sand list > /dev/null; trap '' XFSZ; ulimit -f " +
+                                        std::to_string(blocks) + "; " GRIT_CLI " " + convert);
+        EXPECT_EQ(answer.status, 1) << answer.text;
+        EXPECT_TRUE(answer.says("File too large")) << answer.text;
+        are_as_they_were();
+    }
+}
+
+TEST_F(LammpsFiles, AreWrittenByOneAtATime) {
+    Answer answer;
+    for (int i = 0; i < 20 && !answer.says("0 + 1\n"); ++i) {  // the first may be done too soon
+        answer = here.grit(convert +
+                           " & while kill -0 $! && [ ! -e out/.grit-lock ]; do :; done; "
+                           "kill -STOP $!; " GRIT_CLI " " +
+                           convert + "; second=$?; kill -CONT $!; wait $!; echo $? + $second");
+        are_as_they_were();
+    }
+    EXPECT_TRUE(answer.says("0 + 1\n")) << answer.text;
+    EXPECT_TRUE(answer.says("another run of grit is writing this file")) << answer.text;
+}
+
 }  // namespace

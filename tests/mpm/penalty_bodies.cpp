@@ -154,4 +154,36 @@ TEST(PenaltyLine, LosesNoMomentumWhereverItIs) {
     EXPECT_GT(pressed, 100);
 }
 
+// A body that parts under its line, far from the other one: a vertex over the gap would stay where it is, and press there
+// when something comes.
+TEST(PenaltyLine, IsRefusedWhereItsBodyLeavesAVertexBehind) {
+    constexpr double h = 0.1;
+    Simulation simulation(Axis::uniform(0.0, 4.0, 40), Axis::uniform(0.0, 2.0, 20),
+                          {.axisymmetric = false, .cfl = 0.2});
+    Body dust =
+        make_box({1.0, 3.0, 0.2, 0.6, 40, 8, 1000.0}, false, std::make_unique<NeoHooke>(1e-3, 0.0));
+    dust.name = "dust";
+    const ParticleView q = dust.particles.view();
+    for (std::ptrdiff_t p = 0; p < dust.particles.size(); ++p)
+        q[column::v_r][p] = q[column::r][p] < 2.0 ? -1.0 : 1.0;
+    simulation.add_body(std::move(dust));
+    Body far = make_box({1.0, 3.0, 1.5, 1.9, 8, 8, 1000.0}, false, nullptr);
+    far.name = "far";
+    far.prescribed_velocity = [](double) { return grit::Vector2{0.0, 0.0}; };
+    simulation.add_body(std::move(far));
+    PenaltyLaw law = penalty_law(0.0, 1.0, 1e3, h);
+    law.line_a.points = {{3.0, 0.6}, {2.0, 0.6}, {1.0, 0.6}};
+    law.line_b.points = {{1.0, 1.5}, {3.0, 1.5}};
+    simulation.add_contact(law);
+    std::string told;
+    try {
+        while (simulation.time() < 0.5) simulation.step();
+    } catch (const std::runtime_error& error) {
+        told = error.what();
+    }
+    EXPECT_NE(told.find(" of the line of dust, at r = "), std::string::npos) << told;
+    EXPECT_NE(told.find(" is in a cell where no node has mass of this body"), std::string::npos);
+    EXPECT_EQ(simulation.penalty_contact(0).totals().contacts_a, 0);
+}
+
 }  // namespace

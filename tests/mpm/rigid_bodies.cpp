@@ -174,4 +174,21 @@ TEST(RigidBody, WhoseVelocityIsNoNumberIsRefused) {
     EXPECT_NE(told.find("body punch: its prescribed velocity at t = "), std::string::npos) << told;
 }
 
+TEST(RigidBody, SoFastThatNoStepIsShortEnoughIsRefusedByName) {
+    for (const double speed : {1e160, 1e200, 1e300}) {
+        Punch punch{.stiffness = 0.0};
+        punch.velocity = [speed](double) { return grit::Vector2{0.0, -speed}; };
+        const auto simulation = punch.build();
+        std::string told;
+        try {
+            simulation->step();
+        } catch (const std::runtime_error& error) {
+            told = error.what();
+        }
+        EXPECT_NE(told.find("no time step is short enough: body punch would move at 1e+"),
+                  std::string::npos)
+            << told;
+    }
+}
+
 }  // namespace

@@ -106,6 +106,9 @@ TEST(Simulation, TakesNoMoreThreadsThanThereAreCores) {
     EXPECT_EQ(usable_threads(1), 1);
     EXPECT_EQ(word_of_unused_threads(1), "");
     EXPECT_EQ(usable_threads(100000), static_cast<int>(std::thread::hardware_concurrency()));
+    EXPECT_EQ(usable_threads(4, 2), 2);
+    EXPECT_EQ(usable_threads(4, 0), 4);  // how many cores there are is not known
+    EXPECT_EQ(usable_threads(0, 0), 1);
 }
 
 }  // namespace

@@ -121,6 +121,21 @@ TEST(Failure, LeavesThePointBitwiseUntouchedAndComputesTheOthers) {
     }
 }
 
+TEST(Failure, OfAStressThatLeavesItsRangeNamesTheLimit) {
+    const double h_s = sand.p.granulate_hardness;
+    for (const int tangent : {GRIT_TANGENT_NONE, GRIT_TANGENT_CONSISTENT}) {
+        Batch batch = random_batch(sand, n, 73);
+        batch.points[bad] = point_of({-9.999 * h_s * identity(), Vec::Zero(), 0.5});
+        batch.strain[bad] = {-1e-3, -1e-3, -1e-3, 0.0, 0.0, 0.0};
+        const Batch start = batch;
+        EXPECT_EQ(batch.update(sand, options_with(1e-5, tangent)), GRIT_NOT_CONVERGED);
+        expect_message(batch,
+                       {"", GRIT_NOT_CONVERGED, {"point 13", "out of 10 h_s", "smaller"}, {}});
+        EXPECT_TRUE(same_bits(batch.points[bad], start.points[bad]));
+        EXPECT_LT(batch.reports[bad].step_reduction, 1.0);
+    }
+}
+
 TEST(Failure, IsFoundByValidationAlone) {
     grit_sand_options options = options_with();
     options.validate_only = 1;

@@ -113,6 +113,10 @@ grit_status describe(const Material& m, const grit_sand_options& o, const grit_s
             return say(
                 "point %td: the increment (volumetric strain %g) takes e = %g out of (0, 1e9]",
                 raw.strain[0] + raw.strain[1] + raw.strain[2], raw.state[GRIT_SAND_VOID_RATIO]);
+        case Fault::stress_leaves_range:
+            return say("point %td: the increment of %g takes the stress out of 10 h_s = %g: use "
+                       "smaller steps",
+                       increment, c_api::largest_stress_per_h_s * m.h_s);
         case Fault::evaluation_limit:
             return say("point %td: not converged to tolerance %g after %d evaluations (limit %d), "
                        "%.3g of the increment of %g done: use smaller steps",

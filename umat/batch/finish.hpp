@@ -61,7 +61,7 @@ inline PointResult result_of(const Material& m, bool igs, const Point& p,
 inline Fault fault_of(const Material& m, const PointResult& r) {
     for (const double component : r.T.c)
         if (!(fabs(component) <= largest_stress_per_h_s * m.h_s - m.p_t))
-            return Fault::evaluation_limit;
+            return Fault::stress_leaves_range;
     return is_void_ratio(r.e) ? Fault::none : Fault::void_ratio_leaves_range;
 }
 
@@ -221,6 +221,7 @@ inline void write_failure(const UpdateRequest& q, std::ptrdiff_t i, Fault fault,
     report.status = status_of(fault);
     report.evaluations = evaluations;
     report.step_reduction = 1.0;
+    if (fault == Fault::stress_leaves_range) report.step_reduction = 0.25;
     if (fault == Fault::increment_too_large || fault == Fault::void_ratio_leaves_range)
         report.step_reduction = min(0.25, max(0.5 * largest_increment / increment, 1e-6));
     if (fault == Fault::evaluation_limit)

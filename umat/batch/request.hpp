@@ -25,6 +25,7 @@ enum class Fault {
     turned_stress_too_large,
     increment_too_large,
     void_ratio_leaves_range,
+    stress_leaves_range,
     evaluation_limit
 };
 
@@ -36,6 +37,7 @@ inline constexpr grit_status status_of(Fault fault) {
         case Fault::rotation_improper: return GRIT_BAD_CALL;
         case Fault::increment_too_large:
         case Fault::void_ratio_leaves_range:
+        case Fault::stress_leaves_range:
         case Fault::evaluation_limit: return GRIT_NOT_CONVERGED;
         default: return GRIT_BAD_STATE;
     }

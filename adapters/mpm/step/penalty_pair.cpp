@@ -118,7 +118,7 @@ void PenaltyPair::check_mass(const GridView& grid, const PenaltyBody& a, const P
                                      " m, is in a cell where no node has mass of this body: "
                                      "nothing would take its force of " +
                                      text(std::hypot(line.force[v], line.force[v + 1])) +
-                                     " N; does the line follow the body's surface?");
+                                     " N, or move it; does the line follow the body's surface?");
         }
     }
 }
@@ -184,6 +184,7 @@ void PenaltyPair::find_stiffness(const GridView& grid, const Line& line, const P
 
 void PenaltyPair::move(const GridView& grid, const PenaltyBody& a, const PenaltyBody& b,
                        double dt) {
+    check_mass(grid, a, b, Vertices::all);
     taken = -advance(grid, a, dt, lines[0]) - advance(grid, b, dt, lines[1]);
     remesh(lines[0]);
     remesh(lines[1]);

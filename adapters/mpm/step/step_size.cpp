@@ -37,8 +37,9 @@ void StepSize::decide() {
     model.dt = stable(std::max(largest_speed, rigid_speed(model.t)));
     while (std::isfinite(model.dt) && shorten()) {
     }
-    if (!(model.dt > 0.0) || !std::isfinite(model.dt))
+    if (!std::isfinite(model.dt))
         throw std::runtime_error("no finite time step: is anything able to move?");
+    if (!(model.dt > 0.0)) throw std::runtime_error(word_of_no_step());
 }
 
 // By 1 % at the least, and no more than by half: an end that is much farther off says little.
@@ -62,6 +63,21 @@ double StepSize::rigid_speed(double at) const {
         speed = std::max(speed, size);
     }
     return speed;
+}
+
+// Some speed is so large that its square is not a number, and the step none.
+std::string StepSize::word_of_no_step() const {
+    const double rigid = rigid_speed(model.t);
+    std::string fastest = "waves and particles";
+    double speed = largest_speed;
+    for (const Part& part : model.parts) {
+        if (!part.body.rigid() || !(rigid > largest_speed)) continue;
+        const Vector2 v = part.body.prescribed_velocity(model.t);
+        if (std::hypot(v[0], v[1]) == rigid) fastest = "body " + part.body.name;
+        speed = rigid;
+    }
+    return "no time step is short enough: " + fastest + " would move at " + text(speed) +
+           " m/s at t = " + text(model.t) + " s, over cells of " + text(model.shortest) + " m";
 }
 
 double StepSize::stable(double speed) const {

@@ -3,6 +3,7 @@
 // of a cell (Courant), with the springs of penalty contacts.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "adapters/mpm/step/gather.hpp"
@@ -28,6 +29,7 @@ class StepSize {
   private:
     double stable(double speed) const;
     double rigid_speed(double at) const;
+    std::string word_of_no_step() const;
 
     Model& model;
     const PenaltyContacts& penalties;

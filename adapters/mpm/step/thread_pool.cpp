@@ -24,8 +24,11 @@ void rest() {
 }  // namespace
 
 int usable_threads(int wanted) {
-    const auto cores = static_cast<int>(std::thread::hardware_concurrency());
-    return std::clamp(wanted, 1, std::max(cores, 1));
+    return usable_threads(wanted, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+int usable_threads(int wanted, int cores) {
+    return std::max(cores > 0 ? std::min(wanted, cores) : wanted, 1);
 }
 
 std::string word_of_unused_threads(int wanted) {

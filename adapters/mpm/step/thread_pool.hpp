@@ -14,6 +14,7 @@ namespace grit::mpm {
 
 // As many as there are cores for, and no more than wanted: others would only take turns.
 int usable_threads(int wanted);
+int usable_threads(int wanted, int cores);  // cores 0: how many there are is not known
 // What a user is told where those are fewer; empty where they are not.
 std::string word_of_unused_threads(int wanted);
 
