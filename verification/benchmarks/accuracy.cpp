@@ -19,7 +19,7 @@ int main() {
         "share   worst ratio\n");
     for (const auto& [increment, list] : all_calls())
         for (const double tolerance :
-             {1e-2, 5e-3, 3e-3, 1e-3, 3e-4, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10}) {
+             {1e-2, 5e-3, 3e-3, 1e-3, GRIT_SAND_DEFAULT_TOLERANCE, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10}) {
             std::vector<double> evaluations, errors, h_errors;
             int within = 0, failures = 0;
             SandPoints points = SandPoints::structures(list, list.size());
