@@ -9,12 +9,12 @@ namespace grit::lammps {
 namespace {
 
 // Adds the wall time of its life.
-class Stopwatch {
+class LifeTime {
   public:
-    explicit Stopwatch(double& total) : sum(total), begin(MPI_Wtime()) {}
-    Stopwatch(const Stopwatch&) = delete;
-    Stopwatch& operator=(const Stopwatch&) = delete;
-    ~Stopwatch() { sum += MPI_Wtime() - begin; }
+    explicit LifeTime(double& total) : sum(total), begin(MPI_Wtime()) {}
+    LifeTime(const LifeTime&) = delete;
+    LifeTime& operator=(const LifeTime&) = delete;
+    ~LifeTime() { sum += MPI_Wtime() - begin; }
 
   private:
     double& sum;
@@ -106,7 +106,7 @@ void Halo::exchange_along(int direction, Number* values, int per_place, Of what,
 
 template <class Number, class Combine>
 void Halo::exchange(Number* values, int per_place, Of what, const Combine& combine) {
-    const Stopwatch watch(sent.seconds);
+    const LifeTime watch(sent.seconds);
     for (const int direction : {0, 1}) exchange_along(direction, values, per_place, what, combine);
 }
 
@@ -139,19 +139,19 @@ void Halo::min_nodes(double* values, std::ptrdiff_t, int per_node) {
 }
 
 void Halo::max(double* values, int count) {
-    const Stopwatch watch(sent.seconds);
+    const LifeTime watch(sent.seconds);
     MPI_Allreduce(MPI_IN_PLACE, values, count, MPI_DOUBLE, MPI_MAX, layout.world);
     ++sent.reductions;
 }
 
 void Halo::sum(double* values, int count) {
-    const Stopwatch watch(sent.seconds);
+    const LifeTime watch(sent.seconds);
     MPI_Allreduce(MPI_IN_PLACE, values, count, MPI_DOUBLE, MPI_SUM, layout.world);
     ++sent.reductions;
 }
 
 void Halo::sum(std::int64_t* values, int count) {
-    const Stopwatch watch(sent.seconds);
+    const LifeTime watch(sent.seconds);
     MPI_Allreduce(MPI_IN_PLACE, values, count, MPI_UINT64_T, MPI_SUM, layout.world);
     ++sent.reductions;
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a sample may start with.
-#include "element/start.hpp"
+#include <element/start.hpp>
 
 #include <gtest/gtest.h>
 
 #include <grit/sand_operators.h>
 
-#include "element/errors.hpp"
 #include "support/lausitz.hpp"
+#include <element/errors.hpp>
 
 namespace {
 

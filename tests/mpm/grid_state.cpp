@@ -50,7 +50,7 @@ TEST(GridState, ShowsTheContactForcesOfTheLastStep) {
     const auto one = made.build(), other = made.build();
     for (int i = 0; i < 60; ++i) one->step();
     GridState::take_common(*other, GridState::common(*one));
-    const ContactPair::Faces &wanted = one->contact(0).faces(), &now = other->contact(0).faces();
+    const ContactPair::Measured &wanted = one->contact(0).faces(), &now = other->contact(0).faces();
     EXPECT_NE(wanted.along_z[1], 0.0);
     EXPECT_EQ(now.along_z[1], wanted.along_z[1]);
     EXPECT_EQ(now.along_r[1], wanted.along_r[1]);

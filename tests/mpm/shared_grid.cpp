@@ -70,7 +70,7 @@ class Process {
 std::vector<double> totals_of(Simulation& s) {
     const Energy e = s.energy();
     const grit_contact_totals& contact = s.contact(0).totals();
-    const ContactPair::Faces& faces = s.contact(0).faces();
+    const ContactPair::Measured& faces = s.contact(0).faces();
     const grit::Vector2 load = s.traction_force(0), velocity = mean_velocity(s, 0);
     return {s.time(),
             s.next_step(),

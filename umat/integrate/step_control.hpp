@@ -65,7 +65,7 @@ constexpr double start_reach = 3.0;
 constexpr double growth_reach = 0.7;  // longest step, in relative stress change / tolerance^(1/5)
 constexpr double slowest_rate = 3.0;  // of relative stress change per strain that is told from none
 constexpr double turning_share = 0.1;  // of the tolerance, for a turn of h by R
-constexpr double turned_share = 0.5;   // of what a call is allowed, for its steps past a turn of h
+constexpr double turned_share = 0.25;  // of what a call is allowed, for its steps past a turn of h
 constexpr double smallest_fraction = 1e-13;
 
 // What the call may add to the error: the tolerance times the share of the stress it changes, so that errors

@@ -8,32 +8,11 @@
 
 #include <grit/grit.h>
 
+#include "support/trials/split_mix.hpp"
+
 namespace robustness {
 
-// SplitMix64 (Steele, Lea & Flood 2014): every seed gives an independent stream.
-class Random {
-  public:
-    explicit Random(std::uint64_t seed) : state(seed) {}
-    std::uint64_t bits() {
-        std::uint64_t z = (state += 0x9e3779b97f4a7c15ULL);
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-        return z ^ (z >> 31);
-    }
-    double uniform() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
-    double uniform(double low, double high) { return low + (high - low) * uniform(); }
-    double log_uniform(double low, double high) {
-        return std::exp(uniform(std::log(low), std::log(high)));
-    }
-    int below(int n) { return static_cast<int>(uniform() * n); }
-    double normal() {
-        return std::sqrt(-2.0 * std::log(1.0 - uniform())) *
-               std::cos(6.283185307179586 * uniform());
-    }
-
-  private:
-    std::uint64_t state;
-};
+using Random = grit::SplitMix;
 
 // A random symmetric tensor of the given norm, as Voigt stress (shear_factor 1) or engineering
 // strain (shear_factor 2).

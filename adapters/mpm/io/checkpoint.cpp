@@ -13,6 +13,7 @@
 
 #include "adapters/mpm/io/checkpoint_state.hpp"
 #include "adapters/mpm/io/checksum.hpp"
+#include "support/version_text.hpp"
 
 namespace grit::mpm {
 namespace {
@@ -36,20 +37,6 @@ std::uint64_t checksum_of(const Header& header) {
 }
 
 [[noreturn]] void refuse(const std::string& why) { throw std::runtime_error("checkpoint: " + why); }
-
-std::string version_text(int version) {
-    return std::to_string(version / 10000) + '.' + std::to_string(version / 100 % 100) + '.' +
-           std::to_string(version % 100);
-}
-
-std::string instruction_set_text(int set) {
-    switch (set) {
-        case GRIT_ISA_BASELINE: return "baseline";
-        case GRIT_ISA_AVX2: return "AVX2";
-        case GRIT_ISA_AVX512: return "AVX-512";
-        default: return "number " + std::to_string(set);
-    }
-}
 
 Header read_header(std::istream& in, OtherBits bits) {
     Header header{};

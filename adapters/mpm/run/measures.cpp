@@ -102,7 +102,7 @@ ContactForces contact_forces(const Simulation& simulation, std::size_t body) {
         const ContactPair& pair = simulation.contact(i);
         if (pair.law().a != body && pair.law().b != body) continue;
         const double sign = pair.law().b == body ? 1.0 : -1.0;
-        const ContactPair::Faces& faces = pair.faces();
+        const ContactPair::Measured& faces = pair.faces();
         out.tip[0] += sign * faces.along_z[0];
         out.tip[1] += sign * faces.along_z[1];
         out.shaft[0] += sign * faces.along_r[0];
@@ -112,7 +112,7 @@ ContactForces contact_forces(const Simulation& simulation, std::size_t body) {
     for (std::size_t i = 0; i < simulation.penalty_contact_count(); ++i) {
         const PenaltyPair& pair = simulation.penalty_contact(i);
         if (pair.law().a != body && pair.law().b != body) continue;
-        const PenaltyPair::Faces faces = pair.faces(pair.law().b == body ? 1 : 0);
+        const Faces& faces = pair.faces(pair.law().b == body ? 1 : 0);
         out.tip[0] += faces.along_z[0];
         out.tip[1] += faces.along_z[1];
         out.shaft[0] += faces.along_r[0];

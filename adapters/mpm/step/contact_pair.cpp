@@ -246,7 +246,7 @@ void ContactPair::correct(const GridView& grid, const ContactBody& a, const Cont
                           double dt, Exchange& exchange) {
     step_totals = {};
     step_totals.struct_size = sizeof step_totals;
-    step_faces = {.largest_gap = NAN};
+    step_faces = {{}, NAN};
     if (!find_active(grid, a, b, exchange)) return remember();
     const auto n = static_cast<std::ptrdiff_t>(active.size());
     std::fill(normal.begin(), normal.end(), 0.0);
@@ -319,9 +319,9 @@ void ContactPair::sum_faces(bool measured, Exchange& exchange) {
     }
     exchange.sum(forces, fixed_point);
     exchange.max(&largest, 1);
-    step_faces = {{forces[r_r].value(), forces[r_z].value()},
-                  {forces[z_r].value(), forces[z_z].value()},
-                  std::isfinite(largest) ? largest : NAN};
+    step_faces = {
+        {{forces[r_r].value(), forces[r_z].value()}, {forces[z_r].value(), forces[z_z].value()}},
+        std::isfinite(largest) ? largest : NAN};
 }
 
 }  // namespace grit::mpm

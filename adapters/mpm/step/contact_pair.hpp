@@ -10,6 +10,7 @@
 
 #include "adapters/mpm/kernel/exchange.hpp"
 #include "adapters/mpm/kernel/nodes.hpp"
+#include "adapters/mpm/step/faces.hpp"
 #include "adapters/mpm/step/settings.hpp"
 
 namespace grit::mpm {
@@ -46,11 +47,10 @@ class ContactPair {
     const grit_contact_totals& totals() const { return step_totals; }
     // Forces on b by where their node's normal points, and the largest gap at a node of both bodies
     // [m], NaN: not measured.
-    struct Faces {
-        Vector2 along_r{0.0, 0.0}, along_z{0.0, 0.0};
+    struct Measured : Faces {
         double largest_gap;
     };
-    const Faces& faces() const { return step_faces; }
+    const Measured& faces() const { return step_faces; }
     template <class Self, class Archive> static void visit(Self& pair, Archive& archive) {
         archive.value(pair.step_totals);
         archive.value(pair.step_faces);
@@ -87,7 +87,7 @@ class ContactPair {
     grit_contact_sums sums;
     std::vector<grit_contact_report> reports;
     grit_contact_totals step_totals;
-    Faces step_faces;
+    Measured step_faces;
 };
 
 }  // namespace grit::mpm

@@ -131,7 +131,7 @@ void PenaltyPair::push(const GridView& grid, const PenaltyBody& a, const Penalty
     scatter(grid, lines[1], b);
 }
 
-PenaltyPair::Faces PenaltyPair::faces_of(const Line& line) {
+Faces PenaltyPair::faces_of(const Line& line) {
     Faces out;
     for (std::size_t v = 0; v < line.force.size(); v += 2) {
         const double f_r = line.force[v], f_z = line.force[v + 1];

@@ -9,6 +9,7 @@
 #include <grit/contact_penalty.h>
 
 #include "adapters/mpm/kernel/nodes.hpp"
+#include "adapters/mpm/step/faces.hpp"
 
 namespace grit::mpm {
 
@@ -68,9 +69,6 @@ class PenaltyPair {
     double energy_taken() const { return taken; }
     double stable_step() const { return step; }  // (S5), of the next step [s]
     // Forces on the body of line 0 or 1 in the last push, apart by the component that is larger at a vertex.
-    struct Faces {
-        Vector2 along_r{0.0, 0.0}, along_z{0.0, 0.0};
-    };
     const Faces& faces(int line) const { return step_faces[line]; }
     // Vertices of line 0 or 1, two coordinates each.
     const std::vector<double>& vertices(int line) const { return lines[line].position; }

@@ -3,16 +3,18 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <vector>
 
 #include <grit/contact.h>
 #include <gtest/gtest.h>
 
-#include "support/random.hpp"
+#include "support/trials/split_mix.hpp"
 
 namespace tests {
 
+using Random = grit::SplitMix;
 using Vec = std::array<double, 3>;
 
 inline double dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
