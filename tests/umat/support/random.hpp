@@ -2,8 +2,8 @@
 // Random tensors that are the same on every machine.
 #pragma once
 
-#include "support/trials/split_mix.hpp"
 #include "support/tensors.hpp"
+#include "support/trials/split_mix.hpp"
 
 namespace tests {
 
