@@ -63,25 +63,28 @@ TEST(Corners, AtTheHydrostaticAxisArePassedWithinTheShareOfACall) {
     });
 }
 
-// Begins a little looser or denser than e_d.
+// Begins beside a limit of the void ratio at its pressure: off it by up to so much, looser in such a share of the calls.
+template <class VoidRatio>
+Call beside(VoidRatio limit_and, double most, double looser, const Sand& sand, Random& random,
+            double size) {
+    Call call{random_state(sand, random, 50.0, 500.0), size * random.direction()};
+    const double p = -call.start.T.dot(identity()) / 3.0;
+    const double off = random.log_uniform(1e-7, most) * (random.uniform() < looser ? 1.0 : -1.0);
+    call.start.e = limit_and(p, off);
+    return call;
+}
+
 TEST(Corners, AtTheDensestVoidRatioArePassedWithinTheShareOfACall) {
     expect_shares_kept(1e-5, 1e-3, [](const Sand& sand, Random& random, double size, bool) {
-        Call call{random_state(sand, random, 50.0, 500.0), size * random.direction()};
-        const double p = -call.start.T.dot(identity()) / 3.0;
-        const double off = random.log_uniform(1e-7, 1e-2) * (random.uniform() < 0.7 ? 1.0 : -1.0);
-        call.start.e = void_ratio_at(sand, p, off);
-        return call;
+        const auto e_d_and = [&](double p, double off) { return void_ratio_at(sand, p, off); };
+        return beside(e_d_and, 1e-2, 0.7, sand, random, size);
     });
 }
 
-// A little denser or looser than e_i.
 TEST(Corners, AtTheLoosestVoidRatioArePassedWithinTheShareOfACall) {
     expect_shares_kept(1e-5, 1e-3, [](const Sand& sand, Random& random, double size, bool) {
-        Call call{random_state(sand, random, 50.0, 500.0), size * random.direction()};
-        const double p = -call.start.T.dot(identity()) / 3.0;
-        const double off = random.log_uniform(1e-7, 1e-3) * (random.uniform() < 0.5 ? 1.0 : -1.0);
-        call.start.e = void_ratios(sand, p).e_i + off;
-        return call;
+        const auto e_i_and = [&](double p, double off) { return void_ratios(sand, p).e_i + off; };
+        return beside(e_i_and, 1e-3, 0.5, sand, random, size);
     });
 }
 

@@ -8,13 +8,15 @@ namespace {
 
 constexpr double wanted = 2e-4;  // error of the stress over the largest on the way
 
+void expect_accurate(const paths::StrainPath& path, const paths::Course& exact) {
+    EXPECT_LE(paths::error(path, paths::run(path, GRIT_SAND_DEFAULT_TOLERANCE), exact), wanted)
+        << path.sand_name << (path.intergranular_off ? ", h off, " : ", ") << path.kind << ", "
+        << path.increments.size() << " calls";
+}
+
 void expect_accurate(const std::vector<paths::StrainPath>& list) {
-    for (const paths::StrainPath& path : list) {
-        const paths::Course exact = paths::run(path, paths::exact_tolerance);
-        EXPECT_LE(paths::error(path, paths::run(path, GRIT_SAND_DEFAULT_TOLERANCE), exact), wanted)
-            << path.sand_name << (path.intergranular_off ? ", h off, " : ", ") << path.kind << ", "
-            << path.increments.size() << " calls";
-    }
+    for (const paths::StrainPath& path : list)
+        expect_accurate(path, paths::run(path, paths::exact_tolerance));
 }
 
 TEST(Paths, OfReferenceCurvesInTheirRowsAreExactToTwoTenThousandths) {
@@ -62,12 +64,14 @@ TEST(Paths, OfLaboratoryTestsOfEverySandAreExactToTwoTenThousandths) {
 
 // Any void ratio, pressure, memory and size: a tenth of those of path_errors.
 TEST(Paths, ThatAreDrawnAreExactToTwoTenThousandths) {
-    std::vector<paths::StrainPath> list = paths::random_paths(300, 1);
-    std::erase_if(list, [](const paths::StrainPath& path) {
-        return paths::opens(paths::run(path, paths::exact_tolerance));
-    });
-    EXPECT_GE(list.size(), 250u);
-    expect_accurate(list);
+    int compared = 0;
+    for (const paths::StrainPath& path : paths::random_paths(300, 1)) {
+        const paths::Course exact = paths::run(path, paths::exact_tolerance);
+        if (paths::opens(exact)) continue;
+        expect_accurate(path, exact);
+        ++compared;
+    }
+    EXPECT_GE(compared, 250);
 }
 
 }  // namespace

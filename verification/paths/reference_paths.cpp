@@ -49,11 +49,13 @@ StrainPath path_of(const std::filesystem::path& file, int calls) {
         for (std::size_t c = 0; c < 6; ++c) r[c] += share * (next[c] - r[c]);
         return r;
     };
+    Six from = strain_at(0);
     for (std::size_t i = 1; i <= pieces; ++i) {
-        Six d = strain_at(i);
-        const Six from = strain_at(i - 1);
+        const Six to = strain_at(i);
+        Six d = to;
         for (std::size_t c = 0; c < 6; ++c) d[c] -= from[c];
         path.increments.push_back(d);
+        from = to;
     }
     return path;
 }

@@ -34,7 +34,7 @@ void StepSize::measure(const Gather& gather) {
 
 // What moves a rigid body in a step is its velocity at the end of the step.
 void StepSize::decide() {
-    model.dt = stable(std::max(largest_speed, rigid_speed(model.t)));
+    model.dt = stable(std::max(largest_speed, fastest_rigid(model.t).speed));
     while (std::isfinite(model.dt) && shorten()) {
     }
     if (!std::isfinite(model.dt))
@@ -44,14 +44,14 @@ void StepSize::decide() {
 
 // By 1 % at the least, and no more than by half: an end that is much farther off says little.
 bool StepSize::shorten() {
-    const double limit = stable(std::max(largest_speed, rigid_speed(model.t + model.dt)));
+    const double limit = stable(std::max(largest_speed, fastest_rigid(model.t + model.dt).speed));
     if (model.dt <= limit) return false;
     model.dt = std::max(0.5 * model.dt, std::min(0.99 * model.dt, limit));
     return true;
 }
 
-double StepSize::rigid_speed(double at) const {
-    double speed = 0.0;
+StepSize::Fastest StepSize::fastest_rigid(double at) const {
+    Fastest fastest;
     for (const Part& part : model.parts) {
         if (!part.body.rigid()) continue;
         const Vector2 v = part.body.prescribed_velocity(at);
@@ -60,24 +60,19 @@ double StepSize::rigid_speed(double at) const {
             throw std::runtime_error("body " + part.body.name +
                                      ": its prescribed velocity at t = " + text(at) + " s is (" +
                                      text(v[0]) + ", " + text(v[1]) + ") m/s");
-        speed = std::max(speed, size);
+        if (size > fastest.speed) fastest = {size, &part.body.name};
     }
-    return speed;
+    return fastest;
 }
 
 // Some speed is so large that its square is not a number, and the step none.
 std::string StepSize::word_of_no_step() const {
-    const double rigid = rigid_speed(model.t);
-    std::string fastest = "waves and particles";
-    double speed = largest_speed;
-    for (const Part& part : model.parts) {
-        if (!part.body.rigid() || !(rigid > largest_speed)) continue;
-        const Vector2 v = part.body.prescribed_velocity(model.t);
-        if (std::hypot(v[0], v[1]) == rigid) fastest = "body " + part.body.name;
-        speed = rigid;
-    }
-    return "no time step is short enough: " + fastest + " would move at " + text(speed) +
-           " m/s at t = " + text(model.t) + " s, over cells of " + text(model.shortest) + " m";
+    const Fastest rigid = fastest_rigid(model.t);
+    const bool is_rigid = rigid.speed > largest_speed;
+    return "no time step is short enough: " +
+           (is_rigid ? "body " + *rigid.name : "waves and particles") + " would move at " +
+           text(std::max(rigid.speed, largest_speed)) + " m/s at t = " + text(model.t) +
+           " s, over cells of " + text(model.shortest) + " m";
 }
 
 double StepSize::stable(double speed) const {

@@ -28,7 +28,11 @@ class StepSize {
 
   private:
     double stable(double speed) const;
-    double rigid_speed(double at) const;
+    struct Fastest {
+        double speed = 0.0;  // [m/s]
+        const std::string* name = nullptr;
+    };
+    Fastest fastest_rigid(double at) const;
     std::string word_of_no_step() const;
 
     Model& model;
