@@ -84,15 +84,14 @@ function(grit_library_part target)
   set_property(GLOBAL APPEND PROPERTY GRIT_PARTS ${target})
 endfunction()
 
-# One source per instruction set that this processor family has: kernel_baseline.cpp and so on, in
-# the calling folder, into the list RESULT. Or one kernel for the machine that builds, which takes less than half the
+# One source per kernel named and instruction set that this processor family has: kernel_baseline.cpp and so on,
+# in the calling folder, into the list RESULT. Or one for the machine that builds, which takes less than half the
 # time to compile: it counts as the baseline, and there is no other.
 set(GRIT_X86_KERNELS OFF)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT GRIT_NATIVE)
   set(GRIT_X86_KERNELS ON)
 endif()
 macro(grit_kernels result)
-  set(${result} kernel_baseline.cpp)
   set(of_baseline)
   if(GRIT_NATIVE)
     list(APPEND of_baseline -march=native ${GRIT_AVX512_FLAGS})
@@ -100,14 +99,19 @@ macro(grit_kernels result)
   if(GRIT_SANITIZE)
     list(APPEND of_baseline ${GRIT_SANITIZED_KERNEL_FLAGS})
   endif()
-  set_source_files_properties(kernel_baseline.cpp PROPERTIES COMPILE_OPTIONS "${of_baseline}")
+  set(of_avx2 -mavx2 -mfma ${GRIT_AVX2_FLAGS})
+  set(of_avx512 -mavx512f -mavx512vl -mavx512dq -mfma ${GRIT_AVX512_FLAGS})
+  set(sets baseline)
   if(GRIT_X86_KERNELS)
-    list(APPEND ${result} kernel_avx2.cpp kernel_avx512.cpp)
-    set_source_files_properties(kernel_avx2.cpp PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma;${GRIT_AVX2_FLAGS}")
-    set_source_files_properties(
-      kernel_avx512.cpp PROPERTIES COMPILE_OPTIONS
-                                   "-mavx512f;-mavx512vl;-mavx512dq;-mfma;${GRIT_AVX512_FLAGS}")
+    list(APPEND sets avx2 avx512)
   endif()
+  set(${result})
+  foreach(kernel ${ARGN})
+    foreach(set IN LISTS sets)
+      list(APPEND ${result} ${kernel}_${set}.cpp)
+      set_source_files_properties(${kernel}_${set}.cpp PROPERTIES COMPILE_OPTIONS "${of_${set}}")
+    endforeach()
+  endforeach()
 endmacro()
 
 # Grit::grit (shared) and Grit::grit_static (PIC), of the parts declared so far.

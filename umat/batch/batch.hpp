@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Many points: ordinary ones as packs, those that need more than a short increment collected until a pack is
-// full; the others alone. A lane never looks at its neighbours: the result of a point does not depend on n.
+// full; the others alone (single_points.hpp). A lane never looks at its neighbours: the result of a point does not depend on n.
 #pragma once
 
 #include "umat/batch/ordinary_points.hpp"
+#include "umat/batch/single_points.hpp"
 
 GRIT_KERNEL_BEGIN
 
@@ -22,17 +23,13 @@ struct Queue {
 
 class Batch {
   public:
-    explicit Batch(const UpdateRequest& request)
-        : q(request), m(*request.material), control{request.options->tolerance,
-                                                    request.options->evaluation_limit} {
-        control.next_step_wanted = q.points->substep.base != nullptr;
-    }
+    explicit Batch(const UpdateRequest& request) : q(request), m(*request.material) {}
 
     UpdateOutcome run() {
-        if (q.options->tangent == GRIT_TANGENT_CONSISTENT || q.options->validate_only)
+        if (q.options->validate_only)
             for (std::ptrdiff_t i = 0; i < q.n; ++i) take(i);
         else q.igs ? take_all<true>() : take_all<false>();
-        return outcome;
+        return single.outcome;
     }
 
   private:
@@ -108,101 +105,22 @@ class Batch {
     }
 
     // A point that may be anything, or comes to an end that is not ordinary.
-    void take(std::ptrdiff_t i) {
-        const std::ptrdiff_t at = q.points->index ? q.points->index[i] : i;
-        const RawPoint raw = read_point(*q.points, at);
-        const Fault fault = check_point(m, *q.options, q.igs, q.points->components, raw);
-        if (fault != Fault::none) return fail(i, fault, raw.strain, 0.0, 0);
-        if (q.options->validate_only) {
-            write_report(q.reports ? q.reports + i : nullptr, 0, 0, 0, 0.0);
-            return;
-        }
-        Point p = prepare_point(*q.options, raw);
-        enter_domain(m, q.igs, p);
-        if (p.resting) return write_resting(q, i, at, raw, p);
-        if (p.stress_free) return write_point(q, i, at, p, separated_result(q.igs, p));
-        if (q.options->tangent == GRIT_TANGENT_CONSISTENT) return with_derivatives(p, i, at);
-        const Start<double> start = start_of<double>(m, p, p.strain_increment);
-        const auto path = straight_path(m, start.strain_increment, start.h, start.e);
-        const auto end = integrated<double>(path, start.T, p.advised_step);
-        if (end.failed) return fail(p, i, end);
-        const PointResult r = result_of(m, q.igs, p, path, end);
-        if (const Fault f = fault_of(m, r); f != Fault::none) return fail(p, i, end, f);
-        write_point(q, i, at, p, r);
-    }
-
-    template <class Real>
-    Integrated<Real> integrated(const StraightPath<Real>& path, const Tensor<double>& T,
-                                double advised) const {
-        return q.igs ? integrate<Real, true>(m, control, path, T, advised, 0.0)
-                     : integrate<Real, false>(m, control, path, T, advised, 0.0);
-    }
-
-    void with_derivatives(const Point& p, std::ptrdiff_t i, std::ptrdiff_t at) {
-        const StrainDirections along =
-            strain_directions(p.strain_increment, q.igs ? p.h : isotropic(0.0));
-        const Start<Dual> start = start_of<Dual>(m, p, variable(p.strain_increment, along));
-        const auto path = straight_path(m, start.strain_increment, start.h, start.e);
-        const Integrated<Dual> dual_end = integrated<Dual>(path, start.T, p.advised_step);
-        const Integrated<double> end = plain(dual_end);
-        if (end.failed) return fail(p, i, end);
-        PointResult r = result_of(m, q.igs, p, plain(path), end);
-        if (const Fault f = fault_of(m, r); f != Fault::none) return fail(p, i, end, f);
-        r.has_tangent = true;
-        for (int row = 0; row < 6; ++row) {
-            const Six slope = by_strain(dual_end.y.T[row], along);
-            for (int c = 0; c < 6; ++c) r.tangent.c[row][c] = slope[c];
-            if (!are_finite(r.tangent.c[row], 6)) return fail(p, i, end);
-        }
-        write_point(q, i, at, p, r);
-    }
-
-    void fail(const Point& p, std::ptrdiff_t i, const Integrated<double>& end,
-              Fault fault = Fault::evaluation_limit) {
-        double strain[6];
-        strain_to_voigt(p.strain_increment, strain);
-        fail(i, fault, strain, end.failed ? end.progress : 0.0, static_cast<int>(end.evaluations));
-    }
-
-    void fail(std::ptrdiff_t i, Fault fault, const double strain[6], double progress,
-              int evaluations) {
-        write_failure(q, i, fault, norm(strain_from_voigt(strain)), progress, evaluations);
-        if (outcome.point < 0 || i < outcome.point) outcome = {fault, i, progress, evaluations};
-    }
-
-    static StraightPath<double> plain(const StraightPath<Dual>& x) {
-        return {value(x.D_hat), value(x.tau), x.length.v, x.tr_D.v,
-                x.tau_sq.v,     x.u_0.v,      x.e_0.v,    x.e_end.v};
-    }
-    static Integrated<double> plain(const Integrated<Dual>& x) {
-        Integrated<double> r;
-        r.y.T = value(x.y.T);
-        r.s = x.s.v;
-        r.h = {x.h.rho.v, x.h.c.v, x.h.across.v, x.h.J.v, x.h.J_growth.v, x.h.rho_beta};
-        r.h_late = x.h_late;
-        r.failed = x.failed;
-        r.separated = x.separated;
-        r.outside_cone = x.outside_cone;
-        r.separation_at = x.separation_at.v;
-        r.progress = x.progress;
-        r.error = x.error;
-        r.substeps = x.substeps;
-        r.evaluations = x.evaluations;
-        r.next_step = x.next_step;
-        return r;
-    }
+    void take(std::ptrdiff_t i) { single.take(i); }
 
     const UpdateRequest& q;
     const Material& m;
-    Control control;
+    const Control control = control_of(q);
+    SinglePoints<double> single{q, control};
     Queue turning, others;
-    UpdateOutcome outcome;
 };
 
 GRIT_KERNEL_END
 
 namespace grit::GRIT_TARGET {
 
-UpdateOutcome update(const UpdateRequest& request) { return Batch(request).run(); }
+UpdateOutcome update(const UpdateRequest& request) {
+    if (request.options->tangent == GRIT_TANGENT_CONSISTENT) return update_with_tangents(request);
+    return Batch(request).run();
+}
 
 }  // namespace grit::GRIT_TARGET

@@ -67,17 +67,20 @@ struct WaveModuliRequest {
     bool igs;
 };
 
-// wave_moduli returns the first point that has none, or -1.
+// update_with_tangents is the part of update where the consistent tangent is wanted. wave_moduli returns the first point that has none, or -1.
 namespace baseline {
 UpdateOutcome update(const UpdateRequest& request);
+UpdateOutcome update_with_tangents(const UpdateRequest& request);
 std::ptrdiff_t wave_moduli(const WaveModuliRequest& request);
 }  // namespace baseline
 namespace avx2 {
 UpdateOutcome update(const UpdateRequest& request);
+UpdateOutcome update_with_tangents(const UpdateRequest& request);
 std::ptrdiff_t wave_moduli(const WaveModuliRequest& request);
 }  // namespace avx2
 namespace avx512 {
 UpdateOutcome update(const UpdateRequest& request);
+UpdateOutcome update_with_tangents(const UpdateRequest& request);
 std::ptrdiff_t wave_moduli(const WaveModuliRequest& request);
 }  // namespace avx512
 
