@@ -3,6 +3,10 @@
 
 #include <cmath>
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+
 namespace element {
 namespace {
 

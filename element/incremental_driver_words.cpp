@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include <Eigen/Eigenvalues>
+
 #include "element/errors.hpp"
 #include "element/exit_condition.hpp"
 #include "element/text.hpp"

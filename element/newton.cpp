@@ -9,15 +9,14 @@
 namespace element {
 namespace {
 
-using System = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, 7, 7>;
-using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 7, 1>;
+using System = Eigen::Matrix<double, 7, 7, Eigen::RowMajor>;
+using Values = Eigen::Matrix<double, 7, 1>;
 
-// Unknowns: six strains, and pore pressure in units of `stiffness` if undrained. Equations: six rows
-// and, if undrained, constant volume. Each is divided by its size at the present level of stress.
+// Unknowns: six strains and the change of pore pressure, in units of `stiffness`. Equations: six rows and constant
+// volume if undrained, else constant pore pressure. Each is divided by its size at the present level of stress.
 class Equations {
   public:
-    Equations(const Task& t, const MaterialPoint& at, const Matrix6& C)
-        : task(t), tangent(C), n(t.undrained ? 7 : 6) {
+    Equations(const Task& t, const MaterialPoint& at, const Matrix6& C) : task(t), tangent(C) {
         level = std::max(at.stress.norm(), t.point.stress.norm());
         stiffness = C.cwiseAbs().maxCoeff();
         if (!(stiffness > 0.0)) stiffness = 1.0;
@@ -25,7 +24,7 @@ class Equations {
     }
 
     Values residual(const Vector6& stress, const Vector6& strain_increment, double p_w) const {
-        Values r(n);
+        Values r = Values::Zero();
         r.head<6>() = task.rows.stress * (stress - p_w * unit_tensor()) +
                       task.rows.strain * (task.strain + strain_increment) - task.goal;
         if (task.undrained) r[6] = strain_increment.head<3>().sum();
@@ -43,12 +42,12 @@ class Equations {
 
     // Correction of the strain; nothing if the rows do not determine it.
     std::optional<Vector6> correction(const Values& residual) const {
-        System J = System::Zero(n, n);
+        System J = System::Zero();
         J.topLeftCorner<6, 6>() = task.rows.stress * tangent + task.rows.strain;
         if (task.undrained) {
             J.topRightCorner<6, 1>() = -stiffness * (task.rows.stress * unit_tensor());
             J.bottomLeftCorner<1, 3>().setOnes();
-        }
+        } else J(6, 6) = 1.0;
         const System scaled = sizes().cwiseInverse().asDiagonal() * J;
         const Eigen::FullPivLU<System> factors(scaled);
         if (!factors.isInvertible()) return std::nullopt;
@@ -60,16 +59,15 @@ class Equations {
 
   private:
     Values sizes() const {
-        Values s(n);
+        Values s;
         s.head<6>() = level * (task.rows.stress.rowwise().norm() +
                                task.rows.strain.rowwise().norm() / stiffness);
-        if (task.undrained) s[6] = level / stiffness;
+        s[6] = level / stiffness;
         return s;
     }
 
     const Task& task;
     const Matrix6& tangent;
-    int n;
     double level, stiffness;
 };
 

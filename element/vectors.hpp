@@ -4,7 +4,7 @@
 // compression positive. Strain is logarithmic, or small.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 
 namespace element {
 

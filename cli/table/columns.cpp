@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include <Eigen/Eigenvalues>
+
 #include "cli/sand/parameter_units.hpp"
 #include "element/errors.hpp"
 #include "element/nearest.hpp"
