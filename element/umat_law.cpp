@@ -15,7 +15,7 @@ void copy_columns(const Matrix3& from, double* to) {
 }
 
 // The memory of one call, all of it the callee's to spoil.
-struct Arguments {
+struct UmatArguments {
     Guarded stress, statev, ddsdde{36}, props, dstran{6}, stran{6};
     double energy[3] = {}, rpl = 0.0, ddsddt[6] = {}, drplde[6] = {}, drpldt = 0.0;
     double time[2], dtime, temp, dtemp, predef[1] = {}, dpred[1] = {}, coords[3] = {};
@@ -24,7 +24,7 @@ struct Arguments {
     int kstep, kinc;
     std::string cmname;
 
-    Arguments(const UmatSource& source, const MaterialPoint& start, const StrainIncrement& d)
+    UmatArguments(const UmatSource& source, const MaterialPoint& start, const StrainIncrement& d)
         : stress(6), statev(source.state_size),
           props(source.props.size()), time{d.step_time, d.total_time}, dtime(d.duration),
           temp(d.temperature), dtemp(d.temperature_change), nstatv(source.state_size),
@@ -73,7 +73,7 @@ struct Arguments {
 UmatLaw::UmatLaw(UmatSource given) : LibraryLaw(std::move(given), {"umat_", "UMAT", "umat"}) {}
 
 Response UmatLaw::advance(const MaterialPoint& start, const StrainIncrement& increment) const {
-    Arguments arguments(source, start, increment);
+    UmatArguments arguments(source, start, increment);
     arguments.call(function_as<UmatFunction>());
     Response out;
     if (const std::string overrun = arguments.overrun(); !overrun.empty()) {

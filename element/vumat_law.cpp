@@ -31,7 +31,7 @@ double step_aside(const Vector6& strain) {
 }
 
 // The memory of one call, all of it the callee's to spoil.
-struct Arguments {
+struct VumatArguments {
     Guarded strain_inc{6 * block}, stress_old{6 * block}, state_old, stress_new{6 * block},
         state_new, props;
     double one_each[9 * block], zero_each[9 * block] = {};
@@ -40,8 +40,8 @@ struct Arguments {
     int nblock = block, ndir = 3, nshr = 3, nstatev, nfieldv = 0, nprops, lanneal = 0;
     std::string cmname;
 
-    Arguments(const UmatSource& source, const MaterialPoint& start, const StrainIncrement& d,
-              double aside)
+    VumatArguments(const UmatSource& source, const MaterialPoint& start, const StrainIncrement& d,
+                   double aside)
         : state_old(block * source.state_size), state_new(block * source.state_size),
           props(source.props.size()), dt(d.duration > 0.0 ? d.duration : 1.0),
           step_time(d.step_time + dt), total_time(d.total_time + dt), nstatev(source.state_size),
@@ -92,7 +92,7 @@ Response VumatLaw::advance(const MaterialPoint& start, const StrainIncrement& in
         return out;
     }
     const double aside = step_aside(increment.strain);
-    Arguments arguments(source, start, increment, aside);
+    VumatArguments arguments(source, start, increment, aside);
     arguments.call(function_as<VumatFunction>());
     if (!arguments.intact()) {
         out.outcome = Outcome::hopeless;

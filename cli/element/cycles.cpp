@@ -8,11 +8,11 @@
 namespace cli {
 namespace {
 
-constexpr double least_strain = 1e-10;  // what Newton's method leaves over is below it
+constexpr double least_swing = 1e-10;  // what Newton's method leaves over is below it
 constexpr double least_part = 1e-3;
 // The last stretch of a stage closes a cycle if it is so much of the one that closed the cycle before, or
 // so much of the one back: a sample that creeps along goes farther one way than the other.
-constexpr double whole = 0.8, most = 0.6;
+constexpr double share_of_closing = 0.8, share_of_way_back = 0.6;
 
 constexpr const char* states[] = {"axial_strain", "volumetric_strain", "p", "void_ratio",
                                   "pore_pressure"};
@@ -42,7 +42,7 @@ void Cycles::begin_stage(int number, bool loaded_by_shear, const element::Record
     cycle = closing = 0.0;
     tips.clear();
     last = farthest = {start, shear_of(start, by_shear), 0.0};
-    turns.emplace(last.shear.strain, least_strain, least_part);
+    turns.emplace(last.shear.strain, least_swing, least_part);
 }
 
 void Cycles::add(const element::Record& record) {
@@ -57,7 +57,8 @@ void Cycles::add(const element::Record& record) {
 
 void Cycles::end_stage() {
     if (tips.size() == 2) {
-        const double needed = closing > 0.0 ? whole * closing : most * distance(tips[0], tips[1]);
+        const double needed = closing > 0.0 ? share_of_closing * closing
+                                            : share_of_way_back * distance(tips[0], tips[1]);
         if (distance(tips[1], last) >= needed) add_tip(last);
     }
     turns.reset();

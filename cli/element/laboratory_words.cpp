@@ -6,7 +6,7 @@ namespace {
 
 using namespace element;
 
-constexpr Control e = Control::strain, s = Control::stress;
+constexpr Control E = Control::strain, S = Control::stress;  // prescribed
 
 Step first(const Controls& controls, double change) {
     return component_control(controls, change * Vector6::Unit(0));
@@ -18,14 +18,14 @@ Step undrained(Step step) {
 }
 
 Step shear_stress_constant_normal(double change) {
-    return component_control({e, s, e, s, e, e}, change * Vector6::Unit(3));
+    return component_control({E, S, E, S, E, E}, change * Vector6::Unit(3));
 }
 
 Step shear_stress_constant_volume(double change) {
-    return component_control({e, e, e, s, e, e}, change * Vector6::Unit(3));
+    return component_control({E, E, E, S, E, E}, change * Vector6::Unit(3));
 }
 
-Step biaxial_stress(double change) { return first({s, s, e, e, e, e}, change); }
+Step biaxial_stress(double change) { return first({S, S, E, E, E, E}, change); }
 Step biaxial_undrained(double strain) { return undrained(biaxial_drained(strain)); }
 Step biaxial_undrained_stress(double change) { return undrained(biaxial_stress(change)); }
 

@@ -15,8 +15,6 @@ namespace {
 
 using namespace grit::mpm;
 
-constexpr double kPa = words::kilopascal.si;  // [Pa]
-
 void check_place(const TomlTable& table, const std::string& key, const std::vector<double>& places,
                  const AxisPlan& axis, bool is_radius) {
     for (const double x : places) {
@@ -115,8 +113,8 @@ void read_intergranular_strain(TomlTable& table, SandPlan& plan) {
 SandPlan read_sand_body(TomlTable table) {
     SandPlan out{};
     out.parameters = read_sand_parameters(table).parameters;
-    out.parameters.granulate_hardness *= kPa;
-    out.parameters.pressure_shift *= kPa;
+    out.parameters.granulate_hardness *= words::kilopascal.si;
+    out.parameters.pressure_shift *= words::kilopascal.si;
     grit_sand_options_init(&out.options, sizeof out.options);
     const grit::mpm::CaseWord& tolerance = case_word("body.sand", "tolerance");
     out.options.tolerance = number_or_default(table, tolerance);

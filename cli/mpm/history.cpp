@@ -11,7 +11,7 @@ namespace {
 
 using grit::mpm::HistoryColumn;
 
-constexpr double kilo = 1e-3;
+constexpr double kilonewton = 1e-3;  // of a newton
 
 bool is_force(const HistoryColumn& column) { return column.unit == std::string("N"); }
 
@@ -36,7 +36,7 @@ std::string history_table() {
 std::vector<double> history_values(const grit::mpm::HistoryRow& row) {
     std::vector<double> out;
     for (const HistoryColumn& column : grit::mpm::history_columns())
-        out.push_back((is_force(column) ? kilo : 1.0) * column.value(row));
+        out.push_back((is_force(column) ? kilonewton : 1.0) * column.value(row));
     return out;
 }
 

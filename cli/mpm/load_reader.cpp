@@ -14,8 +14,6 @@ namespace {
 
 using namespace grit::mpm;
 
-constexpr double kPa = words::kilopascal.si;  // [Pa]
-
 template <class Plans> std::vector<std::string> names_of(const Plans& plans) {
     std::vector<std::string> out;
     for (const auto& plan : plans) out.push_back(plan.name);
@@ -113,7 +111,7 @@ TractionPlan read_traction(TomlTable table, const Case& plan) {
         if (table.has("time_s"))
             table.fail("time_s", table.full("time_s") + " belongs to stress_kPa, not to pulses");
     } else {
-        out.stress = read_time_table(table, "stress_kPa", kPa);
+        out.stress = read_time_table(table, "stress_kPa", words::kilopascal.si);
     }
     if (table.has("from_stage")) out.from_stage = stage_name(table, "from_stage", plan);
     table.finish();

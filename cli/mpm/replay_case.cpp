@@ -63,9 +63,9 @@ std::string start_table(const Start& start, bool intergranular) {
                            start.state[GRIT_SAND_SEPARATION]);
     if (!(start.stress[0] + start.stress[1] + start.stress[2] < 0.0))
         out += "# The particle bore no pressure, where grit element does not start.\n";
-    double kPa[6];
-    std::transform(start.stress, start.stress + 6, kPa, [](double x) { return pascal * x; });
-    out += fmt::format("stress_kPa = [{}]\nvoid_ratio = {}\n", fmt::join(kPa, ", "),
+    double stress_kPa[6];
+    std::transform(start.stress, start.stress + 6, stress_kPa, [](double x) { return pascal * x; });
+    out += fmt::format("stress_kPa = [{}]\nvoid_ratio = {}\n", fmt::join(stress_kPa, ", "),
                        start.state[GRIT_SAND_VOID_RATIO]);
     if (!intergranular) return out + "intergranular_strain = \"off\"\n";
     double direction[6], longest = 0.0;

@@ -19,6 +19,7 @@ struct Axis {
     bool log = false;
 };
 
+namespace axis {
 constexpr Axis eps_a = {"axial_strain", -100.0, "axial compression −ε_{11} [%]"};
 constexpr Axis eps_v = {"volumetric_strain", -100.0, "volumetric compression −ε_v [%]"};
 constexpr Axis q = {"axial_deviator", 1.0, "q = σ_a − σ_r [kPa]"};
@@ -37,10 +38,12 @@ constexpr Axis tau = {"shear_stress", 1.0, "shear stress τ [kPa]"};
 constexpr Axis amplitude = {"gamma_amplitude", 1.0, "shear strain amplitude [–]", false, true};
 constexpr Axis ratio = {"G/G_0", 1.0, "G/G_0 [–]", true};
 constexpr Axis damping = {"damping", 1.0, "damping ratio [–]", true};
+}  // namespace axis
 
 using Axes = std::vector<std::pair<Axis, Axis>>;
 
 const std::map<std::string, Axes>& kinds() {
+    using namespace axis;
     static const std::map<std::string, Axes> all = {
         {"triaxial", {{eps_a, q}, {eps_a, eps_v}, {p, q}, {log_p, e}}},
         {"triaxial_undrained", {{eps_a, q}, {p, q}, {eps_a, pw}, {eps_a, phi}}},

@@ -23,7 +23,7 @@ volatile long last_step = 0;
 volatile int last_increment = 0;
 std::array<char, 65536> stack_of_handlers;  // for a stack that overflows
 
-void say(const char* how) {
+void say_where(const char* how) {
     std::array<char, 1400> line{};
     const int length =
         std::snprintf(line.data(), line.size(), "\ngrit: %s %s after step %ld, increment %d\n",
@@ -38,7 +38,7 @@ void remove_unfinished() {
 
 void at_exit() {
     if (!running) return;
-    say("ended the program (exit or STOP)");
+    say_where("ended the program (exit or STOP)");
     remove_unfinished();
     _exit(failed_computation);
 }
@@ -48,7 +48,7 @@ void at_crash(int signal) {
                       : signal == SIGFPE  ? "crashed (floating-point or integer exception)"
                       : signal == SIGABRT ? "aborted the program"
                                           : "crashed (bus error or illegal instruction)";
-    if (running) say(how);
+    if (running) say_where(how);
     remove_unfinished();
     if (running) _exit(failed_computation);
     ::signal(signal, SIG_DFL);

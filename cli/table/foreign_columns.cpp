@@ -14,7 +14,7 @@ struct Name {
     double factor;
 };
 
-constexpr Name names[] = {
+constexpr Name foreign_names[] = {
     {"eps11", "strain_11", "-", 1.0},
     {"eps22", "strain_22", "-", 1.0},
     {"eps33", "strain_33", "-", 1.0},
@@ -68,7 +68,7 @@ void combine(Table& table, const char* name, const char* unit,
 
 Table standardised(Table table) {
     for (Column& column : table.columns)
-        for (const Name& name : names)
+        for (const Name& name : foreign_names)
             if (column.name == name.theirs) {
                 column.name = name.ours;
                 column.unit = name.unit;

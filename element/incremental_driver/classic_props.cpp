@@ -12,9 +12,9 @@ namespace {
 
 using element::text;
 
-class Reader {
+class PropsReader {
   public:
-    Reader(const Parameters& p, const std::filesystem::path& f) : given(p), path(f) {}
+    PropsReader(const Parameters& p, const std::filesystem::path& f) : given(p), path(f) {}
 
     ClassicSand read() const {
         if (given.props.size() < std::size_t{GRIT_CLASSIC_NPROPS})
@@ -71,7 +71,7 @@ class Reader {
 }  // namespace
 
 ClassicSand read_classic_props(const Parameters& parameters, const std::filesystem::path& path) {
-    return Reader(parameters, path).read();
+    return PropsReader(parameters, path).read();
 }
 
 double void_ratio_at(const ClassicSand& sand, double p) {

@@ -11,9 +11,9 @@ namespace {
 constexpr int most_steps = 1000;              // of one *Repetition
 constexpr std::size_t most_notes = 10000000;  // steps, repetitions counted through
 
-class Reader {
+class TestFileReader {
   public:
-    Reader(const std::filesystem::path& path, const std::vector<std::string>& state_names)
+    TestFileReader(const std::filesystem::path& path, const std::vector<std::string>& state_names)
         : lines(path), context{path.parent_path(),
                                element::incremental_driver_words(state_names),
                                {}} {}
@@ -90,7 +90,7 @@ class Reader {
 }  // namespace
 
 Test read_test(const std::filesystem::path& path, const std::vector<std::string>& state_names) {
-    return Reader(path, state_names).read();
+    return TestFileReader(path, state_names).read();
 }
 
 }  // namespace incremental_driver
