@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // PROPS(17), the tolerance of the stress: what is refused, what is the default, what is delivered.
+#include <grit/sand.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
