@@ -11,7 +11,7 @@ if(GRIT_UNITY AND NOT GRIT_UNITY STREQUAL "TESTS")
 endif()
 
 # A library or program: what its files keep to themselves must not clash in a batch. A file that shares a name
-# with another says so after EXCEPT and is compiled alone.
+# with another, or costs as much as a batch, stands after EXCEPT and is compiled alone.
 function(grit_unity target)
   cmake_parse_arguments(unity "" "BATCH" "EXCEPT" ${ARGN})
   if(NOT unity_BATCH)
