@@ -21,15 +21,17 @@ function(grit_unity target)
   set_source_files_properties(${unity_EXCEPT} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# The sources of a test, six at a time: each in a namespace of its own, after the headers of all, so that tests
-# need not know each other's names. Other sources (support/) and those after EXCEPT are left as they are. Called
-# when the list of sources is complete.
+# The sources of a test, BATCH (six) at a time: each in a namespace of its own, after the headers of all, so that
+# tests need not know each other's names. Other sources (support/) and those after EXCEPT are left as they are.
+# Called when the list of sources is complete.
 function(grit_unity_tests target)
   if(NOT GRIT_UNITY)
     return()
   endif()
-  cmake_parse_arguments(unity "" "" "EXCEPT" ${ARGN})
-  set(batch 6)
+  cmake_parse_arguments(unity "" "BATCH" "EXCEPT" ${ARGN})
+  if(NOT unity_BATCH)
+    set(unity_BATCH 6)
+  endif()
   get_target_property(sources ${target} SOURCES)
   set(alone ${sources})
   list(FILTER sources INCLUDE REGEX "^(kernel/)?[a-z0-9_]+\\.cpp$")
@@ -40,7 +42,7 @@ function(grit_unity_tests target)
   if(count EQUAL 0)
     return()
   endif()
-  math(EXPR files "(${count} + ${batch} - 1) / ${batch}")
+  math(EXPR files "(${count} + ${unity_BATCH} - 1) / ${unity_BATCH}")
   math(EXPR last "${files} - 1")
   foreach(k RANGE ${last})
     # Batches of one size, to within one file.
