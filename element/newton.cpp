@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/QR>
-
 #include "element/text.hpp"
 
 namespace element {
@@ -146,19 +144,6 @@ std::optional<Vector6> linear_guess(const Task& task, const Matrix6& tangent) {
     const Equations equations(task, task.point, tangent);
     return equations.correction(
         equations.residual(task.point.stress, Vector6::Zero(), task.pore_pressure));
-}
-
-Vector6 strain_only_guess(const Task& task) {
-    Eigen::Matrix<double, 7, 6> rows = Eigen::Matrix<double, 7, 6>::Zero();
-    Eigen::Matrix<double, 7, 1> missing = Eigen::Matrix<double, 7, 1>::Zero();
-    const Vector6 change = task.goal - task.rows.strain * task.strain;
-    for (int r = 0; r < 6; ++r) {
-        if (!task.rows.stress.row(r).isZero(0.0)) continue;
-        rows.row(r) = task.rows.strain.row(r);
-        missing[r] = change[r];
-    }
-    if (task.undrained) rows.row(6) = unit_tensor().transpose();
-    return rows.completeOrthogonalDecomposition().solve(missing);
 }
 
 }  // namespace element
