@@ -24,10 +24,10 @@ void Outputs::add(const fs::path& path, const std::string& by) {
 }
 
 void Outputs::spare(const std::vector<fs::path>& inputs) const {
-    std::error_code unknown;
+    std::error_code ignored;
     for (const auto& [output, owner] : owners)
         for (const fs::path& input : inputs)
-            if (fs::equivalent(output, input, unknown))
+            if (fs::equivalent(output, input, ignored))
                 throw BadInput(fmt::format("{}: {} would overwrite this file: set name, or --out",
                                            input.string(), owner));
 }
