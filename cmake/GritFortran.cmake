@@ -2,8 +2,8 @@
 # GRIT_FORTRAN_DIR holds the sources, Grit::grit exists and Fortran is enabled.
 if(NOT TARGET Grit::fortran)
   set(sources)
-  foreach(name base sand_interface contact_interface geometry_interface penalty_interface sand_arrays
-               contact_arrays geometry_arrays penalty_arrays)
+  foreach(name base sand_interface contact_interface geometry_interface penalty_interface surface_interface sand_arrays
+               contact_arrays geometry_arrays penalty_arrays surface_arrays)
     list(APPEND sources ${GRIT_FORTRAN_DIR}/grit_${name}.f90)
   endforeach()
   add_library(grit_fortran STATIC EXCLUDE_FROM_ALL ${sources} ${GRIT_FORTRAN_DIR}/grit.f90)

@@ -19,6 +19,8 @@ module grit
    use grit_geometry_arrays
    use grit_penalty_interface
    use grit_penalty_arrays
+   use grit_surface_interface
+   use grit_surface_arrays
    implicit none
    public
 end module

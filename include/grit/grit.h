@@ -12,6 +12,7 @@
 #include <grit/contact_distance.h>
 #include <grit/contact_normals.h>
 #include <grit/contact_penalty.h>
+#include <grit/contact_surface.h>
 #include <grit/sand.h>
 #include <grit/sand_catalogue.h>
 #include <grit/sand_operators.h>

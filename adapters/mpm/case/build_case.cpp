@@ -87,6 +87,13 @@ void add_penalty_contact(const Case& plan, const ContactPlan& contact, Simulatio
     simulation.add_contact(law);
 }
 
+void add_surface_contact(const Case& plan, const ContactPlan& contact, Simulation& simulation) {
+    SurfaceLaw law = surface_law(contact.friction_coefficient);
+    law.a = plan.body(contact.stiff);
+    law.b = plan.body(contact.soft);
+    simulation.add_contact(law);
+}
+
 // A side of the grid: across r (0) or z (1), its first or its last nodes.
 struct SideOfGrid {
     int direction;
@@ -161,6 +168,10 @@ void add_contacts(const Case& plan, Simulation& simulation) {
     for (const ContactPlan& contact : plan.contacts) {
         if (contact.penalty) {
             add_penalty_contact(plan, contact, simulation);
+            continue;
+        }
+        if (contact.at_surfaces) {
+            add_surface_contact(plan, contact, simulation);
             continue;
         }
         ContactLaw law =

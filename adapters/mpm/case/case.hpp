@@ -101,6 +101,7 @@ struct ContactPlan {
     int normal = 0, measure = 0;  // GRIT_CONTACT_...
     bool gated = true;
     std::optional<PenaltyPlan> penalty = {};  // in place of a nodal law
+    bool at_surfaces = false;                 // in place of a nodal law
 };
 
 // What ends a stage: whichever comes first.

@@ -30,11 +30,12 @@ inline constexpr Spelling edges[] = {
     spelling("top", Edge::top, ""), spelling("left", Edge::left, "")};
 inline constexpr Spelling pulse_forms[] = {spelling("half_sine", PulseForm::half_sine, ""),
                                            spelling("triangle", PulseForm::triangle, "")};
-inline constexpr int penalty_law_word = -1;  // no nodal law
+inline constexpr int penalty_law_word = -1, surface_law_word = -2;  // no nodal laws
 inline constexpr Spelling contact_laws[] = {
     spelling("geo", GRIT_CONTACT_GEO, "at nodes, as far as s reaches"),
     spelling("frictional", GRIT_CONTACT_FRICTIONAL, "at nodes"),
-    only_in_files(spelling("penalty", penalty_law_word, "along lines"))};
+    only_in_files(spelling("penalty", penalty_law_word, "along lines")),
+    only_in_files(spelling("surface", surface_law_word, "along the free edges of particles"))};
 inline constexpr Spelling normals[] = {spelling("stiff", GRIT_CONTACT_NORMAL_OF_A, ""),
                                        spelling("soft", GRIT_CONTACT_NORMAL_OF_B, ""),
                                        spelling("average", GRIT_CONTACT_NORMAL_AVERAGE, "")};

@@ -83,6 +83,12 @@ void contact_words(const Simulation& s, std::ostream& out) {
             << o.normal_stiffness << " and " << o.tangential_stiffness << " Pa/m, depth up to "
             << o.depth_max << " m, segments of " << law.shortest << " to " << law.longest << " m\n";
     }
+    out << "surface contacts: " << s.surface_contact_count() << '\n';
+    for (std::size_t i = 0; i < s.surface_contact_count(); ++i) {
+        const SurfaceLaw& law = s.surface_contact(i).law();
+        out << "surface contact " << i << ": bodies " << law.a << " and " << law.b
+            << ", friction coefficient " << law.options.friction_coefficient << '\n';
+    }
 }
 
 }  // namespace

@@ -118,6 +118,16 @@ ContactForces contact_forces(const Simulation& simulation, std::size_t body) {
         out.shaft[0] += faces.along_r[0];
         out.shaft[1] += faces.along_r[1];
     }
+    for (std::size_t i = 0; i < simulation.surface_contact_count(); ++i) {
+        const SurfacePair& pair = simulation.surface_contact(i);
+        if (pair.law().a != body && pair.law().b != body) continue;
+        const double sign = pair.law().b == body ? 1.0 : -1.0;
+        const Faces& faces = pair.faces();
+        out.tip[0] += sign * faces.along_z[0];
+        out.tip[1] += sign * faces.along_z[1];
+        out.shaft[0] += sign * faces.along_r[0];
+        out.shaft[1] += sign * faces.along_r[1];
+    }
     return out;
 }
 

@@ -24,8 +24,8 @@ ContactLaw contact_law(int law, double friction_coefficient, double penalty_powe
 
 ContactPair::ContactPair(const ContactLaw& law, const Settings& settings, const GridView& grid,
                          const std::vector<std::uint8_t>& fixed)
-    : pair_law(law), axisymmetric(settings.axisymmetric),
-      fixed_point(settings.fixed_point), sums{}, step_totals{} {
+    : pair_law(law), axisymmetric(settings.axisymmetric), fixed_point(settings.fixed_point),
+      near(grid), sums{}, step_totals{} {
     const std::size_t n = fixed.size();
     for (const std::uint8_t bits : fixed)
         fixed_bits.push_back((bits & fixed::r ? GRIT_CONTACT_FIXED_1 : 0) |
@@ -48,7 +48,6 @@ ContactPair::ContactPair(const ContactLaw& law, const Settings& settings, const 
     gate_gap.resize(n);
     touched.resize(n);
     is_active.resize(n);
-    is_near.resize(static_cast<std::size_t>(grid.r.cells) * static_cast<std::size_t>(grid.z.cells));
     active.reserve(n);
     reports.resize(n);
     step_faces.largest_gap = NAN;
@@ -62,23 +61,14 @@ bool ContactPair::find_active(const GridView& grid, const ContactBody& a, const 
     active.clear();
     const std::uint8_t* mine = exchange.counted();
     for (std::size_t i = 0; i < is_active.size(); ++i) {
-        const double m_a = a.records[i][record::m], m_b = b.records[i][record::m];
-        is_active[i] = m_a > 0.0 && m_b > 0.0;
+        is_active[i] = NearCells::is_shared(a.records[i], b.records[i]);
         if (is_active[i] && (!mine || mine[i])) active.push_back(static_cast<std::ptrdiff_t>(i));
     }
     counted = active.size();
     for (std::size_t i = 0; mine && i < is_active.size(); ++i)
         if (is_active[i] && !mine[i]) active.push_back(static_cast<std::ptrdiff_t>(i));
-    // A domain reaches into the neighbouring cells and to their nodes.
-    std::fill(is_near.begin(), is_near.end(), 0);
-    for (const std::ptrdiff_t node : active) {
-        const std::ptrdiff_t i = node % grid.nodes_r(), j = node / grid.nodes_r();
-        const auto first_r = std::max<std::ptrdiff_t>(i - 2, 0);
-        const auto last_r = std::min<std::ptrdiff_t>(i + 1, grid.r.cells - 1);
-        for (auto z = std::max<std::ptrdiff_t>(j - 2, 0);
-             z <= std::min<std::ptrdiff_t>(j + 1, grid.z.cells - 1); ++z)
-            std::fill_n(is_near.begin() + z * grid.r.cells + first_r, last_r - first_r + 1, 1);
-    }
+    near.clear();
+    for (const std::ptrdiff_t node : active) near.add(grid, node);
     double any = active.empty() ? 0.0 : 1.0;
     exchange.max(&any, 1);
     return any > 0.0;
@@ -141,15 +131,12 @@ bool ContactPair::is_beside(const double* x, std::ptrdiff_t node) const {
 // Adds the particles that have weight at an active node, and their corners beside one.
 template <bool axi>
 void ContactPair::measure(const GridView& grid, const ContactBody& body, int which) {
-    const grit_contact_surfaces near = surfaces(near_surface);
+    const grit_contact_surfaces beside_nodes = surfaces(near_surface);
     grit_contact_surfaces all = surfaces(surface);
     all.centre = grit_mutable_view_of(centre.data(), 2, 1);
     const std::ptrdiff_t n_r = grid.nodes_r();
     for (std::ptrdiff_t p = 0; p < body.count; ++p) {
-        const std::ptrdiff_t cell =
-            grid.z.cell_of(body.particles[column::z][p]) * std::ptrdiff_t{grid.r.cells} +
-            grid.r.cell_of(body.particles[column::r][p]);
-        if (!is_near[static_cast<std::size_t>(cell)]) continue;
+        if (!near.has(grid, body.particles, p)) continue;
         const auto place = baseline::place_of<axi>(grid, body.particles, p);
         const double x[2] = {place.r, place.z};
         const double side[4] = {place.domain.r1r, place.domain.r1z, place.domain.r2r,
@@ -174,7 +161,7 @@ void ContactPair::measure(const GridView& grid, const ContactBody& body, int whi
         for (const auto& at : corner) {
             const auto is_at = [&](std::ptrdiff_t node) { return is_beside(at, node); };
             const auto* end = std::copy_if(nodes, nodes + count, beside, is_at);
-            add(near, which, at, nullptr, beside, static_cast<int>(end - beside));
+            add(beside_nodes, which, at, nullptr, beside, static_cast<int>(end - beside));
         }
         add(all, which, x, side, nodes, count);
     }
@@ -205,9 +192,9 @@ void ContactPair::find_surfaces(const GridView& grid, const ContactBody& a, cons
     grit_error error;
     grit_contact_surfaces all = surfaces(surface);
     all.centre = grit_mutable_view_of(centre.data(), 2, 1);
-    const grit_contact_surfaces near = surfaces(near_surface);
+    const grit_contact_surfaces beside = surfaces(near_surface);
     require(grit_contact_surfaces_reset(&all, &error), error, "contact");
-    require(grit_contact_surfaces_reset(&near, &error), error, "contact");
+    require(grit_contact_surfaces_reset(&beside, &error), error, "contact");
     for (const int which : {0, 1})
         axisymmetric ? measure<true>(grid, which == 0 ? a : b, which)
                      : measure<false>(grid, which == 0 ? a : b, which);
@@ -231,8 +218,8 @@ void ContactPair::find_reaches() {
 void ContactPair::find_gates() {
     for (const std::ptrdiff_t node : active) {
         const auto i = static_cast<std::size_t>(node);
-        const bool near = gap[i] < 0.5 * reach[i];
-        gate_gap[i] = touched[i] && near ? std::fmin(gap[i], 0.0) : gap[i];
+        const bool is_near = gap[i] < 0.5 * reach[i];
+        gate_gap[i] = touched[i] && is_near ? std::fmin(gap[i], 0.0) : gap[i];
     }
 }
 

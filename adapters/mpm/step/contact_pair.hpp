@@ -11,6 +11,7 @@
 #include "adapters/mpm/kernel/exchange.hpp"
 #include "adapters/mpm/kernel/nodes.hpp"
 #include "adapters/mpm/step/faces.hpp"
+#include "adapters/mpm/step/near_cells.hpp"
 #include "adapters/mpm/step/settings.hpp"
 
 namespace grit::mpm {
@@ -81,7 +82,7 @@ class ContactPair {
     std::vector<double> position, spacing, normal, surface, near_surface, centre, reach, distance,
         gap, gate_gap;
     std::vector<char> is_active, touched;  // touched: pressed in the step before
-    std::vector<char> is_near;             // cells from which a domain may reach an active node
+    NearCells near;                        // to active nodes
     std::vector<std::ptrdiff_t> active, undefined;
     std::size_t counted = 0;  // the first ones of active are this process's in sums
     grit_contact_sums sums;

@@ -28,6 +28,7 @@ void Simulation::step() {
     sides.push(model, momentum);
     watch.lap(spent.nodes);
     contacts.correct(account.sums());
+    surfaces.correct(account.sums());
     watch.lap(spent.contact);
     sides.find_work(model, momentum);
     momentum.close();

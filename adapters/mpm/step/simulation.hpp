@@ -19,6 +19,7 @@
 #include "adapters/mpm/step/scatter.hpp"
 #include "adapters/mpm/step/step_size.hpp"
 #include "adapters/mpm/step/stopwatch.hpp"
+#include "adapters/mpm/step/surface_contacts.hpp"
 
 namespace grit::mpm {
 
@@ -34,6 +35,7 @@ class Simulation {
     void add_traction(Traction traction) { loads.add(std::move(traction)); }
     void add_contact(const ContactLaw& law) { contacts.add(law); }
     void add_contact(const PenaltyLaw& law) { penalties.add(law); }
+    void add_contact(const SurfaceLaw& law) { surfaces.add(law); }
     // No velocity across nodes at r or z = at, and beyond; or none at all.
     void fix_below(int direction, double at, Hold hold = Hold::across);
     void fix_above(int direction, double at, Hold hold = Hold::across);
@@ -72,8 +74,10 @@ class Simulation {
     bool rigid(std::size_t body) const { return model.parts[body].body.rigid(); }
     const ContactPair& contact(std::size_t i) const { return contacts[i]; }
     const PenaltyPair& penalty_contact(std::size_t i) const { return penalties[i]; }
+    const SurfacePair& surface_contact(std::size_t i) const { return surfaces[i]; }
     std::size_t contact_count() const { return contacts.count(); }
     std::size_t penalty_contact_count() const { return penalties.count(); }
+    std::size_t surface_contact_count() const { return surfaces.count(); }
     std::size_t traction_count() const { return loads.count(); }
     // Of all tractions on a body in the last step, on all processes [N].
     Vector2 traction_force(std::size_t body) const { return loads.force(body); }
@@ -108,6 +112,7 @@ class Simulation {
         AbsorbingSides::visit(simulation.sides, archive);
         NodalContacts::visit(simulation.contacts, archive);
         PenaltyContacts::visit(simulation.penalties, archive);
+        SurfaceContacts::visit(simulation.surfaces, archive);
         StepSize::visit(simulation.step_size, archive);
         Account::visit(simulation.account, archive);
     }
@@ -126,6 +131,7 @@ class Simulation {
     AbsorbingSides sides;
     NodalContacts contacts{model};
     PenaltyContacts penalties{model, scatter};
+    SurfaceContacts surfaces{model};
     Gather gather{model, means};
     StepSize step_size{model, penalties};
     Account account{model};

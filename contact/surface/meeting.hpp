@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where two surfaces lie opposite each other, (V1): pieces of A's facets with the nearest facet of B along A's
+// normal, and on them points of integration, exact for a pressure and a velocity that are linear there.
+#pragma once
+
+#include <cmath>
+
+#include "contact/surface/facets.hpp"
+
+namespace grit::surface {
+
+// A point of A and the one of B that lies opposite.
+template <int C> struct MeetingPoint {
+    std::ptrdiff_t facet_a, facet_b;
+    double place_a[C], place_b[C];  // shares of the vertices
+    double gap;                     // from A to B along A's normal, negative: overlap
+    double size;                    // length or area, times r in axisymmetry
+};
+
+constexpr double most_facing =
+    -0.1;  // n_a . n_b: facets that turn more from each other do not meet
+constexpr double least_piece = 1e-9;  // share of A's facet
+
+template <int C> class Meeting;
+
+template <> class Meeting<2> {
+  public:
+    Meeting(Arena& arena, const Skin<2>& of_a, const Skin<2>& of_b, double how_far)
+        : a(of_a), b(of_b), reach(how_far), opposite(arena.take<Opposite>(of_b.given->facets)),
+          cuts(arena.take<double>(2 * of_b.given->facets + 2)) {}
+
+    // take(point) for all points of a facet; candidates: of B, in order.
+    template <class Take>
+    void each_point(std::ptrdiff_t f, const std::ptrdiff_t* candidates, std::ptrdiff_t n,
+                    const Take& take) {
+        const Facet<2>& facet = a.facet[f];
+        if (!(facet.size > 0.0)) return;
+        find_opposite(facet, candidates, n);
+        std::sort(cuts, cuts + n_cuts);
+        for (std::ptrdiff_t i = 0; i + 1 < n_cuts; ++i) {
+            const double from = cuts[i], to = cuts[i + 1];
+            if (to - from < least_piece) continue;
+            const Opposite* nearest = nearest_at(0.5 * (from + to));
+            if (!nearest) continue;
+            for (const double side : {-0.5773502691896258, 0.5773502691896258}) {
+                const double s = 0.5 * (from + to) + 0.5 * side * (to - from);
+                const double t = nearest->place(s);
+                take(MeetingPoint<2>{f,
+                                     nearest->facet,
+                                     {1.0 - s, s},
+                                     {1.0 - t, t},
+                                     nearest->gap(s),
+                                     0.5 * (to - from) * facet.size});
+            }
+        }
+    }
+
+  private:
+    // A facet of B above A's: at the ends of B's, the place along A's facet and the height.
+    struct Opposite {
+        std::ptrdiff_t facet;
+        double s[2], height[2];
+        double place(double at) const { return (at - s[0]) / (s[1] - s[0]); }
+        double gap(double at) const { return height[0] + place(at) * (height[1] - height[0]); }
+    };
+    void find_opposite(const Facet<2>& facet, const std::ptrdiff_t* candidates, std::ptrdiff_t n) {
+        n_opposite = 0;
+        n_cuts = 0;
+        const Vector2 along = (facet.x[1] - facet.x[0]) / (facet.size * facet.size);
+        for (std::ptrdiff_t i = 0; i < n; ++i) {
+            const Facet<2>& other = b.facet[candidates[i]];
+            if (!(other.size > 0.0) || dot(facet.n, other.n) > most_facing) continue;
+            Opposite o{candidates[i], {}, {}};
+            for (int k = 0; k < 2; ++k) {
+                o.s[k] = dot(other.x[k] - facet.x[0], along);
+                o.height[k] = dot(other.x[k] - facet.x[0], facet.n);
+            }
+            const double from = std::max(std::min(o.s[0], o.s[1]), 0.0);
+            const double to = std::min(std::max(o.s[0], o.s[1]), 1.0);
+            if (to - from < least_piece) continue;
+            cuts[n_cuts++] = from;
+            cuts[n_cuts++] = to;
+            opposite[n_opposite++] = o;
+        }
+    }
+    const Opposite* nearest_at(double s) const {
+        const Opposite* best = nullptr;
+        for (std::ptrdiff_t i = 0; i < n_opposite; ++i) {
+            const Opposite& o = opposite[i];
+            if (s < std::min(o.s[0], o.s[1]) || s > std::max(o.s[0], o.s[1])) continue;
+            if (std::fabs(o.gap(s)) <= reach && (!best || o.gap(s) < best->gap(s))) best = &o;
+        }
+        return best;
+    }
+
+    const Skin<2>&a, &b;
+    double reach;
+    Opposite* opposite;
+    double* cuts;
+    std::ptrdiff_t n_opposite = 0, n_cuts = 0;
+};
+
+template <> class Meeting<3> {
+  public:
+    Meeting(Arena&, const Skin<3>& of_a, const Skin<3>& of_b, double how_far)
+        : a(of_a), b(of_b), reach(how_far) {}
+
+    template <class Take>
+    void each_point(std::ptrdiff_t f, const std::ptrdiff_t* candidates, std::ptrdiff_t n,
+                    const Take& take) {
+        const Facet<3>& facet = a.facet[f];
+        if (!(facet.size > 0.0)) return;
+        for (std::ptrdiff_t i = 0; i < n; ++i) {
+            const Facet<3>& other = b.facet[candidates[i]];
+            if (!(other.size > 0.0) || dot(facet.n, other.n) > most_facing) continue;
+            Polygon piece = shadow(facet, other);
+            clip(piece);
+            // A fan; three points per triangle, the middles of its sides.
+            for (int k = 1; k + 1 < piece.corners; ++k) {
+                const Place p[3] = {piece.at[0], piece.at[k], piece.at[k + 1]};
+                const double share = std::fabs(cross(p[1] - p[0], p[2] - p[0]));
+                if (share < least_piece) continue;
+                const Place middle = (p[0] + p[1] + p[2]) / 3.0;
+                const double gap = gap_at(facet, other, middle);
+                if (!(std::fabs(gap) <= reach) ||
+                    is_hidden(facet, candidates, n, candidates[i], middle, gap))
+                    continue;
+                for (int m = 0; m < 3; ++m) {
+                    const Place at = (p[m] + p[(m + 1) % 3]) / 2.0;
+                    MeetingPoint<3> out{f,  candidates[i], {1.0 - at[0] - at[1], at[0], at[1]},
+                                        {}, 0.0,           share * facet.size / 3.0};
+                    out.gap = find_place(facet, other, at, out.place_b);
+                    take(out);
+                }
+            }
+        }
+    }
+
+  private:
+    using Place = Vector2;  // shares of the second and the third vertex of A's facet
+    struct Polygon {
+        Place at[8];
+        int corners;
+    };
+    static double cross(const Place& u, const Place& v) { return u[0] * v[1] - u[1] * v[0]; }
+
+    // Shares of a point, along A's normal.
+    static Place place_on(const Facet<3>& facet, const Vector3& x) {
+        const Vector3 e = facet.x[1] - facet.x[0], d = facet.x[2] - facet.x[0];
+        const Vector3 y = x - facet.x[0];
+        const double ee = dot(e, e), ed = dot(e, d), dd = dot(d, d);
+        const double ye = dot(y, e), yd = dot(y, d), det = ee * dd - ed * ed;
+        return {(ye * dd - yd * ed) / det, (yd * ee - ye * ed) / det};
+    }
+    static Polygon shadow(const Facet<3>& facet, const Facet<3>& other) {
+        Polygon p{{}, 3};
+        for (int i = 0; i < 3; ++i) p.at[i] = place_on(facet, other.x[i]);
+        return p;
+    }
+    // What of it lies on the facet: shares >= 0 (Sutherland and Hodgman).
+    static void clip(Polygon& p) {
+        for (int side = 0; side < 3; ++side) {
+            const auto inside = [side](const Place& q) {
+                return side == 2 ? 1.0 - q[0] - q[1] : q[side];
+            };
+            Polygon out{{}, 0};
+            for (int i = 0; i < p.corners; ++i) {
+                const Place &from = p.at[i], &to = p.at[(i + 1) % p.corners];
+                const double d = inside(from), e = inside(to);
+                if (d >= 0.0) out.at[out.corners++] = from;
+                if ((d >= 0.0) != (e >= 0.0))
+                    out.at[out.corners++] = from + (d / (d - e)) * (to - from);
+            }
+            p = out;
+        }
+    }
+    static Vector3 point_of(const Facet<3>& facet, const Place& at) {
+        return facet.x[0] + at[0] * (facet.x[1] - facet.x[0]) + at[1] * (facet.x[2] - facet.x[0]);
+    }
+    static double gap_at(const Facet<3>& facet, const Facet<3>& other, const Place& at) {
+        return dot(other.x[0] - point_of(facet, at), other.n) / dot(facet.n, other.n);
+    }
+    // Shares of the vertices of B opposite a place of A; returns the gap.
+    static double find_place(const Facet<3>& facet, const Facet<3>& other, const Place& at,
+                             double* shares) {
+        const double gap = gap_at(facet, other, at);
+        const Place on = place_on(other, point_of(facet, at) + gap * facet.n);
+        shares[0] = 1.0 - on[0] - on[1];
+        shares[1] = on[0];
+        shares[2] = on[1];
+        return gap;
+    }
+    bool is_hidden(const Facet<3>& facet, const std::ptrdiff_t* candidates, std::ptrdiff_t n,
+                   std::ptrdiff_t self, const Place& at, double gap) const {
+        for (std::ptrdiff_t i = 0; i < n; ++i) {
+            const Facet<3>& other = b.facet[candidates[i]];
+            if (candidates[i] == self || !(other.size > 0.0) || dot(facet.n, other.n) > most_facing)
+                continue;
+            double shares[3];
+            const double its = find_place(facet, other, at, shares);
+            const bool covers = shares[0] >= 0.0 && shares[1] >= 0.0 && shares[2] >= 0.0;
+            if (covers && std::fabs(its) <= reach &&
+                (its < gap || (its == gap && candidates[i] < self)))
+                return true;
+        }
+        return false;
+    }
+
+    const Skin<3>&a, &b;
+    double reach;
+};
+
+}  // namespace grit::surface

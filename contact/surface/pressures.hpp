@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The points of a surface that carry its pressure, (V2): some of its vertices. A stretch is what hangs together and
+// turns by less than 30 degrees from facet to facet; in the plane it is parted into equal lengths, as near to the
+// spacing as they go; in space no two of its points are nearer than the spacing, its rim comes first.
+#pragma once
+
+#include <cmath>
+
+#include "contact/surface/facets.hpp"
+
+namespace grit::surface {
+
+template <int C> struct PressurePoint {
+    Vector<double, C> x;
+    Vector<double, C> n;  // of one of the facets that meet there
+    std::ptrdiff_t stretch;
+};
+
+template <int C> class Pressures {
+  public:
+    Pressures(Arena& memory, const Skin<C>& of, double least_spacing)
+        : arena(memory), skin(of), spacing(least_spacing), facets(of.given->facets) {
+        stretch = arena.take<std::ptrdiff_t>(facets);
+        corner = arena.take<Corner>(C * facets);
+        boxes = arena.take<Box<C>>(C * facets);
+        is_near = arena.take<bool>(C * facets);
+        next = arena.take<std::ptrdiff_t>(facets);
+        point = arena.take<PressurePoint<C>>(C * facets);
+        if (arena.is_overrun()) return;
+        find_stretches();
+        sort_corners([this](std::ptrdiff_t f) { return stretch[f]; });
+        if constexpr (C == 2) part_chains();
+        else spread_points();
+        double longest = 0.0;
+        for (std::ptrdiff_t f = 0; f < facets; ++f)
+            longest = std::max(longest, skin.facet[f].longest_edge());
+        // Every vertex has a point no farther than the spacing.
+        radius = (spacing + longest) * (1.0 + 1e-9);
+    }
+    std::ptrdiff_t size() const { return count; }
+    const PressurePoint<C>& operator[](std::ptrdiff_t k) const { return point[k]; }
+
+    // For searches: a point's box.
+    const Box<C>* point_boxes() {
+        for (std::ptrdiff_t k = 0; k < count; ++k) {
+            boxes[k] = Box<C>::empty();
+            boxes[k].include(point[k].x);
+        }
+        return boxes;
+    }
+
+    // Partition of unity at x on a facet: take(point, share). Weights ((R - d) / (R d))^2 of Franke and
+    // Little, 1 at a point itself.
+    template <class Take>
+    void each_share(const BoxTree<C>& tree, std::ptrdiff_t f, const Vector<double, C>& x,
+                    std::ptrdiff_t* found, const Take& take) const {
+        std::ptrdiff_t n = 0;
+        Box<C> around = Box<C>::empty();
+        around.include(x);
+        tree.each(around.grown(radius), [&](std::ptrdiff_t k) {
+            if (point[k].stretch == stretch[f] && norm(point[k].x - x) < radius) found[n++] = k;
+        });
+        std::sort(found, found + n);
+        double sum = 0.0;
+        for (std::ptrdiff_t i = 0; i < n; ++i) sum += weight(found[i], x);
+        for (std::ptrdiff_t i = 0; i < n; ++i) take(found[i], weight(found[i], x) / sum);
+    }
+
+  private:
+    struct Corner {
+        std::ptrdiff_t stretch, vertex, facet;
+        bool is_rim;
+        bool operator<(const Corner& o) const {
+            if (is_rim != o.is_rim) return is_rim;
+            if (stretch != o.stretch) return stretch < o.stretch;
+            return vertex != o.vertex ? vertex < o.vertex : facet < o.facet;
+        }
+    };
+
+    double weight(std::ptrdiff_t k, const Vector<double, C>& x) const {
+        const double d = std::max(norm(point[k].x - x), 1e-9 * radius);
+        const double w = (radius - d) / d;
+        return w * w;
+    }
+
+    std::ptrdiff_t root(std::ptrdiff_t f) {
+        while (stretch[f] != f) f = stretch[f] = stretch[stretch[f]];
+        return f;
+    }
+    // Facets that share a vertex and do not turn much are of one stretch.
+    void find_stretches() {
+        constexpr double least_cosine = 0.8660254037844386;
+        for (std::ptrdiff_t f = 0; f < facets; ++f) stretch[f] = f;
+        sort_corners([](std::ptrdiff_t) { return std::ptrdiff_t{0}; });
+        each_ridge([&](const Corner* first, const Corner* last) {
+            for (const Corner* i = first; i < last; ++i)
+                for (const Corner* j = first; j < i; ++j) {
+                    if (dot(skin.facet[i->facet].n, skin.facet[j->facet].n) < least_cosine)
+                        continue;
+                    const std::ptrdiff_t a = root(i->facet), b = root(j->facet);
+                    stretch[std::max(a, b)] = std::min(a, b);
+                }
+        });
+        for (std::ptrdiff_t f = 0; f < facets; ++f) stretch[f] = root(f);
+    }
+    template <class Of> void sort_corners(const Of& stretch_of) {
+        for (std::ptrdiff_t f = 0; f < facets; ++f)
+            for (int i = 0; i < C; ++i)
+                corner[C * f + i] = {stretch_of(f), skin.vertex(f, i), f, false};
+        std::sort(corner, corner + C * facets);
+    }
+    // Corners with the same stretch and vertex, one behind the other.
+    template <class Take> void each_ridge(const Take& take) {
+        for (std::ptrdiff_t i = 0, end; i < C * facets; i = end) {
+            end = i + 1;
+            while (end < C * facets && corner[end].stretch == corner[i].stretch &&
+                   corner[end].vertex == corner[i].vertex)
+                ++end;
+            take(corner + i, corner + end);
+        }
+    }
+    // Whether one of the edges at a vertex is of one facet of the stretch alone.
+    bool is_rim(const Corner* first, const Corner* last) const {
+        for (const Corner* i = first; i < last; ++i)
+            for (int a = 0; a < C; ++a) {
+                const std::ptrdiff_t across = skin.vertex(i->facet, a);
+                if (across == i->vertex) continue;
+                int sharing = 0;
+                for (const Corner* j = first; j < last; ++j)
+                    for (int b = 0; b < C; ++b) sharing += skin.vertex(j->facet, b) == across;
+                if (sharing < 2) return true;
+            }
+        return false;
+    }
+
+    // In the plane: along each chain of facets, from end to end or around.
+    void part_chains() {
+        bool* is_first = is_near;
+        for (std::ptrdiff_t f = 0; f < facets; ++f) {
+            next[f] = -1;
+            is_first[f] = true;
+        }
+        each_ridge([&](const Corner* first, const Corner* last) {
+            if (last - first != 2) return;
+            const bool leaves = skin.vertex(first->facet, 0) == first->vertex;
+            const std::ptrdiff_t from = leaves ? first[1].facet : first->facet;
+            const std::ptrdiff_t to = leaves ? first->facet : first[1].facet;
+            if (skin.vertex(from, 1) != first->vertex || skin.vertex(to, 0) != first->vertex)
+                return;
+            next[from] = to;
+            is_first[to] = false;
+        });
+        for (std::ptrdiff_t f = 0; f < facets; ++f)
+            if (is_first[f]) part(f);
+        for (std::ptrdiff_t f = 0; f < facets; ++f)
+            if (next[f] >= 0) part(f);  // of a ring
+    }
+    // The chain that starts with a facet; next becomes -2 where it has been.
+    void part(std::ptrdiff_t start) {
+        double length = 0.0;
+        std::ptrdiff_t f = start;
+        do length += skin.facet[f].size;
+        while ((f = next[f]) >= 0 && f != start);
+        const bool ring = f == start;
+        const double parts = std::round(length / spacing), each = length / std::max(parts, 1.0);
+        add_point(start, 0);
+        double at = 0.0, wanted = each;
+        for (f = start; f >= 0;) {
+            const std::ptrdiff_t after = next[f];
+            next[f] = -2;
+            at += skin.facet[f].size;
+            const bool is_last = after < 0 || after == start;
+            // The vertex that is nearest to where the point is wanted.
+            const double rest = is_last ? 0.0 : 0.5 * skin.facet[after].size;
+            if (is_last ? !ring && parts > 0.0
+                        : at + rest > wanted && wanted < length - 0.5 * each) {
+                add_point(f, 1);
+                wanted += each * std::max(1.0, std::floor((at + rest - wanted) / each) + 1.0);
+            }
+            f = is_last ? -1 : after;
+        }
+    }
+    void add_point(std::ptrdiff_t f, int end) {
+        point[count++] = {skin.facet[f].x[end], skin.facet[f].n, stretch[f]};
+    }
+
+    // In space: all vertices that have none near yet, the rims of stretches first.
+    void spread_points() {
+        std::ptrdiff_t kept = 0;
+        each_ridge([&](const Corner* first, const Corner* last) {
+            Corner one = *first;
+            one.is_rim = is_rim(first, last);
+            corner[kept++] = one;
+        });
+        std::sort(corner, corner + kept);
+        for (std::ptrdiff_t i = 0; i < kept; ++i) {
+            is_near[i] = false;
+            boxes[i] = Box<C>::empty();
+            boxes[i].include(vector_of<C>(skin.given->position, corner[i].vertex));
+        }
+        const BoxTree<C> tree(arena, boxes, kept);
+        if (arena.is_overrun()) return;
+        const double least = spacing * (1.0 - 1e-9);
+        for (std::ptrdiff_t i = 0; i < kept; ++i) {
+            if (is_near[i]) continue;
+            const Corner& c = corner[i];
+            const Vector<double, C> x = boxes[i].low;
+            tree.each(boxes[i].grown(least), [&](std::ptrdiff_t k) {
+                if (corner[k].stretch == c.stretch && norm(boxes[k].low - x) < least)
+                    is_near[k] = true;
+            });
+            point[count++] = {x, skin.facet[c.facet].n, c.stretch};
+        }
+    }
+
+    Arena& arena;
+    const Skin<C>& skin;
+    double spacing, radius = 0.0;
+    std::ptrdiff_t facets, count = 0;
+    std::ptrdiff_t* stretch = nullptr;  // [facets] the first facet of it
+    Corner* corner = nullptr;
+    Box<C>* boxes = nullptr;
+    bool* is_near = nullptr;         // another one carries the pressure
+    std::ptrdiff_t* next = nullptr;  // [facets] in a chain
+    PressurePoint<C>* point = nullptr;
+};
+
+}  // namespace grit::surface

@@ -1,0 +1,408 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The impulses of all points that carry pressure, (V3)-(V5): rows of a system that projected Gauss-Seidel sweeps
+// solve, to and fro, on copies of the velocities of the nodes.
+#pragma once
+
+#include <cmath>
+
+#include "contact/surface/meeting.hpp"
+#include "contact/surface/pressures.hpp"
+
+namespace grit::surface {
+
+// What a point of integration gives to a point that carries pressure.
+struct Share {
+    std::ptrdiff_t pressure, point;
+    double share;
+};
+
+// A node of either body that feels contact.
+template <int C> struct ContactNode {
+    std::ptrdiff_t id;
+    Vector<double, C> v, v_old;
+    Vector<double, C> inverse_mass;  // 0: held
+};
+
+// Direction 0 is the normal, the others are tangents; all fields are means around the point.
+template <int C> struct Row {
+    std::ptrdiff_t pressure;    // which point
+    std::ptrdiff_t begin, end;  // its terms
+    double size;                // area that it answers for
+    double bound;               // largest approach that closes the gap and no more
+    double rigid[C];            // approach by rigid bodies
+    double effective[C];        // 1 / mass
+    double impulse[C];
+    double before[C];  // approach without contact
+};
+template <int C> struct Term {
+    std::ptrdiff_t node;
+    Vector<double, C> d[C];  // approach = sum d . v
+};
+
+template <int C> class System {
+  public:
+    System(Arena& memory, const Skin<C>& of_a, const Skin<C>& of_b, const Pressures<C>& carriers)
+        : arena(memory), skin{&of_a, &of_b}, pressures(carriers) {}
+
+    // False where the workspace is too small.
+    bool build(const MeetingPoint<C>* of_points, std::ptrdiff_t n_points, const Share* given,
+               std::ptrdiff_t n_shares, double dt) {
+        points = of_points;
+        shares = given;
+        return sort_shares(n_shares) && find_nodes(n_points) && find_rows(dt);
+    }
+
+    struct Outcome {
+        std::ptrdiff_t sweeps;
+        double residual, largest_approach;
+    };
+    Outcome sweep(double mu, int limit, double tolerance) {
+        Outcome out{0, 0.0, 0.0};
+        for (std::ptrdiff_t r = 0; r < n_rows; ++r) {
+            for (int k = 0; k < C; ++k) rows[r].before[k] = approach(rows[r], k, &Node::v);
+            out.largest_approach =
+                std::max(out.largest_approach, rows[r].before[0] - rows[r].bound);
+        }
+        if (out.largest_approach == 0.0) return out;
+        const double enough = tolerance * out.largest_approach;
+        do {
+            out.residual = 0.0;
+            const bool forth = out.sweeps % 2 == 0;
+            for (std::ptrdiff_t i = 0; i < n_rows; ++i)
+                out.residual =
+                    std::max(out.residual, correct(rows[forth ? i : n_rows - 1 - i], mu));
+        } while (++out.sweeps < limit && out.residual > enough);
+        if (mu > 0.0) keep_energy();
+        return out;
+    }
+
+    template <class Take> void each_row(const Take& take) const {
+        for (std::ptrdiff_t r = 0; r < n_rows; ++r) take(rows[r]);
+    }
+    // Work of a row's impulse, normal and tangential: on the mean of the approach before the step and after it.
+    Vector2 dissipation(const Row<C>& row) const {
+        double work[C];
+        for (int k = 0; k < C; ++k)
+            work[k] = 0.5 * row.impulse[k] *
+                      (approach(row, k, &Node::v_old) + approach(row, k, &Node::v));
+        Vector2 out{work[0], 0.0};
+        for (int k = 1; k < C; ++k) out[1] += work[k];
+        return out;
+    }
+    // Impulse per share of a point's area, on A.
+    Vector<double, C> traction(const Row<C>& row, std::ptrdiff_t facet, int first, int last) const {
+        Vector<double, C> direction[C], out{};
+        directions(row.pressure, facet, direction);
+        for (int k = first; k < last; ++k) out = out - (row.impulse[k] / row.size) * direction[k];
+        return out;
+    }
+    template <class Take> void each_share(const Row<C>& row, const Take& take) const {
+        for (std::ptrdiff_t i = start[row.pressure]; i < start[row.pressure + 1]; ++i)
+            take(points[shares[order[i]].point], shares[order[i]].share);
+    }
+    // Velocities back to the nodes.
+    void write() const {
+        for (int body = 0; body < 2; ++body)
+            for (std::ptrdiff_t i = first_node[body]; i < first_node[body + 1]; ++i)
+                for (int c = 0; c < C; ++c)
+                    if (nodes[i].inverse_mass[c] > 0.0)
+                        component(skin[body]->given->velocity, nodes[i].id, c) = nodes[i].v[c];
+    }
+
+  private:
+    using Node = ContactNode<C>;
+
+    bool sort_shares(std::ptrdiff_t n) {
+        const std::ptrdiff_t count = pressures.size();
+        start = arena.take<std::ptrdiff_t>(count + 1);
+        order = arena.take<std::ptrdiff_t>(n);
+        auto* next = arena.take<std::ptrdiff_t>(count);
+        if (arena.is_overrun()) return false;
+        std::fill_n(start, count + 1, 0);
+        for (std::ptrdiff_t i = 0; i < n; ++i) ++start[shares[i].pressure + 1];
+        for (std::ptrdiff_t k = 0; k < count; ++k) start[k + 1] += start[k];
+        std::copy_n(start, count, next);
+        for (std::ptrdiff_t i = 0; i < n; ++i) order[next[shares[i].pressure]++] = i;
+        return true;
+    }
+
+    std::ptrdiff_t facet_of(const MeetingPoint<C>& p, int body) const {
+        return body == 0 ? p.facet_a : p.facet_b;
+    }
+
+    // Nodes of the vertices of all facets that meet, ids ascending, A's and then B's.
+    bool find_nodes(std::ptrdiff_t n_points) {
+        for (int body = 0; body < 2; ++body) {
+            const grit_surface& s = *skin[body]->given;
+            place[body] = arena.take<std::ptrdiff_t>(s.vertices);
+            sum[body] = arena.take<Directions>(s.vertices);
+            if (arena.is_overrun()) return false;
+            std::fill_n(place[body], s.vertices, -1);
+            std::ptrdiff_t used = 0;
+            for (std::ptrdiff_t p = 0; p < n_points; ++p)
+                for (int i = 0; i < C; ++i) {
+                    std::ptrdiff_t& at =
+                        place[body][skin[body]->vertex(facet_of(points[p], body), i)];
+                    if (at < 0) at = used++;
+                }
+            local[body] = arena.take<std::ptrdiff_t>(s.rigid ? 0 : used * s.nodes_each);
+            if (arena.is_overrun()) return false;
+        }
+        Growing<std::ptrdiff_t> ids(arena);
+        std::ptrdiff_t end[2];
+        for (int body = 0; body < 2; ++body) {
+            const grit_surface& s = *skin[body]->given;
+            for (std::ptrdiff_t v = 0; v < s.vertices && !s.rigid; ++v)
+                for (std::ptrdiff_t k = v * s.nodes_each;
+                     place[body][v] >= 0 && k < (v + 1) * s.nodes_each; ++k)
+                    if (s.weight[k] != 0.0) ids.add(s.node[k]);
+            end[body] = ids.size();
+        }
+        std::ptrdiff_t* id = ids.close();
+        if (arena.is_overrun()) return false;
+        std::ptrdiff_t* last[2];
+        for (int body = 0; body < 2; ++body) {
+            std::ptrdiff_t *const from = id + (body == 0 ? 0 : end[0]), *const to = id + end[body];
+            std::sort(from, to);
+            last[body] = std::unique(from, to);
+            first_node[body + 1] = first_node[body] + (last[body] - from);
+        }
+        nodes = arena.take<Node>(first_node[2]);
+        node_sum = arena.take<Directions>(first_node[2]);
+        is_touched = arena.take<bool>(first_node[2]);
+        touched = arena.take<std::ptrdiff_t>(first_node[2]);
+        if (arena.is_overrun()) return false;
+        std::fill_n(is_touched, first_node[2], false);
+        for (int body = 0; body < 2; ++body) {
+            const std::ptrdiff_t* from = id + (body == 0 ? 0 : end[0]);
+            read_nodes(body, from);
+            const grit_surface& s = *skin[body]->given;
+            for (std::ptrdiff_t v = 0; v < s.vertices && !s.rigid; ++v)
+                for (int k = 0; place[body][v] >= 0 && k < s.nodes_each; ++k) {
+                    const std::ptrdiff_t given = v * s.nodes_each + k;
+                    local[body][place[body][v] * s.nodes_each + k] =
+                        s.weight[given] == 0.0
+                            ? -1
+                            : first_node[body] +
+                                  (std::lower_bound(from,
+                                                    static_cast<const std::ptrdiff_t*>(last[body]),
+                                                    s.node[given]) -
+                                   from);
+                }
+        }
+        return true;
+    }
+    void read_nodes(int body, const std::ptrdiff_t* id) {
+        const grit_surface& s = *skin[body]->given;
+        for (std::ptrdiff_t i = first_node[body]; i < first_node[body + 1]; ++i) {
+            Node& node = nodes[i];
+            node.id = id[i - first_node[body]];
+            node.v = vector_of<C>(read_only(s.velocity), node.id);
+            node.v_old =
+                s.previous_velocity.base ? vector_of<C>(s.previous_velocity, node.id) : node.v;
+            const int held = s.fixed ? s.fixed[node.id] : 0;
+            for (int c = 0; c < C; ++c)
+                node.inverse_mass[c] = held >> c & 1 ? 0.0 : 1.0 / component(s.mass, node.id, 0);
+        }
+    }
+
+    struct Directions {
+        Vector<double, C> d[C];
+    };
+    // Normal and tangents of a facet of A around a point that carries pressure.
+    void directions(std::ptrdiff_t pressure, std::ptrdiff_t facet,
+                    Vector<double, C>* direction) const {
+        const Vector<double, C>& n = skin[0]->facet[facet].n;
+        direction[0] = n;
+        if constexpr (C == 2) {
+            direction[1] = {-n[1], n[0]};
+        } else {
+            const Vector3& m = pressures[pressure].n;
+            int least = 0;
+            for (int c = 1; c < 3; ++c)
+                if (std::fabs(m[c]) < std::fabs(m[least])) least = c;
+            Vector3 axis{};
+            axis[least] = 1.0;
+            const Vector3 t = cross(m, axis);
+            const Vector3 flat = t - dot(t, n) * n;
+            direction[1] = flat / norm(flat);
+            direction[2] = cross(n, direction[1]);
+        }
+    }
+
+    bool find_rows(double dt) {
+        rows = arena.take<Row<C>>(pressures.size());
+        std::ptrdiff_t* vertex[2] = {arena.take<std::ptrdiff_t>(skin[0]->given->vertices),
+                                     arena.take<std::ptrdiff_t>(skin[1]->given->vertices)};
+        if (arena.is_overrun()) return false;
+        for (int body = 0; body < 2; ++body)
+            std::fill_n(sum[body], skin[body]->given->vertices, Directions{});
+        Growing<Term<C>> found(arena);
+        n_rows = 0;
+        for (std::ptrdiff_t k = 0; k < pressures.size(); ++k) {
+            if (start[k] == start[k + 1]) continue;
+            Row<C> row{};
+            row.pressure = k;
+            row.begin = found.size();
+            std::ptrdiff_t count[2] = {0, 0};
+            double gap = 0.0;
+            for (std::ptrdiff_t i = start[k]; i < start[k + 1]; ++i) {
+                const MeetingPoint<C>& p = points[shares[order[i]].point];
+                const double size = shares[order[i]].share * p.size;
+                row.size += size;
+                gap += size * p.gap;
+                Vector<double, C> direction[C];
+                directions(k, p.facet_a, direction);
+                for (int body = 0; body < 2; ++body)
+                    for (int j = 0; j < C; ++j) {
+                        const std::ptrdiff_t v = skin[body]->vertex(facet_of(p, body), j);
+                        Directions& of_vertex = sum[body][v];
+                        bool is_new = true;
+                        for (std::ptrdiff_t w = 0; w < count[body] && is_new; ++w)
+                            is_new = vertex[body][w] != v;
+                        if (is_new) vertex[body][count[body]++] = v;
+                        const double N =
+                            (body == 0 ? size : -size) * (body == 0 ? p.place_a[j] : p.place_b[j]);
+                        for (int m = 0; m < C; ++m)
+                            of_vertex.d[m] = of_vertex.d[m] + N * direction[m];
+                    }
+            }
+            if (!(row.size > 0.0)) {
+                clear(vertex, count);
+                continue;
+            }
+            row.bound = std::max(gap / row.size, 0.0) / dt;
+            add_terms(vertex, count, row, found);
+            clear(vertex, count);
+            row.end = found.size();
+            if (row.end > row.begin) rows[n_rows++] = row;
+        }
+        terms = found.close();
+        return !arena.is_overrun();
+    }
+    void clear(std::ptrdiff_t* const* vertex, const std::ptrdiff_t* count) {
+        for (int body = 0; body < 2; ++body)
+            for (std::ptrdiff_t w = 0; w < count[body]; ++w) sum[body][vertex[body][w]] = {};
+    }
+    // From vertices to nodes.
+    void add_terms(std::ptrdiff_t* const* vertex, const std::ptrdiff_t* count, Row<C>& row,
+                   Growing<Term<C>>& found) {
+        std::ptrdiff_t n_touched = 0;
+        for (int body = 0; body < 2; ++body) {
+            const grit_surface& s = *skin[body]->given;
+            for (std::ptrdiff_t w = 0; w < count[body]; ++w) {
+                const std::ptrdiff_t v = vertex[body][w];
+                const Directions& of_vertex = sum[body][v];
+                if (s.rigid) {
+                    for (int m = 0; m < C; ++m)
+                        row.rigid[m] += dot(of_vertex.d[m], skin[body]->velocity[v]) / row.size;
+                    continue;
+                }
+                for (int k = 0; k < s.nodes_each; ++k) {
+                    const std::ptrdiff_t node = local[body][place[body][v] * s.nodes_each + k];
+                    if (node < 0) continue;
+                    if (!is_touched[node]) {
+                        is_touched[node] = true;
+                        touched[n_touched++] = node;
+                        node_sum[node] = {};
+                    }
+                    const double N = s.weight[v * s.nodes_each + k] / row.size;
+                    for (int m = 0; m < C; ++m)
+                        node_sum[node].d[m] = node_sum[node].d[m] + N * of_vertex.d[m];
+                }
+            }
+        }
+        for (std::ptrdiff_t i = 0; i < n_touched; ++i) {
+            const std::ptrdiff_t node = touched[i];
+            is_touched[node] = false;
+            Term<C> term{node, {}};
+            bool any = false;
+            for (int m = 0; m < C; ++m) {
+                term.d[m] = node_sum[node].d[m];
+                for (int c = 0; c < C; ++c) {
+                    row.effective[m] += term.d[m][c] * term.d[m][c] * nodes[node].inverse_mass[c];
+                    any = any || term.d[m][c] != 0.0;
+                }
+            }
+            if (any) found.add(term);
+        }
+    }
+
+    double approach(const Row<C>& row, int k, Vector<double, C> Node::*velocity) const {
+        double w = row.rigid[k];
+        for (std::ptrdiff_t i = row.begin; i < row.end; ++i)
+            w += dot(terms[i].d[k], nodes[terms[i].node].*velocity);
+        return w;
+    }
+    void push(const Row<C>& row, int k, double impulse) {
+        for (std::ptrdiff_t i = row.begin; i < row.end; ++i) {
+            Node& node = nodes[terms[i].node];
+            for (int c = 0; c < C; ++c)
+                node.v[c] -= impulse * node.inverse_mass[c] * terms[i].d[k][c];
+        }
+    }
+    // Returns by how much a velocity has changed.
+    double correct(Row<C>& row, double mu) {
+        if (!(row.effective[0] > 0.0)) return 0.0;
+        const double w = approach(row, 0, &Node::v) - row.bound;
+        const double wanted = std::max(row.impulse[0] + w / row.effective[0], 0.0);
+        const double change = wanted - row.impulse[0];
+        row.impulse[0] = wanted;
+        if (change != 0.0) push(row, 0, change);
+        double largest = std::fabs(change) * row.effective[0];
+        if (!(mu > 0.0)) return largest;
+        double tangential[C] = {}, squared = 0.0, most = 0.0;
+        for (int k = 1; k < C; ++k) most = std::max(most, row.effective[k]);
+        if (!(most > 0.0)) return largest;
+        for (int k = 1; k < C; ++k) {
+            tangential[k] = row.impulse[k] + approach(row, k, &Node::v) / most;
+            squared += tangential[k] * tangential[k];
+        }
+        const double limit = mu * row.impulse[0];
+        const double back = squared > limit * limit ? limit / std::sqrt(squared) : 1.0;
+        for (int k = 1; k < C; ++k) {
+            const double step = back * tangential[k] - row.impulse[k];
+            row.impulse[k] += step;
+            if (step != 0.0) push(row, k, step);
+            largest = std::max(largest, std::fabs(step) * most);
+        }
+        return largest;
+    }
+    // Impulses that friction's unfinished sweeps made too large: scaled until no energy is gained.
+    void keep_energy() {
+        double work = 0.0, twice_kinetic = 0.0;  // J . w_before; J . (w_before - w_after)
+        for (std::ptrdiff_t r = 0; r < n_rows; ++r)
+            for (int k = 0; k < C; ++k) {
+                work += rows[r].impulse[k] * rows[r].before[k];
+                twice_kinetic +=
+                    rows[r].impulse[k] * (rows[r].before[k] - approach(rows[r], k, &Node::v));
+            }
+        if (!(twice_kinetic > 2.0 * work) || !(twice_kinetic > 0.0)) return;
+        const double share = std::max(2.0 * work / twice_kinetic, 0.0);
+        for (std::ptrdiff_t r = 0; r < n_rows; ++r)
+            for (int k = 0; k < C; ++k) {
+                push(rows[r], k, (share - 1.0) * rows[r].impulse[k]);
+                rows[r].impulse[k] *= share;
+            }
+    }
+
+    Arena& arena;
+    const Skin<C>* skin[2];
+    const Pressures<C>& pressures;
+    const MeetingPoint<C>* points = nullptr;
+    const Share* shares = nullptr;
+    std::ptrdiff_t *start = nullptr, *order = nullptr;  // shares by what carries the pressure
+    std::ptrdiff_t* place[2] = {};                      // of vertices that are used, in local
+    std::ptrdiff_t* local[2] = {};                      // nodes of these
+    Directions* sum[2] = {};
+    Directions* node_sum = nullptr;
+    bool* is_touched = nullptr;
+    std::ptrdiff_t* touched = nullptr;
+    Node* nodes = nullptr;
+    std::ptrdiff_t first_node[3] = {0, 0, 0};
+    Row<C>* rows = nullptr;
+    Term<C>* terms = nullptr;
+    std::ptrdiff_t n_rows = 0;
+};
+
+}  // namespace grit::surface

@@ -1,0 +1,156 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Surface contact: impulses between the true surfaces of two bodies that live on a grid, in the plane,
+ * in axisymmetry and in space. No stiffness and no power to choose, no strip of the grid that moves
+ * along with the surface. Equations (V1)-(V5) and decisions: docs/contact.md.
+ *
+ *   surfaces as facets, their vertices with the shape functions that move them
+ *     ->  grit_surface_correct after the momentum update  ->  velocities of the nodes, in place
+ *
+ * A's facets give the normals and carry the pressure: A is the stiffer or less distorted body.
+ * Plane: per metre of thickness. Axisymmetric: components are (r, z), impulses and energies per radian,
+ * masses too. [length], [time], [mass]: any consistent units. */
+#pragma once
+
+#include <stddef.h>
+
+#include <grit/export.h>
+#include <grit/status.h>
+#include <grit/view.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- options --------------------------------------------------------------------------------- */
+
+typedef struct grit_surface_options {
+    size_t struct_size;     /* set by init */
+    int components;         /* 2 (default) or 3 */
+    int axisymmetric;       /* 0 (default); 1: components are (r, z), per radian; 2 components */
+    int validate_only;      /* 1: reports and totals only; velocities stay */
+    int sweep_limit;        /* sweeps over the pressures in [1, 100000], default 500 */
+    double sweep_tolerance; /* [-] in (0, 1], default 1e-6: a sweep that changes no velocity by more
+                                    than this share of the largest approach is the last one */
+    double friction_coefficient; /* mu [-] in [0, 1e6], default 0 */
+    double time_step;            /* dt [time] in (0, 1e30], no default */
+    double spacing; /* [length] in (0, 1e30], no default: of the points that carry pressure, at
+                       least; two cells of the grid: less is more than its nodes can follow */
+    double reach;   /* [length] in (0, 1e30], no default: how far apart, or how deep in each other,
+                       facets are looked at; about a cell, and more than a step's motion */
+} grit_surface_options;
+
+GRIT_API grit_status grit_surface_options_init(grit_surface_options* options, size_t struct_size);
+
+/* ---- the surface of a body ------------------------------------------------------------------- */
+
+/* Vertices of no facet are not looked at. Facets are segments (2 components), with the body on the left of the way from the first vertex to the
+ * second, or triangles (3), whose vertices go round counter-clockwise as seen from outside. Neighbours
+ * that share vertices and turn by less than 30 degrees are one smooth stretch: pressure is continuous
+ * there, and jumps where the surface turns by more. Facets of A that are longer than the spacing are
+ * allowed, but their pressure is known at their vertices alone.
+ * Zero-initialise, set struct_size, then what is needed. */
+typedef struct grit_surface {
+    size_t struct_size;
+    int rigid;              /* 1: moves as vertex_velocity says; of nodes nothing is read */
+    int nodes_each;         /* nodes per vertex in [1, 64] */
+    ptrdiff_t vertices;     /* >= 0 */
+    ptrdiff_t facets;       /* >= 0; none: no contact */
+    grit_view position;     /* [vertices][components] at the start of the step [length] */
+    const ptrdiff_t* facet; /* [facets][components] vertices */
+    const ptrdiff_t* node;  /* [vertices][nodes_each] in [0, nodes); not read where weight is 0 */
+    const double* weight;   /* [vertices][nodes_each] N_i [-] in [0, 1], sum 1 to 1e-6 */
+    ptrdiff_t nodes;        /* how many the views hold */
+    grit_view mass;         /* [nodes] m_i > 0 of the nodes in contact [mass] */
+    const int* fixed;       /* [nodes] optional: bit c: component c of the velocity is held */
+    grit_mutable_view velocity;  /* [nodes][components] after the momentum update [length / time] */
+    grit_view previous_velocity; /* [nodes][components] optional: before it, for the dissipation */
+    grit_view vertex_velocity;   /* [vertices][components] of a rigid body [length / time] */
+} grit_surface;
+
+/* What acts on a facet of A. */
+typedef struct grit_surface_report {
+    double area; /* in contact: length, times r per radian, or area */
+    double gap;  /* smallest distance to B along the normal at the start of the step, negative:
+                             overlap; +infinity: nothing of B within reach [length] */
+    double normal_force;   /* pressure on it, >= 0 [force] */
+    double friction_force; /* [force], the resultant's length */
+    double force[3];       /* on A [force] */
+} grit_surface_report;
+
+typedef struct grit_surface_totals {
+    size_t struct_size;     /* set by the caller */
+    double impulse_on_a[3]; /* [force time]; on B the opposite, to roundoff */
+    double impulse_on_b[3];
+    double normal_impulse; /* sum of p A dt [force time] */
+    double area;           /* in contact */
+    double
+        dissipation_normal; /* J . (w_old + w_new) / 2 [energy]; with previous_velocity of all that */
+    double dissipation_tangential; /* are not rigid, else 0 */
+    double smallest_gap;           /* of all facets; +infinity: none within reach [length] */
+    double largest_approach; /* by which the gap would be overrun without contact [length / time] */
+    double residual;         /* largest change of a velocity in the last sweep [length / time] */
+    ptrdiff_t points;        /* of integration in contact */
+    ptrdiff_t pressures;     /* that are > 0 */
+    ptrdiff_t sweeps;
+} grit_surface_totals;
+
+/* ---- contact --------------------------------------------------------------------------------- */
+
+/* Bytes of workspace that surfaces of so many facets and vertices need where they lie along each other
+ * and their facets are of like size; 0 for impossible counts. Where many small facets lie opposite many
+ * others more may be needed: the call fails and needed says how much to try. Any contents, 8-byte
+ * aligned; nothing is kept in it between calls. */
+GRIT_API size_t grit_surface_workspace_size(const grit_surface* a, const grit_surface* b);
+
+/* Velocities after contact, (V1)-(V5), in place.
+ *   where     every point of A sees the nearest facet of B along A's normal, within reach.
+ *   when      it is in contact if its gap is overrun at the end of the step; overlap that is there
+ *             stays, but does not grow.
+ *   pressure  >= 0, between points of A that are spacing apart, so that the mean approach around each of
+ *             them is what closes the gap; friction opposes the slip that is left, <= mu times it.
+ *   Both bodies feel the same impulses at the same points: linear momentum is kept to roundoff, and no
+ *   energy is made in the frame of a rigid body, however many sweeps were taken.
+ *   All or nothing: on failure nothing is written; error->point is the vertex, facet or node, the
+ *   message says whose. GRIT_BAD_CALL: a struct, a view, a list, the workspace; GRIT_BAD_STATE: numbers.
+ *   needed: bytes of workspace to try next, where that is what failed; else 0. May be null.
+ *   reports [facets of A], totals and error may be null. Deterministic; calls on disjoint data are safe
+ *   from several threads. Bodies that share nodes with a third one: one call per pair, in a fixed
+ *   order. */
+GRIT_API grit_status grit_surface_correct(const grit_surface_options* options,
+                                          const grit_surface* a, const grit_surface* b,
+                                          void* workspace, size_t workspace_size, size_t* needed,
+                                          grit_surface_report* reports, grit_surface_totals* totals,
+                                          grit_error* error);
+
+/* ---- surfaces of particles ------------------------------------------------------------------- */
+
+/* Domains of particles of one body: parallelograms x_p +- r_1 +- r_2 of CPDI, r_1 x r_2 > 0. */
+typedef struct grit_surface_domains {
+    size_t struct_size;
+    ptrdiff_t n;
+    const ptrdiff_t* index; /* [n] particles to be taken; null: 0 ... n-1 */
+    grit_view position;     /* [2] x_p [length] */
+    grit_matrix_view side;  /* [2][2] rows r_1, r_2 [length] */
+    double tolerance; /* [-] in (0, 0.5], share of a domain's width: gaps between neighbours up to
+                               this wide are none, corners this near are one vertex */
+} grit_surface_domains;
+
+/* Bytes of workspace for n domains; 0 for impossible counts. */
+GRIT_API size_t grit_surface_find_free_workspace_size(ptrdiff_t n);
+
+/* The free edges of domains: those beyond which, at half of its length or more, no neighbour's domain
+ * is found. They become facets with the body on the left; corners of neighbours that are free and near
+ * become one vertex, at their mean.
+ *   position  [4 n][2] out: of *vertices vertices, at most
+ *   facet     [4 n][2] out: of *facets facets
+ *   owner     [4 n] optional out: the entry of index (or the particle) of a facet
+ * Deterministic, O(n) for domains of like size. GRIT_BAD_STATE: a position or side is not finite, or a
+ * domain has no area. */
+GRIT_API grit_status grit_surface_find_free(const grit_surface_domains* domains, void* workspace,
+                                            size_t workspace_size, double* position,
+                                            ptrdiff_t* facet, ptrdiff_t* owner, ptrdiff_t* vertices,
+                                            ptrdiff_t* facets, grit_error* error);
+
+#ifdef __cplusplus
+}
+#endif

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What holds for any two bodies in surface contact: momentum, energy, complementarity, Coulomb, frames; and by hand.
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+#include "support/meeting_grids.hpp"
+
+namespace {
+
+using namespace tests;
+
+// A wavy interface through the cells, closed or nearly so, its sides of unlike facets.
+struct Meeting {
+    GridBody a, b;
+    Meeting(int components, std::uint64_t seed, double mass_spread = 3.0) {
+        std::mt19937_64 random(seed);
+        const auto dice = [&](double low, double high) {
+            return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
+        };
+        const double level = dice(3.0, 4.0), high = dice(0.0, 0.2), phase = dice(0.0, 6.0);
+        const double gap = seed % 2 == 0 ? 0.0 : dice(-0.1, 0.02);
+        const auto wave = [=](double x, double y) {
+            return level + high * std::sin(0.9 * x + 0.7 * y + phase);
+        };
+        a.components = b.components = components;
+        const int n_a = components == 2 ? 11 : 4, n_b = components == 2 ? 7 : 5;
+        add_face(a, false, 0.5, 6.4, n_a, wave);
+        add_face(b, true, 0.2, 6.1, n_b, [&](double x, double y) { return wave(x, y) + gap; });
+        a.fill(random, 1.0, mass_spread);
+        b.fill(random, 1.0, mass_spread);
+        for (GridBody* body : {&a, &b})  // some nodes are held in a direction
+            for (int& mask : body->fixed)
+                if (random() % 20 == 0) mask = 1 << random() % static_cast<unsigned>(components);
+    }
+};
+
+double largest(const std::array<double, 3>& x) {
+    return std::max({std::fabs(x[0]), std::fabs(x[1]), std::fabs(x[2])});
+}
+
+TEST(SurfaceContact, KeepsMomentumAndMakesNoEnergy) {
+    for (const int components : {2, 3})
+        for (std::uint64_t seed = 0; seed < (components == 2 ? 200u : 40u); ++seed)
+            for (const double mu : {0.0, 0.3, 5.0}) {
+                Meeting m(components, seed);
+                for (GridBody* body : {&m.a, &m.b})
+                    std::fill(body->fixed.begin(), body->fixed.end(), 0);
+                SurfaceCall call(components, mu);
+                if (seed % 3 == 0) call.options.sweep_limit = 2;  // stopped early
+                const double before = m.a.kinetic() + m.b.kinetic();
+                const auto p_a = m.a.momentum(), p_b = m.b.momentum();
+                ASSERT_EQ(call(m.a, m.b), GRIT_OK) << call.error.message;
+                const auto q_a = m.a.momentum(), q_b = m.b.momentum();
+                double scale = 0.0;
+                for (const double mass : m.a.mass) scale += mass;
+                std::array<double, 3> lost{}, on_b{};
+                for (std::size_t c = 0; c < 3; ++c) {
+                    lost[c] = q_a[c] + q_b[c] - p_a[c] - p_b[c];
+                    on_b[c] = q_b[c] - p_b[c] - call.totals.impulse_on_b[c];
+                }
+                EXPECT_LE(largest(lost), 1e-13 * scale);
+                EXPECT_LE(largest(on_b), 1e-11 * scale);
+                EXPECT_LE(m.a.kinetic() + m.b.kinetic(), before * (1.0 + 1e-13));
+                // v_old = v: what friction and closing take is what is missing.
+                EXPECT_NEAR(call.totals.dissipation_normal + call.totals.dissipation_tangential,
+                            before - m.a.kinetic() - m.b.kinetic(), 1e-10 * before);
+            }
+}
+
+// The pressures are those of the quadratic program: no pressure pulls, none is where the gap stays open, and what is
+// left of the approach closes the gap and no more. Solved again, nothing changes.
+TEST(SurfaceContact, LeavesNothingThatApproaches) {
+    for (const int components : {2, 3})
+        for (std::uint64_t seed = 0; seed < 60; seed += components == 2 ? 1 : 6) {
+            Meeting m(components, seed, 1.0);
+            SurfaceCall call(components);
+            ASSERT_EQ(call(m.a, m.b), GRIT_OK) << call.error.message;
+            if (call.totals.points == 0) continue;
+            EXPECT_LE(call.totals.residual, 1e-13 * call.totals.largest_approach);
+            for (const grit_surface_report& r : call.reports) EXPECT_GE(r.normal_force, 0.0);
+            EXPECT_EQ(call.totals.dissipation_tangential, 0.0);
+        }
+}
+
+TEST(SurfaceContact, HoldsNodesThatAreHeldAndRigidBodies) {
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        Meeting m(2, seed);
+        m.a.rigid = true;
+        const GridBody before_a = m.a, before_b = m.b;
+        SurfaceCall call(2, 0.4);
+        ASSERT_EQ(call(m.a, m.b), GRIT_OK) << call.error.message;
+        EXPECT_EQ(m.a.v, before_a.v);
+        for (std::size_t i = 0; i < m.b.v.size(); ++i)
+            if (m.b.fixed[i / 2] >> (i % 2) & 1) {
+                EXPECT_EQ(m.b.v[i], before_b.v[i]);
+            }
+        EXPECT_EQ(call.totals.impulse_on_a[1], -call.totals.impulse_on_b[1]);
+    }
+}
+
+TEST(SurfaceContact, ObeysCoulombInEveryFacetWhoseNormalIsThatOfAll) {
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+        GridBody a, b;
+        std::mt19937_64 random(seed);
+        const auto flat = [](double, double) { return 3.4; };
+        add_face(a, false, 0.5, 6.4, 9, flat);
+        add_face(b, true, 0.2, 6.1, 7, flat);
+        a.fill(random, 1.0, 2.0);
+        b.fill(random, 1.0, 2.0);
+        SurfaceCall call(2, 0.35);
+        ASSERT_EQ(call(a, b), GRIT_OK);
+        double slipping = 0.0;
+        for (const grit_surface_report& r : call.reports) {
+            EXPECT_LE(r.friction_force, 0.35 * r.normal_force * (1.0 + 1e-9) + 1e-12);
+            slipping += r.friction_force;
+        }
+        if (call.totals.pressures > 0) {
+            EXPECT_GT(slipping, 0.0);
+        }
+        EXPECT_GE(call.totals.dissipation_tangential, 0.0);
+    }
+}
+
+// The same in space as in the plane where nothing varies along the third direction.
+TEST(SurfaceContact, InSpaceIsThatOfThePlane) {
+    GridBody a, b;
+    std::mt19937_64 random(3);
+    const auto slope = [](double x, double) { return 3.1 + 0.1 * x; };
+    add_face(a, false, 1.0, 6.0, 5, slope);
+    add_face(b, true, 1.0, 6.0, 5, slope);
+    a.fill(random, 1.0, 0.0);
+    b.fill(random, 1.0, 0.0);
+    GridBody a3, b3;
+    for (auto [plane, space, upper] : {std::tuple{&a, &a3, false}, std::tuple{&b, &b3, true}}) {
+        space->components = 3;
+        add_face(*space, upper, 1.0, 6.0, 5, [&](double x, double) { return slope(x, 0.0); });
+        space->mass.assign(512, 1.0);
+        space->fixed.assign(512, 2);  // nothing moves along y
+        space->v.resize(3 * 512);
+        for (std::size_t i = 0; i < 512; ++i) {
+            const std::size_t of_plane = i % 8 + 8 * (i / 64);
+            space->v[3 * i] = plane->v[2 * of_plane];
+            space->v[3 * i + 2] = plane->v[2 * of_plane + 1];
+        }
+        space->v_old = space->v;
+    }
+    SurfaceCall flat(2), full(3);
+    // In space as many pressures as vertices, in the plane too.
+    flat.options.spacing = full.options.spacing = 0.5;
+    ASSERT_EQ(flat(a, b), GRIT_OK);
+    ASSERT_EQ(full(a3, b3), GRIT_OK) << full.error.message;
+    EXPECT_NEAR(full.totals.smallest_gap, flat.totals.smallest_gap, 1e-12);
+    EXPECT_GT(full.totals.normal_impulse, 0.0);
+    EXPECT_LE(full.totals.residual, 1e-12 * full.totals.largest_approach);
+    // Of a strip of breadth 1 in the plane; of breadth 5 with free ends in space.
+    EXPECT_NEAR(full.totals.normal_impulse / 5.0, flat.totals.normal_impulse,
+                0.3 * flat.totals.normal_impulse);
+}
+
+// A block of uniform velocity on a rigid floor stops all at once, whatever the facets, and each facet feels its share. The
+// surface lies 0.3 of a cell above a row of nodes: its impulse per area is 2 / (0.7^2 + 0.3^2).
+// In space shape functions are not linear on triangles: there it stops but for 8 %, at the corners.
+TEST(SurfaceContact, StopsABlockWithItsWholeMomentum) {
+    for (const int components : {2, 3}) {
+        GridBody floor, block;
+        floor.components = block.components = components;
+        const auto level = [](double, double) { return 3.3; };
+        add_face(floor, false, 0.0, 7.0, components == 2 ? 13 : 6, level);
+        add_face(block, true, 0.5, 6.5, 12, level);
+        floor.rigid = true;
+        std::mt19937_64 random(1);
+        block.fill(random, 0.0, 0.0);
+        block.weigh(0.5, 6.5);
+        constexpr double share = 0.7 * 0.7 + 0.3 * 0.3;
+        for (std::size_t i = 0; i < block.v.size(); ++i)
+            block.v[i] =
+                i % static_cast<std::size_t>(components) == static_cast<std::size_t>(components - 1)
+                    ? -2.0
+                    : 0.0;
+        block.v_old = block.v;
+        SurfaceCall call(components);
+        ASSERT_EQ(call(floor, block), GRIT_OK) << call.error.message;
+        EXPECT_NEAR(call.totals.largest_approach, 2.0, 1e-12);
+        EXPECT_NEAR(call.totals.area, components == 2 ? 6.0 : 36.0, 1e-9);
+        const double error = components == 2 ? 1e-9 : 0.08;  // of velocities and impulses per area
+        EXPECT_NEAR(call.totals.normal_impulse / call.totals.area, 2.0 / share, error);
+        for (std::size_t v = 0; v < block.vertices(); ++v)
+            EXPECT_NEAR(block.velocity_of_vertex(v), 0.0, 2.0 * error);
+        for (std::size_t f = 0; f < call.reports.size(); ++f)
+            EXPECT_NEAR(call.reports[f].normal_force * call.options.time_step,
+                        2.0 * call.reports[f].area / share,
+                        2.0 * error * call.reports[f].area / share);
+    }
+}
+
+TEST(SurfaceContact, ClosesTheGapInTheStepAndNoMore) {
+    GridBody floor, block;
+    add_face(floor, false, 0.0, 7.0, 7, [](double, double) { return 3.0; });
+    add_face(block, true, 0.0, 7.0, 7, [](double, double) { return 3.015; });
+    floor.rigid = true;
+    std::mt19937_64 random(1);
+    block.fill(random, 0.0, 0.0);
+    block.weigh(0.0, 7.0);
+    for (std::size_t i = 1; i < block.v.size(); i += 2) block.v[i] = -2.0;
+    SurfaceCall call(2);
+    ASSERT_EQ(call(floor, block), GRIT_OK);
+    EXPECT_NEAR(call.totals.smallest_gap, 0.015, 1e-12);
+    for (std::size_t v = 0; v < block.vertices(); ++v)
+        EXPECT_NEAR(block.velocity_of_vertex(v), -1.5, 1e-9);
+    // 0.03 away it is not reached in this step.
+    for (std::size_t i = 1; i < block.position.size(); i += 2) block.position[i] = 3.03;
+    for (std::size_t i = 1; i < block.v.size(); i += 2) block.v[i] = -2.0;
+    ASSERT_EQ(call(floor, block), GRIT_OK);
+    EXPECT_EQ(call.totals.points, 0);
+    EXPECT_EQ(block.v[2 * 28 + 1], -2.0);
+}
+
+TEST(SurfaceContact, IsTheSameInAMovingAndATurnedFrame) {
+    for (std::uint64_t seed = 0; seed < 30; ++seed) {
+        Meeting m(2, seed, 1.0), moving(2, seed, 1.0);
+        for (GridBody* body : {&m.a, &m.b, &moving.a, &moving.b})
+            std::fill(body->fixed.begin(), body->fixed.end(), 0);
+        for (GridBody* body : {&moving.a, &moving.b})
+            for (std::size_t i = 0; i < body->v.size(); ++i) body->v[i] += i % 2 == 0 ? 3.0 : -2.0;
+        SurfaceCall call(2, 0.3), other(2, 0.3);
+        ASSERT_EQ(call(m.a, m.b), GRIT_OK);
+        ASSERT_EQ(other(moving.a, moving.b), GRIT_OK);
+        for (std::size_t i = 0; i < m.a.v.size(); ++i)
+            EXPECT_NEAR(moving.a.v[i] - (i % 2 == 0 ? 3.0 : -2.0), m.a.v[i], 1e-9);
+        // Turned by a right angle: (x, y) -> (-y, x).
+        Meeting turned(2, seed, 1.0);
+        for (GridBody* body : {&turned.a, &turned.b}) {
+            std::fill(body->fixed.begin(), body->fixed.end(), 0);
+            for (std::vector<double>* list : {&body->position, &body->v, &body->v_old})
+                for (std::size_t i = 0; i < list->size(); i += 2) {
+                    std::swap((*list)[i], (*list)[i + 1]);
+                    (*list)[i] = -(*list)[i];
+                }
+        }
+        ASSERT_EQ(other(turned.a, turned.b), GRIT_OK);
+        for (std::size_t i = 0; i < m.b.v.size(); i += 2) {
+            EXPECT_NEAR(turned.b.v[i], -m.b.v[i + 1], 1e-9);
+            EXPECT_NEAR(turned.b.v[i + 1], m.b.v[i], 1e-9);
+        }
+    }
+}
+
+// What lies behind the nearest facet is not met.
+TEST(SurfaceContact, MeetsTheNearestOfSeveralLayers) {
+    GridBody floor, block;
+    add_face(floor, false, 0.0, 7.0, 7, [](double, double) { return 3.0; });
+    add_face(block, true, 0.0, 7.0, 7, [](double, double) { return 3.0; });
+    add_face(block, true, 0.0, 7.0, 5, [](double, double) { return 3.4; });
+    floor.rigid = true;
+    std::mt19937_64 random(1);
+    block.fill(random, 0.0, 0.0);
+    block.weigh(0.0, 7.0);
+    for (std::size_t i = 1; i < block.v.size(); i += 2) block.v[i] = -1.0;
+    SurfaceCall call(2);
+    ASSERT_EQ(call(floor, block), GRIT_OK);
+    EXPECT_NEAR(call.totals.area, 7.0, 1e-12);
+    for (const std::ptrdiff_t i : {24, 28, 31}) EXPECT_NEAR(block.v[2 * i + 1], 0.0, 1e-9);
+    EXPECT_EQ(block.v[2 * 36 + 1], -1.0);  // nodes of the other layer's upper line
+}
+
+TEST(SurfaceContact, ChangesNothingWhereItIsRefusedOrOnlyValidates) {
+    Meeting m(2, 2);
+    const GridBody a = m.a, b = m.b;
+    SurfaceCall call(2, 0.3);
+    call.options.validate_only = 1;
+    ASSERT_EQ(call(m.a, m.b), GRIT_OK);
+    EXPECT_GT(call.totals.normal_impulse, 0.0);
+    EXPECT_EQ(m.a.v, a.v);
+    EXPECT_EQ(m.b.v, b.v);
+    call.options.validate_only = 0;
+    struct Bad {
+        const char* text;
+        grit_status status;
+        void (*spoil)(Meeting&, SurfaceCall&);
+    };
+    const Bad all[] = {
+        {"components must be 2 or 3", GRIT_BAD_CALL,
+         [](Meeting&, SurfaceCall& c) { c.options.components = 4; }},
+        {"axisymmetric needs components 2", GRIT_BAD_CALL,
+         [](Meeting&, SurfaceCall& c) { c.options.axisymmetric = 1, c.options.components = 3; }},
+        {"time_step must be in (0, 1e30] (time), got 0", GRIT_BAD_CALL,
+         [](Meeting&, SurfaceCall& c) { c.options.time_step = 0.0; }},
+        {"spacing must be in (0, 1e30] (length), got nan", GRIT_BAD_CALL,
+         [](Meeting&, SurfaceCall& c) { c.options.spacing = std::nan(""); }},
+        {"reach must be", GRIT_BAD_CALL, [](Meeting&, SurfaceCall& c) { c.options.reach = -1.0; }},
+        {"sweep_limit must be in [1, 100000], got 0", GRIT_BAD_CALL,
+         [](Meeting&, SurfaceCall& c) { c.options.sweep_limit = 0; }},
+        {"sweep_tolerance must be in (0, 1], got 0", GRIT_BAD_CALL,
+         [](Meeting&, SurfaceCall& c) { c.options.sweep_tolerance = 0.0; }},
+        {"friction_coefficient must be in [0, 1e6], got -1", GRIT_BAD_CALL,
+         [](Meeting&, SurfaceCall& c) { c.options.friction_coefficient = -1.0; }},
+        {"surface a: facet must be in [0, 12), got 12", GRIT_BAD_CALL,
+         [](Meeting& x, SurfaceCall&) { x.a.facet[3] = 12; }},
+        {"surface b: node must be in [0, 64), got 64", GRIT_BAD_CALL,
+         [](Meeting& x, SurfaceCall&) { x.b.node[0] = 64; }},
+        {"surface b vertex 0: the weights must add up to 1 within 1e-6", GRIT_BAD_STATE,
+         [](Meeting& x, SurfaceCall&) { x.b.weight[0] *= 0.5; }},
+        {"surface a vertex 2: position 1 must be within +-1e30 (length), got inf", GRIT_BAD_STATE,
+         [](Meeting& x, SurfaceCall&) {
+             x.a.position[5] = std::numeric_limits<double>::infinity();
+         }},
+        {"mass must be in (0, 1e30] (mass) where a vertex has weight, got 0", GRIT_BAD_STATE,
+         [](Meeting& x, SurfaceCall&) { x.b.mass.assign(64, 0.0); }},
+        {"velocity 0 must be within +-1e30 (length / time), got nan", GRIT_BAD_STATE,
+         [](Meeting& x, SurfaceCall&) { x.a.v.assign(128, std::nan("")); }},
+        {"surface a: fixed must be bits of 2 components in [0, 3], got 4", GRIT_BAD_CALL,
+         [](Meeting& x, SurfaceCall&) { x.a.fixed.assign(64, 4); }},
+        {"surface a and surface b are both rigid", GRIT_BAD_CALL,
+         [](Meeting& x, SurfaceCall&) { x.a.rigid = x.b.rigid = true; }},
+        {"r must be >= 0 (length) in axisymmetry", GRIT_BAD_STATE,
+         [](Meeting& x, SurfaceCall& c) { c.options.axisymmetric = 1, x.a.position[0] = -0.1; }}};
+    for (const Bad& bad : all) {
+        Meeting x(2, 2);
+        SurfaceCall refused(2, 0.3);
+        bad.spoil(x, refused);
+        const GridBody before = x.b;
+        EXPECT_EQ(refused(x.a, x.b), bad.status) << bad.text;
+        EXPECT_NE(std::string(refused.error.message).find(bad.text), std::string::npos)
+            << refused.error.message;
+        EXPECT_EQ(std::memcmp(x.b.v.data(), before.v.data(), x.b.v.size() * sizeof(double)), 0);
+    }
+}
+
+TEST(SurfaceContact, SaysHowMuchMemoryItNeeds) {
+    Meeting m(2, 2);
+    const GridBody before = m.b;
+    const grit_surface a = m.a.surface(), b = m.b.surface();
+    SurfaceCall call(2);
+    std::vector<double> workspace(512);
+    std::size_t needed = 0;
+    ASSERT_EQ(grit_surface_correct(&call.options, &a, &b, workspace.data(), 4096, &needed, nullptr,
+                                   nullptr, &call.error),
+              GRIT_BAD_CALL);
+    EXPECT_GT(needed, 4096u);
+    EXPECT_NE(std::string(call.error.message).find("too small"), std::string::npos);
+    EXPECT_EQ(m.b.v, before.v);
+}
+
+}  // namespace

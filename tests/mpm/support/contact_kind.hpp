@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The contacts by name, for problems that all of them solve.
+#pragma once
+
+#include <adapters/mpm/step/simulation.hpp>
+
+namespace mpm_test {
+
+using namespace grit::mpm;
+
+enum class ContactKind { geo, geo_ungated, frictional, frictional_ungated, penalty, surface };
+
+inline const char* name_of(ContactKind kind) {
+    switch (kind) {
+        case ContactKind::geo: return "GCA gated";
+        case ContactKind::geo_ungated: return "GCA";
+        case ContactKind::frictional: return "FCA gated";
+        case ContactKind::frictional_ungated: return "FCA";
+        case ContactKind::penalty: return "PCA";
+        default: return "surface";
+    }
+}
+
+// What penalty contact needs besides; the others find their surfaces.
+struct PenaltyNeeds {
+    double modulus, cell;  // [Pa], [m]
+    PenaltyLine line_a, line_b;
+};
+
+// Between bodies 0 and 1; 0 is the stiffer one. power: k of the Geo-contact; 0: its default.
+inline void add_contact(Simulation& simulation, ContactKind kind, double mu,
+                        const PenaltyNeeds& needs, double power = 0.0) {
+    if (kind == ContactKind::surface) {
+        simulation.add_contact(surface_law(mu));
+    } else if (kind == ContactKind::penalty) {
+        PenaltyLaw law = penalty_law(mu, 1.0, needs.modulus, needs.cell);
+        law.line_a = needs.line_a;
+        law.line_b = needs.line_b;
+        simulation.add_contact(law);
+    } else {
+        const bool geo = kind == ContactKind::geo || kind == ContactKind::geo_ungated;
+        ContactLaw law = contact_law(geo ? GRIT_CONTACT_GEO : GRIT_CONTACT_FRICTIONAL, mu);
+        if (power > 0.0) law.options.penalty_power = power;
+        law.gated = kind == ContactKind::geo || kind == ContactKind::frictional;
+        simulation.add_contact(law);
+    }
+}
+
+// On body 1 in the last step [N].
+inline grit::Vector2 contact_force(const Simulation& simulation, ContactKind kind, double dt) {
+    if (kind == ContactKind::surface) {
+        const double* J = simulation.surface_contact(0).totals().impulse_on_b;
+        return {J[0] / dt, J[1] / dt};
+    }
+    const double* F = kind == ContactKind::penalty
+                          ? simulation.penalty_contact(0).totals().force_on_b
+                          : simulation.contact(0).totals().force_on_b;
+    return {F[0], F[1]};
+}
+
+}  // namespace mpm_test

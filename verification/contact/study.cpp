@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Prints what the contacts do at a surface: contact_study CASE, see docs/contact.md.
+#include <cstdio>
+#include <cstring>
+#include <functional>
+#include <vector>
+
+#include <tests/mpm/support/cavity_in_sand.hpp>
+#include <tests/mpm/support/cylinders.hpp>
+#include <tests/mpm/support/pressed_blocks.hpp>
+
+#include "verification/contact/punch_by_elements.hpp"
+
+namespace {
+
+using namespace mpm_test;
+
+constexpr ContactKind all[] = {ContactKind::geo, ContactKind::frictional, ContactKind::penalty,
+                               ContactKind::surface};
+
+void blocks() {
+    std::printf(
+        "Two blocks pressed by 500 kPa, after 1 s: sigma_zz of the two rows at the interface "
+        "[kPa], overlap [h].\n\n| contact | offset [h] | CFL | least | most | overlap |\n"
+        "|---|---|---|---|---|---|\n");
+    const auto row = [](ContactKind kind, double offset, double cfl) {
+        PressedBlocks blocks;
+        blocks.kind = kind;
+        blocks.offset = offset;
+        blocks.cfl = cfl;
+        const PressedBlocks::Result r = blocks.run();
+        std::printf("| %s | %.1f | %.1f | %.2f | %.2f | %.1e |\n", name_of(kind), offset, cfl,
+                    -1e-3 * r.highest, -1e-3 * r.lowest, r.overlap);
+        std::fflush(stdout);
+    };
+    for (const ContactKind kind : {ContactKind::geo, ContactKind::frictional, ContactKind::penalty})
+        for (const double cfl : {0.4, 0.1}) row(kind, 0.3, cfl);
+    for (const double cfl : {0.4, 0.1})
+        for (int i = 0; i < 10; ++i) row(ContactKind::surface, 0.1 * i, cfl);
+}
+
+void cylinders() {
+    std::printf("Two cylinders of radius R close 50 mm at 1 m/s, h 25 mm.\n\n| contact | R [m] | "
+                "first force [ms] | momentum lost before [%%] |\n|---|---|---|---|\n");
+    for (const ContactKind kind : all)
+        for (const double radius : {0.2, 0.205, 0.2125, 0.22}) {
+            Cylinders c;
+            c.kind = kind;
+            c.radius = radius;
+            const Cylinders::Result r = c.run();
+            std::printf("| %s | %.4f | %.2f | %.1f |\n", name_of(kind), radius, 1e3 * r.first,
+                        100.0 * r.momentum);
+            std::fflush(stdout);
+        }
+}
+
+// Against finite elements with the same motion of the wall, the same sand and the same damping.
+void cavity_row(const char* what, CavityByPoints points, const CavityCurve& exact) {
+    points.end = points.turn() + 0.01;
+    const CavityByPoints::Result r = points.run();
+    double worst = 0.0;
+    for (std::size_t i = 0; i < r.curve.time.size(); ++i)
+        if (r.curve.displacement[i] > 0.005)
+            worst = std::max(
+                worst, std::fabs(r.curve.pressure[i] / exact.pressure_at(r.curve.time[i]) - 1.0));
+    double worst_particle = 0.0;
+    std::printf("| %s | %s | a/%d | %.2f | %.3f |", what, name_of(points.kind), points.cells,
+                100.0 * worst, 1e-3 * r.work);
+    for (std::size_t i = 0; i < r.rows.size(); ++i) {
+        const double error = r.rows[i].sigma_rr / exact.stress_at(r.rows[i].r0) - 1.0;
+        if (r.rows[i].r0 < 2.0 * CavityProblem::a)
+            worst_particle = std::max(worst_particle, std::fabs(error));
+        if (i < 6) std::printf(" %+.1f", 100.0 * error);
+    }
+    std::printf(" | %.1f |\n", 100.0 * worst_particle);
+    std::fflush(stdout);
+}
+
+void cavity() {
+    std::printf(
+        "Cavity in Lausitz sand, 0.15 -> 0.225 m: worst wall pressure from 5 mm on [%%], work of "
+        "the "
+        "wall [kJ/rad/m], sigma_rr of the innermost rows and the worst up to 2 a [%% off].\n\n"
+        "| case | contact | h | wall | work | rows | worst |\n|---|---|---|---|---|---|---|\n");
+    for (const double e : {0.55, 0.75})
+        for (const double damping : {0.0, 0.3}) {
+            CavityByElements elements;
+            elements.void_ratio = e;
+            elements.local_damping = damping;
+            elements.end = elements.turn() + 0.01;
+            const CavityCurve exact = elements.run();
+            std::printf("| e %.2f, damping %.1f | elements: %.1f kPa | | | | | |\n", e, damping,
+                        1e-3 * exact.pressure_at(elements.turn() - 0.001));
+            for (const bool mean : {false, true}) {
+                CavityByPoints points;
+                static_cast<CavityProblem&>(points) = elements;
+                points.cell_mean = mean;
+                char what[80];
+                std::snprintf(what, sizeof what, "e %.2f, damping %.1f%s", e, damping,
+                              mean ? ", cell mean" : "");
+                cavity_row(what, points, exact);
+                if (e > 0.6 || damping > 0.0) continue;
+                for (const int cells : {12, 24}) {
+                    points.cells = cells;
+                    cavity_row(what, points, exact);
+                }
+            }
+        }
+}
+
+void punch() {
+    std::printf(
+        "Embedded rigid punch [MN/m].\n\n| | R/h | stiffness | error [%%] |\n|---|---|---|---|\n");
+    double exact = 0.0;
+    for (const double fine : {1.0, 2.0, 4.0})
+        std::printf("| elements, %g times as fine | | %.3f | |\n", fine,
+                    1e-6 * (exact = punch_by_elements(fine)));
+    for (const ContactKind kind : {ContactKind::surface, ContactKind::geo, ContactKind::geo_ungated,
+                                   ContactKind::frictional, ContactKind::penalty})
+        for (const double phase : {0.0, 0.4, 0.6})
+            for (const int n : {4, 8, 16}) {
+                Punch p;
+                p.kind = kind;
+                p.cells = n + phase;
+                const double found = p.stiffness();
+                std::printf("| %s | %.1f | %.3f | %+.1f |\n", name_of(kind), p.cells, 1e-6 * found,
+                            100.0 * (found / exact - 1.0));
+                std::fflush(stdout);
+            }
+}
+
+struct Study {
+    const char* name;
+    void (*print)();
+};
+constexpr Study studies[] = {
+    {"blocks", blocks}, {"cavity", cavity}, {"cylinders", cylinders}, {"punch", punch}};
+
+}  // namespace
+
+int main(int count, char** words) {
+    for (const Study& study : studies)
+        if (count == 2 && std::strcmp(words[1], study.name) == 0) {
+            study.print();
+            return 0;
+        }
+    std::fprintf(stderr, "one of:");
+    for (const Study& study : studies) std::fprintf(stderr, " %s", study.name);
+    std::fprintf(stderr, "\n");
+    return 2;
+}
