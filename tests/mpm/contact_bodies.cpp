@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bodies that meet, slide and rest on each other, in the driver.
+#include "support/cylinders.hpp"
 #include "support/meeting_bodies.hpp"
 
 namespace {
@@ -37,6 +38,22 @@ TEST(TwoBars, TouchWhenTheGapIsClosedPressWithTheirImpedanceAndPartAfterTheWave)
         EXPECT_NEAR(seen.residual, 0.0, 0.01);
         EXPECT_GT(simulation->energy().contact, 0.0);
     }
+}
+
+// Beside the edge normals are diagonal: the gap is closed no earlier there.
+TEST(TwoCylinders, TouchWhenTheirGapIsClosedWhereverTheirSideIs) {
+    for (const ContactKind kind : {ContactKind::geo, ContactKind::frictional})
+        for (const double radius : {0.2, 0.205, 0.2125, 0.22})
+            for (const double offset : {0.0, 0.3, 0.5, 0.8}) {
+                Cylinders cylinders;
+                cylinders.kind = kind;
+                cylinders.radius = radius;
+                cylinders.offset = offset;
+                const Cylinders::Result seen = cylinders.run();
+                EXPECT_NEAR(seen.first, Cylinders::gap / Cylinders::closing, 1e-3)
+                    << name_of(kind) << ", radius " << radius << ", offset " << offset;
+                EXPECT_NEAR(seen.momentum, 0.0, 1e-12);
+            }
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "support/box.hpp"
 
@@ -88,6 +89,77 @@ TEST_F(GateAtANode, OpensByVelocityOrByHalfACell) {
     after(-0.01, 1.0);
     EXPECT_EQ(after(-0.01, -1.0), -1.0);
     EXPECT_EQ(after(0.1, 1.0), 1.0);
+}
+
+// The lower right corner of a body above, a node beyond it, and what lies around.
+class CornerAtANode : public testing::Test {
+  protected:
+    // What the velocities along the diagonal, equal and opposite, become.
+    double after(const std::vector<Box>& around, double g_r, double g_z) {
+        constexpr int node = 1 * 5 + 2;
+        Axis axis = Axis::uniform(0.0, 4.0, 4);
+        Exchange alone;
+        const GridView grid{axis.view(), axis.view()};
+        ContactPair pair{contact_law(GRIT_CONTACT_FRICTIONAL, 0.0), Settings{.axisymmetric = false},
+                         grid, std::vector<std::uint8_t>(25)};
+        Body above = make_box({0.9, 1.8, 1.2, 2.1, 1, 1, 1000.0}, false, nullptr);
+        Body other = make_box(around[0], false, nullptr);
+        for (std::size_t i = 1; i < around.size(); ++i)
+            other.particles.add(static_cast<int>(i),
+                                row_of(make_box(around[i], false, nullptr).particles).data());
+        std::vector<NodeRecord> a(25), b(25);
+        std::vector<NodeMotion> v_a(25), v_b(25);
+        a[node][record::m] = b[node][record::m] = 1.0;
+        a[node][record::g_r] = 1.0;
+        a[node][record::g_z] = -1.0;
+        b[node][record::g_r] = g_r;
+        b[node][record::g_z] = g_z;
+        a[node][record::g_scale] = b[node][record::g_scale] = 2.0;
+        const double n = std::sqrt(0.5);
+        v_a[node][motion::v_r] = v_b[node][motion::v_z] = n;
+        v_a[node][motion::v_z] = v_b[node][motion::v_r] = -n;
+        pair.correct(grid, {a.data(), v_a.data(), above.particles.view(), 1, false},
+                     {b.data(), v_b.data(), other.particles.view(), other.particles.size(), false},
+                     1e-3, alone);
+        return v_a[node][motion::v_r] / n;
+    }
+
+    static std::vector<double> row_of(const Particles& q) {
+        std::vector<double> row;
+        for (int c = 0; c < q.column_count(); ++c) row.push_back(q(c, 0));
+        return row;
+    }
+};
+
+// Along the diagonal the other body reaches behind the corner.
+TEST_F(CornerAtANode, IsOpenAboveAFaceThatItDoesNotTouch) {
+    for (const double gap : {0.1, 0.01})
+        EXPECT_EQ(after({{0.9, 1.8, 0.3 - gap, 1.2 - gap, 1, 1, 1000.0},
+                         {1.8, 2.7, 0.3 - gap, 1.2 - gap, 1, 1, 1000.0}},
+                        0.0, 1.0),
+                  1.0);
+}
+
+TEST_F(CornerAtANode, IsOpenBesideAWallThatItDoesNotTouch) {
+    EXPECT_EQ(
+        after({{1.9, 2.8, 0.3, 1.2, 1, 1, 1000.0}, {1.9, 2.8, 1.2, 2.1, 1, 1, 1000.0}}, -1.0, 0.0),
+        1.0);
+}
+
+TEST_F(CornerAtANode, IsClosedWhereItTouchesAFaceOrACorner) {
+    EXPECT_NEAR(
+        after({{0.9, 1.8, 0.3, 1.2, 1, 1, 1000.0}, {1.8, 2.7, 0.3, 1.2, 1, 1, 1000.0}}, 0.0, 1.0),
+        0.0, 1e-15);
+    EXPECT_NEAR(after({{1.79, 2.69, 0.31, 1.21, 1, 1, 1000.0}}, -1.0, 1.0), 0.0, 1e-15);
+}
+
+// A pile in sand: what holds it is below it and beside it, and no direction parts them.
+TEST_F(CornerAtANode, IsClosedInACornerThatHoldsIt) {
+    EXPECT_NEAR(after({{0.9, 1.8, 0.3, 1.2, 1, 1, 1000.0},
+                       {1.8, 2.7, 0.3, 1.2, 1, 1, 1000.0},
+                       {1.8, 2.7, 1.2, 2.1, 1, 1, 1000.0}},
+                      -1.0, 1.0),
+                0.0, 1e-15);
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ TEST(Exchange, SeesEverySumOfAStep) {
     simulation.add_contact(contact_law(GRIT_CONTACT_GEO, 0.3));
     simulation.step();
     EXPECT_EQ(exchange.sums, 2);    // of each body
-    EXPECT_EQ(exchange.minima, 3);  // surfaces, those beside a node, centres
+    EXPECT_EQ(exchange.minima, 4);  // surfaces, those beside a node, centres, along axes
     // Shortest cell, lightest particles of each body; step at the start and at the end; contact, its gap.
     EXPECT_EQ(exchange.maxima, 1 + 2 + 2 + 2);
 }

@@ -11,6 +11,7 @@
 //   after MUSL's second one     sum of node records                             64 a halo node
 //   contact with distances      minima of surfaces, of those beside the node,   48 a halo node
 //                               and of centres, two each
+//   ... that is gated           minima of surfaces along four directions        64 a halo node
 //   contact                     whether any node is in it: maximum              8
 //   ...                         sums of the library, integers                   9600
 //   ...                         sums of forces, maximum of gaps                 40

@@ -52,6 +52,10 @@ ContactPair::ContactPair(const ContactLaw& law, const Settings& settings, const 
     reports.resize(n);
     step_faces.largest_gap = NAN;
     undefined.reserve(n);
+    closed.reserve(n);
+    is_closed.resize(n);
+    for (std::vector<double>& each : direction) each.resize(2 * n);
+    direction_surface.resize(2 * directions * n);
     step_totals.struct_size = sizeof step_totals;
 }
 
@@ -75,7 +79,7 @@ bool ContactPair::find_active(const GridView& grid, const ContactBody& a, const 
 }
 
 void ContactPair::find_normals(const ContactBody& a, const ContactBody& b) {
-    find_normals(a, b, pair_law.normal, active);
+    find_normals(a, b, pair_law.normal, active, normal);
     // A node inside the one body whose surface was asked for may be at the surface of the other.
     undefined.clear();
     for (const std::ptrdiff_t node : active) {
@@ -83,11 +87,12 @@ void ContactPair::find_normals(const ContactBody& a, const ContactBody& b) {
         if (n[0] == 0.0 && n[1] == 0.0) undefined.push_back(node);
     }
     const bool of_b = pair_law.normal == GRIT_CONTACT_NORMAL_OF_B;
-    find_normals(a, b, of_b ? GRIT_CONTACT_NORMAL_OF_A : GRIT_CONTACT_NORMAL_OF_B, undefined);
+    find_normals(a, b, of_b ? GRIT_CONTACT_NORMAL_OF_A : GRIT_CONTACT_NORMAL_OF_B, undefined,
+                 normal);
 }
 
 void ContactPair::find_normals(const ContactBody& a, const ContactBody& b, int source,
-                               const std::vector<std::ptrdiff_t>& nodes) {
+                               const std::vector<std::ptrdiff_t>& nodes, std::vector<double>& of) {
     const auto view = [](const ContactBody& body, int column) {
         return grit_view_of(&reinterpret_cast<const double*>(body.records)[column], record::size,
                             1);
@@ -102,7 +107,7 @@ void ContactPair::find_normals(const ContactBody& a, const ContactBody& b, int s
     if (source != GRIT_CONTACT_NORMAL_AVERAGE)
         q.scale = view(source == GRIT_CONTACT_NORMAL_OF_A ? a : b, record::g_scale);
     q.fixed = fixed_bits.data();
-    q.normal = grit_mutable_view_of(normal.data(), 2, 1);
+    q.normal = grit_mutable_view_of(of.data(), 2, 1);
     grit_error error;
     require(grit_contact_normals_from_gradients(static_cast<std::ptrdiff_t>(nodes.size()), &q,
                                                 nullptr, &error),
@@ -128,22 +133,13 @@ bool ContactPair::is_beside(const double* x, std::ptrdiff_t node) const {
     return across * across * (per_r * per_r + per_z * per_z) <= 0.25 + 1e-6;
 }
 
-// Adds the particles that have weight at an active node, and their corners beside one.
-template <bool axi>
-void ContactPair::measure(const GridView& grid, const ContactBody& body, int which) {
-    const grit_contact_surfaces beside_nodes = surfaces(near_surface);
-    grit_contact_surfaces all = surfaces(surface);
-    all.centre = grit_mutable_view_of(centre.data(), 2, 1);
-    const std::ptrdiff_t n_r = grid.nodes_r();
-    for (std::ptrdiff_t p = 0; p < body.count; ++p) {
-        if (!near.has(grid, body.particles, p)) continue;
-        const auto place = baseline::place_of<axi>(grid, body.particles, p);
-        const double x[2] = {place.r, place.z};
-        const double side[4] = {place.domain.r1r, place.domain.r1z, place.domain.r2r,
-                                place.domain.r2z};
-        double corner[4][2];
-        std::ptrdiff_t nodes[16], beside[16];
-        int count = 0;
+// A domain as contact sees it: corners, and of the nodes that it may have weight at those that are wanted.
+struct ContactPair::Reaching {
+    template <class Place>
+    Reaching(const GridView& grid, const Place& place, const std::vector<char>& wanted)
+        : x{place.r, place.z}, side{place.domain.r1r, place.domain.r1z, place.domain.r2r,
+                                    place.domain.r2z} {
+        const std::ptrdiff_t n_r = grid.nodes_r();
         for (int k = 0; k < 4; ++k) {
             const double e1 = k == 1 || k == 2 ? 1.0 : -1.0, e2 = k < 2 ? -1.0 : 1.0;
             const double r = corner[k][0] = x[0] + e1 * side[0] + e2 * side[2];
@@ -155,15 +151,91 @@ void ContactPair::measure(const GridView& grid, const ContactBody& body, int whi
             for (int n_z = j; n_z <= last_j; ++n_z)
                 for (int n = i; n <= last_i; ++n) {
                     const std::ptrdiff_t node = n_z * n_r + n;
-                    if (is_active[static_cast<std::size_t>(node)]) nodes[count++] = node;
+                    if (wanted[static_cast<std::size_t>(node)]) nodes[count++] = node;
                 }
         }
-        for (const auto& at : corner) {
+    }
+    double x[2], side[4], corner[4][2];
+    std::ptrdiff_t nodes[16];
+    int count = 0;
+};
+
+// Adds the particles that have weight at an active node, and their corners beside one.
+template <bool axi>
+void ContactPair::measure(const GridView& grid, const ContactBody& body, int which) {
+    const grit_contact_surfaces beside_nodes = surfaces(near_surface);
+    grit_contact_surfaces all = surfaces(surface);
+    all.centre = grit_mutable_view_of(centre.data(), 2, 1);
+    for (std::ptrdiff_t p = 0; p < body.count; ++p) {
+        if (!near.has(grid, body.particles, p)) continue;
+        const Reaching q(grid, baseline::place_of<axi>(grid, body.particles, p), is_active);
+        std::ptrdiff_t beside[16];
+        for (const auto& at : q.corner) {
             const auto is_at = [&](std::ptrdiff_t node) { return is_beside(at, node); };
-            const auto* end = std::copy_if(nodes, nodes + count, beside, is_at);
+            const auto* end = std::copy_if(q.nodes, q.nodes + q.count, beside, is_at);
             add(beside_nodes, which, at, nullptr, beside, static_cast<int>(end - beside));
         }
-        add(all, which, x, side, nodes, count);
+        add(all, which, q.x, q.side, q.nodes, q.count);
+    }
+}
+
+grit_contact_surfaces ContactPair::along_direction(int k) {
+    grit_contact_surfaces s = surfaces(surface);
+    s.normal = grit_view_of(direction[k].data(), 2, 1);
+    s.surface = grit_mutable_view_of(direction_surface.data() + 2 * k, 2 * directions, 1);
+    return s;
+}
+
+template <bool axi>
+void ContactPair::measure_directions(const GridView& grid, const ContactBody& body, int which) {
+    for (std::ptrdiff_t p = 0; p < body.count; ++p) {
+        if (!near.has(grid, body.particles, p)) continue;
+        const Reaching q(grid, baseline::place_of<axi>(grid, body.particles, p), is_closed);
+        for (int k = 0; k < directions; ++k)
+            add(along_direction(k), which, q.x, q.side, q.nodes, q.count);
+    }
+}
+
+// Bodies are apart if they are along any direction. Beside a corner the normal is a diagonal, along which a
+// face of the other body reaches behind the corner: nodes that it calls closed are asked along the grid, the
+// normal of the other body and the one between both, by all that has weight there.
+void ContactPair::part_corners(const GridView& grid, const ContactBody& a, const ContactBody& b,
+                               Exchange& exchange) {
+    closed.clear();
+    std::fill(is_closed.begin(), is_closed.end(), 0);
+    for (const std::ptrdiff_t node : active) {
+        const auto i = static_cast<std::size_t>(node);
+        if (!(gap[i] <= pair_law.options.gap_tolerance)) continue;
+        closed.push_back(node);
+        is_closed[i] = 1;
+        std::fill_n(&direction_surface[2 * directions * i], 2 * directions,
+                    std::numeric_limits<double>::infinity());
+        for (const std::size_t c : {0, 1}) {  // as the normal points
+            const double n = normal[2 * i + c];
+            direction[c][2 * i + c] = n > 0.0 ? 1.0 : n < 0.0 ? -1.0 : 0.0;
+        }
+    }
+    int k = 2;
+    for (const int source :
+         {GRIT_CONTACT_NORMAL_OF_A, GRIT_CONTACT_NORMAL_OF_B, GRIT_CONTACT_NORMAL_AVERAGE})
+        if (source != pair_law.normal) find_normals(a, b, source, closed, direction[k++]);
+    if (!closed.empty())
+        for (const int which : {0, 1})
+            axisymmetric ? measure_directions<true>(grid, which == 0 ? a : b, which)
+                         : measure_directions<false>(grid, which == 0 ? a : b, which);
+    exchange.min_nodes(direction_surface.data(), static_cast<std::ptrdiff_t>(is_closed.size()),
+                       2 * directions);
+    constexpr double touching = 1e-9;  // cells: roundoff parts no bodies that touch
+    for (const std::ptrdiff_t node : closed) {
+        const auto i = static_cast<std::size_t>(node);
+        const double least = touching * std::min(spacing[2 * i], spacing[2 * i + 1]);
+        for (k = 0; k < directions; ++k) {
+            const double* of =
+                &direction_surface[2 * (directions * i + static_cast<std::size_t>(k))];
+            const double apart = of[0] + of[1];
+            if (!std::isfinite(apart)) continue;  // no such direction
+            gap[i] = std::max(gap[i], apart > least ? apart : std::min(apart, 0.0));
+        }
     }
 }
 
@@ -252,6 +324,7 @@ void ContactPair::correct(const GridView& grid, const ContactBody& a, const Cont
         wanted.distance = grit_mutable_view_of(distance.data(), 1, 1);
         wanted.gap = grit_mutable_view_of(gap.data(), 1, 1);
         require(grit_contact_surfaces_finish(&s, n, &wanted, &error), error, "contact");
+        if (pair_law.gated) part_corners(grid, a, b, exchange);
         find_reaches();
         find_gates();
     }

@@ -59,18 +59,24 @@ class ContactPair {
     }
 
   private:
+    struct Reaching;
     bool find_active(const GridView& grid, const ContactBody& a, const ContactBody& b,
                      Exchange& exchange);
     void find_normals(const ContactBody& a, const ContactBody& b);
     void find_normals(const ContactBody& a, const ContactBody& b, int source,
-                      const std::vector<std::ptrdiff_t>& nodes);
+                      const std::vector<std::ptrdiff_t>& nodes, std::vector<double>& of);
     template <bool axi> void measure(const GridView& grid, const ContactBody& body, int which);
+    template <bool axi>
+    void measure_directions(const GridView& grid, const ContactBody& body, int which);
     void find_surfaces(const GridView& grid, const ContactBody& a, const ContactBody& b,
                        Exchange& exchange);
+    void part_corners(const GridView& grid, const ContactBody& a, const ContactBody& b,
+                      Exchange& exchange);
     bool is_beside(const double* x, std::ptrdiff_t node) const;
     void add(const grit_contact_surfaces& to, int which, const double* x, const double* side,
              const std::ptrdiff_t* nodes, int count);
     grit_contact_surfaces surfaces(std::vector<double>& of);
+    grit_contact_surfaces along_direction(int k);
     void find_reaches();
     void find_gates();
     void remember();
@@ -81,9 +87,12 @@ class ContactPair {
     std::vector<int> fixed_bits;
     std::vector<double> position, spacing, normal, surface, near_surface, centre, reach, distance,
         gap, gate_gap;
+    static constexpr int directions = 4;  // that may part two corners
+    std::vector<double> direction[directions], direction_surface;
     std::vector<char> is_active, touched;  // touched: pressed in the step before
+    std::vector<char> is_closed;           // along its normal
     NearCells near;                        // to active nodes
-    std::vector<std::ptrdiff_t> active, undefined;
+    std::vector<std::ptrdiff_t> active, undefined, closed;
     std::size_t counted = 0;  // the first ones of active are this process's in sums
     grit_contact_sums sums;
     std::vector<grit_contact_report> reports;

@@ -74,8 +74,9 @@ class Neighbour : public Exchange {
     void sum_cells(CellIntegers* x, std::ptrdiff_t) override { add<2>(&x->volume, shared_cells); }
     void min_nodes(double* x, std::ptrdiff_t, int per_node) override {
         const auto smaller = [](double a, double b) { return std::min(a, b); };
-        ASSERT_EQ(per_node, 2);
-        reduce<2>(x, shared_nodes, smaller);
+        if (per_node == 2) return reduce<2>(x, shared_nodes, smaller);
+        ASSERT_EQ(per_node, 8);
+        reduce<8>(x, shared_nodes, smaller);
     }
     void max(double* x, int count) override {
         reduce<1>(x, all(count), [](double a, double b) { return std::max(a, b); });
