@@ -89,7 +89,7 @@ void read_contact(Words& words, Case& plan) {
     mpm::ContactPlan contact;
     contact.stiff = words.word("the stiffer body of a contact");
     contact.soft = words.word("the softer body of a contact");
-    contact.law = words.choice("the law of a contact", mpm::words::contact_laws);
+    mpm::words::set_law(contact, words.choice("the law of a contact", mpm::words::contact_laws));
     contact.friction_coefficient =
         words.number("a friction coefficient", case_word("contact", "friction_coefficient"));
     std::set<std::string> given;

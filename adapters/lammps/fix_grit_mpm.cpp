@@ -599,7 +599,11 @@ void FixGritMpm::report_traffic() {
     double mine[] = {static_cast<double>(now.messages - traffic_before.messages) / steps,
                      static_cast<double>(now.bytes - traffic_before.bytes) / steps,
                      static_cast<double>(now.reductions - traffic_before.reductions) / steps,
-                     now.seconds - traffic_before.seconds, MPI_Wtime() - run_began};
+                     static_cast<double>(now.gathers - traffic_before.gathers) / steps,
+                     static_cast<double>(now.gathered_bytes - traffic_before.gathered_bytes) /
+                         steps,
+                     now.seconds - traffic_before.seconds,
+                     MPI_Wtime() - run_began};
     constexpr int count = sizeof mine / sizeof *mine;
     double most[count];
     MPI_Reduce(mine, most, count, MPI_DOUBLE, MPI_MAX, 0, world);
@@ -608,8 +612,10 @@ void FixGritMpm::report_traffic() {
     std::snprintf(
         line, sizeof line,
         "Grit: halo exchange %.3g s of %.3g s (%.1f %%); a step has up to %.4g messages of "
-        "%.6g bytes together and %.4g reductions per process\n",
-        most[3], most[4], 100.0 * most[3] / std::max(most[4], 1e-30), most[0], most[1], most[2]);
+        "%.6g bytes together, %.4g reductions and %.4g gathers of %.6g bytes together per "
+        "process\n",
+        most[5], most[6], 100.0 * most[5] / std::max(most[6], 1e-30), most[0], most[1], most[2],
+        most[3], most[4]);
     LAMMPS_NS::utils::logmesg(lmp, std::string(line));
 }
 

@@ -3,6 +3,9 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace grit::lammps {
@@ -31,6 +34,7 @@ int first_counted(const std::vector<Slice>& of_all, int here) {
 
 Halo::Halo(HaloLayout given) : layout(std::move(given)) {
     const Slice &r = slice(0), &z = slice(1);
+    whole_grid = {layout.grid, r.first_node, z.first_node};
     const int first_r = first_counted(layout.slices[0], layout.here[0]);
     const int first_z = first_counted(layout.slices[1], layout.here[1]);
     for (int j = z.first_node; j <= z.axis_last; ++j)
@@ -154,6 +158,33 @@ void Halo::sum(std::int64_t* values, int count) {
     const LifeTime watch(sent.seconds);
     MPI_Allreduce(MPI_IN_PLACE, values, count, MPI_UINT64_T, MPI_SUM, layout.world);
     ++sent.reductions;
+}
+
+// By ranks.
+void Halo::gather(std::vector<mpm::KeyedNumbers>& items) {
+    const LifeTime watch(sent.seconds);
+    constexpr int words = sizeof(mpm::KeyedNumbers) / sizeof(std::uint64_t);
+    int processes = 0;
+    MPI_Comm_size(layout.world, &processes);
+    words_of.resize(static_cast<std::size_t>(processes));
+    first_word.resize(static_cast<std::size_t>(processes));
+    const int mine = static_cast<int>(items.size()) * words;
+    MPI_Allgather(&mine, 1, MPI_INT, words_of.data(), 1, MPI_INT, layout.world);
+    std::int64_t total = 0;
+    for (std::size_t i = 0; i < words_of.size(); ++i) {
+        first_word[i] = static_cast<int>(total);
+        total += words_of[i];
+        if (total > std::numeric_limits<int>::max())
+            throw std::runtime_error("particles and nodes at surfaces are more than a message of " +
+                                     std::to_string(std::numeric_limits<int>::max()) +
+                                     " words holds");
+    }
+    own_items.swap(items);
+    items.resize(static_cast<std::size_t>(total / words));
+    MPI_Allgatherv(own_items.data(), mine, MPI_UINT64_T, items.data(), words_of.data(),
+                   first_word.data(), MPI_UINT64_T, layout.world);
+    ++sent.gathers;
+    sent.gathered_bytes += total * static_cast<std::int64_t>(sizeof(std::uint64_t));
 }
 
 }  // namespace grit::lammps

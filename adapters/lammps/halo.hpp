@@ -16,6 +16,7 @@ namespace grit::lammps {
 
 struct HaloLayout {
     MPI_Comm world;
+    mpm::GridView grid;                        // of all; outlives the halo
     std::array<std::vector<Slice>, 2> slices;  // of all processes along r and z
     std::array<int, 2> here;                   // place of this one among them
     int neighbour[2][2];                       // rank before and behind along r and z
@@ -25,6 +26,7 @@ class Halo : public mpm::Exchange {
   public:
     explicit Halo(HaloLayout layout);
 
+    const mpm::WholeGrid* whole() const override { return &whole_grid; }
     const std::uint8_t* counted() const override { return counts.data(); }
     void sum_nodes(mpm::NodeRecord* records, std::ptrdiff_t nodes) override;
     void sum_nodes(mpm::NodeIntegers* records, std::ptrdiff_t nodes) override;
@@ -34,15 +36,17 @@ class Halo : public mpm::Exchange {
     void max(double* values, int count) override;
     void sum(double* values, int count) override;
     void sum(std::int64_t* values, int count) override;
+    void gather(std::vector<mpm::KeyedNumbers>& items) override;
 
     const Slice& slice(int direction) const {
         return layout.slices[static_cast<std::size_t>(direction)][static_cast<std::size_t>(
             layout.here[static_cast<std::size_t>(direction)])];
     }
 
-    // What this process has sent to neighbours, and the wall time of all exchanges, since the start.
+    // What this process has sent to neighbours, what it and all others got by gathers, and the wall time of all
+    // exchanges, since the start.
     struct Traffic {
-        std::int64_t messages = 0, bytes = 0, reductions = 0;
+        std::int64_t messages = 0, bytes = 0, reductions = 0, gathers = 0, gathered_bytes = 0;
         double seconds = 0.0;
     };
     const Traffic& traffic() const { return sent; }
@@ -63,7 +67,10 @@ class Halo : public mpm::Exchange {
                         const Combine& combine);
 
     HaloLayout layout;
+    mpm::WholeGrid whole_grid;
     std::vector<std::uint8_t> counts;
+    std::vector<mpm::KeyedNumbers> own_items;
+    std::vector<int> words_of, first_word;  // of each process
     std::array<std::vector<std::uint64_t>, 2> outgoing, incoming;
     Traffic sent;
 };

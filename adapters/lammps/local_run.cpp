@@ -86,7 +86,7 @@ bool LocalRun::is_cut(const Cuts& cuts) const { return cut.at == cuts.at && cut.
 void LocalRun::start(const Cuts& cuts, const std::vector<std::vector<int>>& traction_ids) {
     if (runner && is_cut(cuts)) return settle();
     // Cuts that are refused leave all as it was.
-    HaloLayout layout{cuts.world, {}, cuts.here, {}};
+    HaloLayout layout{cuts.world, {axis_r.view(), axis_z.view()}, {}, cuts.here, {}};
     std::copy(&cuts.neighbour[0][0], &cuts.neighbour[0][0] + 4, &layout.neighbour[0][0]);
     layout.slices = {slices(axis_r, cuts.at[0], slack()), slices(axis_z, cuts.at[1], slack())};
     Halo::Traffic traffic;

@@ -123,18 +123,17 @@ void add_bodies(const Case& plan, const std::string& stem, FixWords& fix) {
 void add_contacts(const Case& plan, FixWords& fix) {
     for (const ContactPlan& contact : plan.contacts) {
         if (contact.penalty) throw BadInput("fix grit/mpm of LAMMPS has no penalty contact");
-        if (contact.at_surfaces) throw BadInput("fix grit/mpm of LAMMPS has no surface contact");
         const bool geo = contact.law == GRIT_CONTACT_GEO;
         std::string more;
         for (const Member<ContactPlan>& member : contact_members()) {
-            if (member.fix.empty() || (member.fix == "power" && !geo) ||
+            if (member.fix.empty() || contact.at_surfaces || (member.fix == "power" && !geo) ||
                 (member.fix == "distance" && !geo && !contact.gated))
                 continue;
             more += fmt::format(" {} {}", member.fix, value_of(member, contact));
         }
         fix.add("contact {} {} {} {}{}", contact.stiff, contact.soft,
-                word_of(words::contact_laws, contact.law), exact(contact.friction_coefficient),
-                more);
+                word_of(words::contact_laws, words::law_of(contact)),
+                exact(contact.friction_coefficient), more);
     }
 }
 

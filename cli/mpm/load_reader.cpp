@@ -123,16 +123,15 @@ ContactPlan read_contact(TomlTable table, const Case& plan) {
     out.stiff = body_name(table, "stiff", plan);
     out.soft = body_name(table, "soft", plan);
     const int law = choice(table, case_word("contact", "law"));
-    if (law == words::penalty_law_word || law == words::surface_law_word) {
+    if (law == words::penalty_law_word) {
         out.law = GRIT_CONTACT_FRICTIONAL;
         out.friction_coefficient = number_if(table, case_word("contact", "friction_coefficient"))
                                        .value_or(out.friction_coefficient);
-        out.at_surfaces = law == words::surface_law_word;
-        if (!out.at_surfaces) out.penalty = read_penalty(table, plan);
+        out.penalty = read_penalty(table, plan);
         table.finish();
         return out;
     }
-    out.law = law;
+    words::set_law(out, law);
     read_members(table, "contact", contact_members(), out);
     refuse(table, objection_to(
                       out, [&table](std::string_view key) { return table.has(std::string(key)); }));

@@ -67,4 +67,23 @@ TEST(Step, AllocatesNothing) {
         }
 }
 
+// A block that slides over another one: what is near has been as much before.
+TEST(Step, AllocatesNothingForContactAtSurfaces) {
+    Simulation simulation(Axis::uniform(0.0, 2.0, 20), Axis::uniform(0.0, 2.0, 20),
+                          {.axisymmetric = false, .local_damping = 0.1, .gravity_z = -10.0});
+    simulation.add_body(make_box({0.0, 2.0, 0.0, 0.5, 40, 10, 2000.0}, false,
+                                 std::make_unique<LinearElastic>(1e6, 0.3)));
+    simulation.add_body(make_box({0.3, 0.8, 0.5, 1.0, 10, 10, 2000.0}, false,
+                                 std::make_unique<LinearElastic>(1e6, 0.3)));
+    for (std::ptrdiff_t p = 0; p < simulation.body(1).particles.size(); ++p)
+        simulation.body(1).particles.view()[column::v_r][p] = 1.0;
+    simulation.add_contact(surface_law(0.1));
+    simulation.fix_below(1, 0.0, Hold::both);
+    while (simulation.time() < 0.15) simulation.step();
+    const long before = allocations;
+    while (simulation.time() < 0.3) simulation.step();
+    EXPECT_EQ(allocations, before);
+    EXPECT_GT(simulation.surface_contact(0).totals().impulse_on_b[1], 0.0);
+}
+
 }  // namespace

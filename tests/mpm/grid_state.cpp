@@ -58,6 +58,19 @@ TEST(GridState, ShowsTheContactForcesOfTheLastStep) {
     EXPECT_EQ(other->contact(0).totals().force_on_a[1], one->contact(0).totals().force_on_a[1]);
 }
 
+TEST(GridState, ShowsTheForcesAtSurfacesOfTheLastStep) {
+    PressedSand made;
+    made.at_surfaces = true;
+    const auto one = made.build(), other = made.build();
+    for (int i = 0; i < 60; ++i) one->step();
+    GridState::take_common(*other, GridState::common(*one));
+    const SurfacePair &wanted = one->surface_contact(0), &now = other->surface_contact(0);
+    EXPECT_LT(wanted.faces().along_z[1], 0.0);  // on the sand below
+    EXPECT_EQ(now.faces().along_z[1], wanted.faces().along_z[1]);
+    EXPECT_EQ(now.faces().along_r[1], wanted.faces().along_r[1]);
+    EXPECT_EQ(now.totals().impulse_on_a[1], wanted.totals().impulse_on_a[1]);
+}
+
 TEST(GridState, OfAnotherCaseIsRefused) {
     PressedSand made;
     const auto one = made.build();

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <random>
+#include <set>
 
 #include "../larger.hpp"
 #include "support/box.hpp"
@@ -111,7 +112,12 @@ class CountingExchange : public Exchange {
     void sum_nodes(NodeRecord*, std::ptrdiff_t) override { ++sums; }
     void min_nodes(double*, std::ptrdiff_t, int) override { ++minima; }
     void max(double*, int) override { ++maxima; }
-    int sums = 0, minima = 0, maxima = 0;
+    void gather(std::vector<KeyedNumbers>& items) override {
+        ++gathers;
+        for (const KeyedNumbers& item : items) EXPECT_TRUE(keys.insert(item.key).second);
+    }
+    int sums = 0, minima = 0, maxima = 0, gathers = 0;
+    std::set<std::uint64_t> keys;  // gathered
 };
 
 TEST(Exchange, SeesEverySumOfAStep) {
@@ -126,6 +132,26 @@ TEST(Exchange, SeesEverySumOfAStep) {
     EXPECT_EQ(exchange.minima, 4);  // surfaces, those beside a node, centres, along axes
     // Shortest cell, lightest particles of each body; step at the start and at the end; contact, its gap.
     EXPECT_EQ(exchange.maxima, 1 + 2 + 2 + 2);
+}
+
+// Two surfaces that are far apart cost all contacts together a question.
+TEST(Exchange, GathersWhatIsNearASurfaceAndNoMore) {
+    for (const double distance : {0.0, 1.0}) {
+        CountingExchange exchange;
+        Simulation simulation(Axis::uniform(0.0, 2.0, 20), Axis::uniform(0.0, 4.0, 40), {},
+                              &exchange);
+        for (const double z : {0.2, 1.2 + distance})
+            simulation.add_body(make_box({0.0, 2.0, z, z + 1.0, 40, 20, 1000.0}, true,
+                                         std::make_unique<LinearElastic>(1e6, 0.3)));
+        simulation.add_contact(surface_law(0.3));
+        const int before = exchange.maxima;
+        simulation.step();
+        EXPECT_EQ(exchange.maxima, before + 2 + 1);  // step at the start and at the end
+        EXPECT_EQ(exchange.gathers, distance == 0.0 ? 1 : 0);
+        // Both reach one row of nodes: particles in two rows of cells of each body, nodes of four rows.
+        const std::size_t each = 2 * 2 * 40 + 4 * 21;
+        EXPECT_EQ(exchange.keys.size(), distance == 0.0 ? 2 * each : 0);
+    }
 }
 
 TEST(InstructionSets, ChangeNoBitOfTheKernels) {

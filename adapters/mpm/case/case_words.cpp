@@ -87,7 +87,8 @@ constexpr FixKeyword keywords[] = {
     {"contact",
      "STIFF SOFT {contact.law} MU [`power` K] [`normal` {contact.normal}] [`distance` "
      "{contact.distance}] [`gated` `yes`|`no`]",
-     "at nodes; `power` of the geo law alone, `distance` not without gate where it is frictional"},
+     "`power` of the geo law alone, `distance` not without gate where it is frictional; `surface` "
+     "has none of these"},
     {"stages", "N NAME...",
      "all stages, in order; default: one, `run`; names: letters, digits, _ and -"},
     {"driven", "NAME {history.depth_of}", "the body of the history; default: the first"}};

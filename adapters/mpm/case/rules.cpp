@@ -95,6 +95,12 @@ Objections objection_to_contact(const Case& plan, std::size_t contact, const Key
 }
 
 Objections objection_to(const ContactPlan& contact, const IsGiven& given) {
+    if (contact.at_surfaces) {
+        for (const char* key : {"penalty_power", "normal", "distance", "gated"})
+            if (given(key))
+                return Objection{key, " belongs to laws at nodes, not to the surface one"};
+        return {};
+    }
     if (contact.law != GRIT_CONTACT_FRICTIONAL || contact.penalty) return {};
     if (given("penalty_power"))
         return Objection{"penalty_power", " belongs to the geo law, not to the frictional one"};

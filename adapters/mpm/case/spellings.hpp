@@ -35,7 +35,7 @@ inline constexpr Spelling contact_laws[] = {
     spelling("geo", GRIT_CONTACT_GEO, "at nodes, as far as s reaches"),
     spelling("frictional", GRIT_CONTACT_FRICTIONAL, "at nodes"),
     only_in_files(spelling("penalty", penalty_law_word, "along lines")),
-    only_in_files(spelling("surface", surface_law_word, "along the free edges of particles"))};
+    spelling("surface", surface_law_word, "along the free edges of particles")};
 inline constexpr Spelling normals[] = {spelling("stiff", GRIT_CONTACT_NORMAL_OF_A, ""),
                                        spelling("soft", GRIT_CONTACT_NORMAL_OF_B, ""),
                                        spelling("average", GRIT_CONTACT_NORMAL_AVERAGE, "")};
@@ -51,6 +51,15 @@ inline constexpr Spelling intergranular_starts[] = {
     spelling("zero", IntergranularStart::zero, "h = 0"),
     spelling("off", IntergranularStart::off, "the basic model")};
 inline constexpr Spelling on_off[] = {spelling("on", 0, ""), spelling("off", 1, "")};
+
+// A contact's law by its word; that of penalty contacts is said by their lines.
+inline void set_law(ContactPlan& contact, int word) {
+    contact.at_surfaces = word == surface_law_word;
+    contact.law = contact.at_surfaces ? GRIT_CONTACT_FRICTIONAL : word;
+}
+inline int law_of(const ContactPlan& contact) {
+    return contact.at_surfaces ? surface_law_word : contact.law;
+}
 
 }  // namespace words
 

@@ -15,6 +15,9 @@
 //   contact                     whether any node is in it: maximum              8
 //   ...                         sums of the library, integers                   9600
 //   ...                         sums of forces, maximum of gaps                 40
+//   contacts at surfaces        whether any node is in one: maxima              8 each
+//   ... that have one           particles near the surfaces, and nodes: all     56 each
+//                               of all processes to each of them
 //   fixed point, per scatter    maxima of contributions, eight a body           8 each
 //   ... with tractions          maximum of their forces                         8
 //   each step, per body         maxima: c, v2, way along z                      8 each
@@ -22,14 +25,30 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "adapters/mpm/kernel/call.hpp"
 
 namespace grit::mpm {
 
+// The grid of all processes, and which of its nodes is the first one here.
+struct WholeGrid {
+    GridView grid;
+    int first_r = 0, first_z = 0;
+};
+
+// Numbers of something that all processes call the same.
+struct KeyedNumbers {
+    static constexpr int size = 6;
+    std::uint64_t key;
+    double value[size];
+};
+
 class Exchange {
   public:
     virtual ~Exchange() = default;
+    // Outlives this; null: what is here is all of it.
+    virtual const WholeGrid* whole() const { return nullptr; }
     // [nodes] 1 where this process counts a node in sums over nodes, each node once; null: all.
     virtual const std::uint8_t* counted() const { return nullptr; }
     virtual void sum_nodes(NodeRecord* /*records*/, std::ptrdiff_t /*nodes*/) {}
@@ -40,6 +59,8 @@ class Exchange {
     virtual void max(double* /*values*/, int /*count*/) {}
     virtual void sum(double* /*values*/, int /*count*/) {}
     virtual void sum(std::int64_t* /*values*/, int /*count*/) {}
+    // Those of this process become those of all, in the same order for each of them.
+    virtual void gather(std::vector<KeyedNumbers>& /*items*/) {}
 
     template <std::size_t count> void sum(std::array<Total, count>& totals, bool fixed_point) {
         if (fixed_point) {

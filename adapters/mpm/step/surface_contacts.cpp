@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/mpm/step/surface_contacts.hpp"
 
-#include <stdexcept>
-
 namespace grit::mpm {
 
 void SurfaceContacts::add(const SurfaceLaw& law) {
-    if (!model.is_alone())
-        throw std::invalid_argument("surface contact is for one process: its edges are not cut");
-    pairs.emplace_back(law, model.settings, model.grid(), model.shortest, model.fixed_nodes);
+    const bool axisymmetric = model.settings.axisymmetric;
+    pairs.emplace_back(law, model.shortest,
+                       ContactZone(model.grid(), model.whole(), axisymmetric, model.fixed_nodes),
+                       axisymmetric);
+    are_near.resize(pairs.size());
 }
 
 SurfaceBody SurfaceContacts::body(std::size_t i) {
@@ -21,17 +21,24 @@ SurfaceBody SurfaceContacts::body(std::size_t i) {
 }
 
 void SurfaceContacts::correct(Energy& sums) {
-    for (SurfacePair& pair : pairs) {
-        const SurfaceLaw& law = pair.law();
-        const SurfaceBody a = body(law.a), b = body(law.b);
-        pair.correct(model.grid(), a, b, model.dt);
-        const grit_surface_totals& totals = pair.totals();
-        sums.contact += totals.dissipation_normal + totals.dissipation_tangential;
-        // What moves a rigid body works against the force that the body feels.
-        for (const auto& [of, J] :
-             {std::pair{&a, totals.impulse_on_a}, std::pair{&b, totals.impulse_on_b}})
-            if (of->rigid) sums.rigid_work -= J[0] * of->velocity[0] + J[1] * of->velocity[1];
-    }
+    if (pairs.empty()) return;
+    // Masses say where bodies are near: contacts change none.
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        are_near[i] = pairs[i].find(body(pairs[i].law().a), body(pairs[i].law().b)) ? 1.0 : 0.0;
+    model.exchange.max(are_near.data(), static_cast<int>(are_near.size()));
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        if (are_near[i] > 0.0) correct(pairs[i], sums);
+}
+
+void SurfaceContacts::correct(SurfacePair& pair, Energy& sums) {
+    const SurfaceBody a = body(pair.law().a), b = body(pair.law().b);
+    pair.correct(a, b, model.dt, model.exchange);
+    const grit_surface_totals& totals = pair.totals();
+    sums.contact += totals.dissipation_normal + totals.dissipation_tangential;
+    // What moves a rigid body works against the force that the body feels.
+    for (const auto& [of, J] :
+         {std::pair{&a, totals.impulse_on_a}, std::pair{&b, totals.impulse_on_b}})
+        if (of->rigid) sums.rigid_work -= J[0] * of->velocity[0] + J[1] * of->velocity[1];
 }
 
 }  // namespace grit::mpm

@@ -12,7 +12,6 @@ namespace grit::mpm {
 class SurfaceContacts {
   public:
     explicit SurfaceContacts(Model& of) : model(of) {}
-    // Throws std::invalid_argument where processes share the grid.
     void add(const SurfaceLaw& law);
     // Velocities after the momentum update become those after contact; adds what it took and what rigid bodies did.
     void correct(Energy& sums);
@@ -25,9 +24,11 @@ class SurfaceContacts {
 
   private:
     SurfaceBody body(std::size_t i);
+    void correct(SurfacePair& pair, Energy& sums);
 
     Model& model;
     std::vector<SurfacePair> pairs;
+    std::vector<double> are_near;  // 1: of any process
 };
 
 }  // namespace grit::mpm

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "adapters/mpm/grid/grid_point.hpp"
-#include "adapters/mpm/kernel/place.hpp"
 #include "adapters/mpm/step/require.hpp"
 
 namespace grit::mpm {
@@ -16,6 +16,7 @@ constexpr double neighbours =
     0.25;                        // share of a width: domains no farther apart leave no free edge
 constexpr double spacing = 2.0;  // of what carries the pressure, in cells (ADR 13)
 constexpr int nodes_each = 4;
+constexpr std::ptrdiff_t stride = sizeof(KeyedNumbers) / sizeof(double);  // of what a zone has
 
 void resize(std::vector<std::uint64_t>& workspace, std::size_t bytes) {
     if (workspace.size() * sizeof(std::uint64_t) < bytes)
@@ -31,14 +32,12 @@ SurfaceLaw surface_law(double friction_coefficient) {
     return law;
 }
 
-SurfacePair::SurfacePair(const SurfaceLaw& law, const Settings& settings, const GridView& grid,
-                         double shortest_cell, const std::vector<std::uint8_t>& fixed)
-    : pair_law(law), axisymmetric(settings.axisymmetric), near(grid) {
+SurfacePair::SurfacePair(const SurfaceLaw& law, double shortest_cell, ContactZone of_both,
+                         bool axisymmetric)
+    : pair_law(law), zone(std::move(of_both)) {
     pair_law.options.axisymmetric = axisymmetric;
     pair_law.options.spacing = spacing * shortest_cell;
     pair_law.options.reach = shortest_cell;
-    for (const std::uint8_t bits : fixed)
-        fixed_bits.push_back((bits & fixed::r ? 1 : 0) | (bits & fixed::z ? 2 : 0));
     forget();
 }
 
@@ -49,40 +48,23 @@ void SurfacePair::forget() {
     step_faces = {};
 }
 
-// False where no node is reached by both.
-bool SurfacePair::find_near(const GridView& grid, const SurfaceBody& a, const SurfaceBody& b) {
-    near.clear();
-    bool any = false;
-    for (std::size_t i = 0; i < fixed_bits.size(); ++i) {
-        if (!NearCells::is_shared(a.records[i], b.records[i])) continue;
-        any = true;
-        near.add(grid, static_cast<std::ptrdiff_t>(i));
-    }
-    return any;
+bool SurfacePair::find(const SurfaceBody& a, const SurfaceBody& b) {
+    forget();
+    return zone.find(a, b);
 }
 
-void SurfacePair::find_edges(const GridView& grid, const SurfaceBody& body, Skin& skin) {
-    skin.near.clear();
-    for (std::ptrdiff_t p = 0; p < body.count; ++p)
-        if (near.has(grid, body.particles, p)) skin.near.push_back(p);
-    // However particles are sorted.
-    std::sort(skin.near.begin(), skin.near.end(),
-              [&](std::ptrdiff_t p, std::ptrdiff_t q) { return body.ids[p] < body.ids[q]; });
-    skin.domain.clear();
-    for (const std::ptrdiff_t p : skin.near) {
-        const auto place = axisymmetric ? baseline::place_of<true>(grid, body.particles, p)
-                                        : baseline::place_of<false>(grid, body.particles, p);
-        skin.domain.insert(skin.domain.end(), {place.r, place.z, place.domain.r1r, place.domain.r1z,
-                                               place.domain.r2r, place.domain.r2z});
-    }
-    const std::size_t n = skin.near.size();
+void SurfacePair::find_edges(int body, Skin& skin) {
+    skin.vertices = skin.facets = 0;
+    const std::span<const KeyedNumbers> of_zone = zone.domains(body);
+    if (of_zone.empty()) return;
+    const std::size_t n = of_zone.size();
     skin.position.resize(8 * n);
     skin.facet.resize(8 * n);
     grit_surface_domains domains{};
     domains.struct_size = sizeof domains;
     domains.n = static_cast<std::ptrdiff_t>(n);
-    domains.position = grit_view_of(skin.domain.data(), 6, 1);
-    domains.side = grit_matrix_view_of(skin.domain.data() + 2, 6, 2, 1);
+    domains.position = grit_view_of(&of_zone[0].value[near_domain::r], stride, 1);
+    domains.side = grit_matrix_view_of(&of_zone[0].value[near_domain::r1r], stride, 2, 1);
     domains.tolerance = neighbours;
     const std::size_t bytes = grit_surface_find_free_workspace_size(domains.n);
     resize(workspace, bytes);
@@ -94,69 +76,70 @@ void SurfacePair::find_edges(const GridView& grid, const SurfaceBody& body, Skin
 }
 
 // Weights of the vertices at the nodes that the body has mass at. Facets whose vertices have none are left out.
-void SurfacePair::find_nodes(const GridView& grid, const SurfaceBody& body, Skin& skin) {
-    const auto size = nodes_each * static_cast<std::size_t>(skin.vertices);
-    skin.node.assign(size, 0);
-    skin.weight.assign(size, 0.0);
-    if (body.rigid) {
+void SurfacePair::find_nodes(int body, const SurfaceBody& of, Skin& skin) {
+    const auto vertices = static_cast<std::size_t>(skin.vertices);
+    if (of.rigid) {
         skin.velocity.clear();
-        for (std::ptrdiff_t v = 0; v < skin.vertices; ++v)
-            skin.velocity.insert(skin.velocity.end(), {body.velocity[0], body.velocity[1]});
+        for (std::size_t v = 0; v < vertices; ++v)
+            skin.velocity.insert(skin.velocity.end(), {of.velocity[0], of.velocity[1]});
         return;
     }
-    std::vector<char> is_lost(static_cast<std::size_t>(skin.vertices));
+    skin.node.resize(nodes_each * vertices);
+    skin.weight.resize(nodes_each * vertices);
+    skin.is_lost.resize(vertices);
+    const GridView& grid = zone.whole_grid();
     const auto within = [](const AxisView& axis, double x) {
         return std::clamp(x, axis.node[0], axis.node[axis.cells]);
     };
-    for (std::size_t v = 0; v < is_lost.size(); ++v) {
+    for (std::size_t v = 0; v < vertices; ++v) {
         const GridPoint at = grid_point(grid, within(grid.r, skin.position[2 * v]),
                                         within(grid.z, skin.position[2 * v + 1]));
-        double sum = 0.0;
+        std::ptrdiff_t* node = &skin.node[nodes_each * v];
+        double *weight = &skin.weight[nodes_each * v], sum = 0.0;
         for (std::size_t i = 0; i < nodes_each; ++i) {
-            const bool has_mass = body.records[at.node[i]][record::m] > body.least_mass;
-            skin.node[nodes_each * v + i] = at.node[i];
-            skin.weight[nodes_each * v + i] = has_mass ? std::clamp(at.N[i], 0.0, 1.0) : 0.0;
-            sum += skin.weight[nodes_each * v + i];
+            const std::ptrdiff_t place = zone.place_of(body, at.node[i]);
+            node[i] = std::max<std::ptrdiff_t>(place, 0);
+            weight[i] = place < 0 ? 0.0 : std::clamp(at.N[i], 0.0, 1.0);
+            sum += weight[i];
         }
-        is_lost[v] = !(sum > 1e-3);
+        skin.is_lost[v] = !(sum > 1e-3);
         for (std::size_t i = 0; i < nodes_each; ++i)
-            skin.weight[nodes_each * v + i] =
-                is_lost[v] ? 0.0 : skin.weight[nodes_each * v + i] / sum;
+            weight[i] = skin.is_lost[v] ? 0.0 : weight[i] / sum;
     }
-    keep_facets(is_lost, skin);
+    keep_facets(skin);
 }
 
-void SurfacePair::keep_facets(const std::vector<char>& is_lost, Skin& skin) {
-    if (std::none_of(is_lost.begin(), is_lost.end(), [](char lost) { return lost; })) return;
+void SurfacePair::keep_facets(Skin& skin) {
     std::ptrdiff_t kept = 0;
     for (std::ptrdiff_t f = 0; f < skin.facets; ++f) {
         const std::ptrdiff_t* ends = &skin.facet[2 * static_cast<std::size_t>(f)];
-        const auto lost = [&](int k) { return is_lost[static_cast<std::size_t>(ends[k])]; };
+        const auto lost = [&](int k) { return skin.is_lost[static_cast<std::size_t>(ends[k])]; };
         if (lost(0) || lost(1)) continue;
         std::copy_n(ends, 2, skin.facet.begin() + 2 * kept++);
     }
     skin.facets = kept;
 }
 
-grit_surface SurfacePair::surface(const SurfaceBody& body, Skin& skin) const {
+grit_surface SurfacePair::surface(int body, const SurfaceBody& of) {
+    Skin& skin = skins[body];
     grit_surface s{};
     s.struct_size = sizeof s;
-    s.rigid = body.rigid;
+    s.rigid = of.rigid;
     s.nodes_each = nodes_each;
     s.vertices = skin.vertices;
     s.facets = skin.facets;
     s.position = grit_view_of(skin.position.data(), 2, 1);
     s.facet = skin.facet.data();
+    s.vertex_velocity = grit_view_of(skin.velocity.data(), 2, 1);
+    if (of.rigid) return s;
     s.node = skin.node.data();
     s.weight = skin.weight.data();
-    s.nodes = static_cast<std::ptrdiff_t>(fixed_bits.size());
-    auto* motions = reinterpret_cast<double*>(body.motions);
-    s.mass =
-        grit_view_of(reinterpret_cast<const double*>(body.records) + record::m, record::size, 1);
-    s.fixed = fixed_bits.data();
-    s.velocity = grit_mutable_view_of(motions + motion::v_r, motion::size, 1);
-    s.previous_velocity = grit_view_of(motions + motion::other_r, motion::size, 1);
-    s.vertex_velocity = grit_view_of(skin.velocity.data(), 2, 1);
+    const std::span<KeyedNumbers> nodes = zone.nodes(body);
+    s.nodes = static_cast<std::ptrdiff_t>(nodes.size());
+    s.mass = grit_view_of(&nodes[0].value[near_node::m], stride, 1);
+    s.fixed = zone.fixed(body);
+    s.velocity = grit_mutable_view_of(&nodes[0].value[near_node::v_r], stride, 1);
+    s.previous_velocity = grit_view_of(&nodes[0].value[near_node::other_r], stride, 1);
     return s;
 }
 
@@ -174,18 +157,18 @@ void SurfacePair::solve(const grit_surface& a, const grit_surface& b) {
     require(status, error, "surface contact");
 }
 
-void SurfacePair::correct(const GridView& grid, const SurfaceBody& a, const SurfaceBody& b,
-                          double dt) {
-    forget();
-    if (!find_near(grid, a, b)) return;
-    const SurfaceBody* bodies[2] = {&a, &b};
+void SurfacePair::correct(const SurfaceBody& a, const SurfaceBody& b, double dt,
+                          Exchange& exchange) {
+    zone.gather(a, b, exchange);
     for (const int k : {0, 1}) {
-        find_edges(grid, *bodies[k], skins[k]);
-        find_nodes(grid, *bodies[k], skins[k]);
+        find_edges(k, skins[k]);
+        find_nodes(k, k == 0 ? a : b, skins[k]);
+        if (skins[k].facets == 0) return;
     }
-    if (skins[0].facets == 0 || skins[1].facets == 0) return;
     pair_law.options.time_step = dt;
-    solve(surface(a, skins[0]), surface(b, skins[1]));
+    solve(surface(0, a), surface(1, b));
+    zone.write(0, a);
+    zone.write(1, b);
     sum_faces();
 }
 

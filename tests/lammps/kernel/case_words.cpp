@@ -123,7 +123,16 @@ TEST(CaseWords, ThatTheFixDoesNotHaveAreRefusedWithThoseThatItHas) {
     EXPECT_EQ(refusal_of({"plane_strain", "boundary", "left", "absorbing"}),
               "the boundary of a side must be one of free, roller, fixed, got \"absorbing\"");
     EXPECT_EQ(refusal_of({"plane_strain", "contact", "a", "b", "penalty"}),
-              "the law of a contact must be one of geo, frictional, got \"penalty\"");
+              "the law of a contact must be one of geo, frictional, surface, got \"penalty\"");
+}
+
+TEST(CaseWords, OfLawsAtNodesAreRefusedBySurfaceContact) {
+    for (const std::vector<std::string>& more :
+         {std::vector<std::string>{"power", "6"}, {"normal", "soft"}, {"gated", "no"}}) {
+        std::vector<std::string> words{"plane_strain", "contact", "a", "b", "surface", "0.3"};
+        words.insert(words.end(), more.begin(), more.end());
+        EXPECT_EQ(refusal_of(words), more[0] + " belongs to laws at nodes, not to the surface one");
+    }
 }
 
 }  // namespace

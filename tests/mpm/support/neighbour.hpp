@@ -45,14 +45,17 @@ class Meeting {
 
 class Neighbour : public Exchange {
   public:
-    Neighbour(Meeting& with, int number, int global_r, int global_z) : meeting(with), rank(number) {
+    // along_r, along_z: of the whole grid.
+    Neighbour(Meeting& with, int number, const Axis& along_r, const Axis& along_z)
+        : meeting(with), rank(number), axes{along_r, along_z} {
         const Cut& cut = meeting.cut;
-        const int cells[] = {global_r, global_z};
+        const int cells[] = {along_r.cells(), along_z.cells()};
         for (const int k : {0, 1}) {
             const bool is_cut = k == cut.direction;
             begin[k] = is_cut && rank == 1 ? std::max(cut.cell - halo, 0) : 0;
             end[k] = is_cut && rank == 0 ? std::min(cut.cell + halo, cells[k]) : cells[k];
         }
+        whole_grid = {{axes[0].view(), axes[1].view()}, begin[0], begin[1]};
         const auto n_r = static_cast<std::size_t>(end[0] - begin[0]) + 1;
         const auto n_z = static_cast<std::size_t>(end[1] - begin[1]) + 1;
         mine.assign(n_r * n_z, 1);
@@ -67,6 +70,7 @@ class Neighbour : public Exchange {
                     shared_cells.push_back(j * (n_r - 1) + i);
             }
     }
+    const WholeGrid* whole() const override { return &whole_grid; }
     const std::uint8_t* counted() const override { return mine.data(); }
     void sum_nodes(NodeRecord* x, std::ptrdiff_t) override { add<8>(x->value, shared_nodes); }
     void sum_nodes(NodeIntegers* x, std::ptrdiff_t) override { add<8>(x->value, shared_nodes); }
@@ -83,6 +87,14 @@ class Neighbour : public Exchange {
     }
     void sum(double* x, int count) override { add<1>(x, all(count)); }
     void sum(std::int64_t* x, int count) override { add<1>(x, all(count)); }
+    // The lower one's first.
+    void gather(std::vector<KeyedNumbers>& items) override {
+        const std::vector<char> in =
+            meeting.swap(rank, items.data(), items.size() * sizeof(KeyedNumbers));
+        std::vector<KeyedNumbers> others(in.size() / sizeof(KeyedNumbers));
+        if (!in.empty()) std::memcpy(others.data(), in.data(), in.size());
+        items.insert(rank == 0 ? items.end() : items.begin(), others.begin(), others.end());
+    }
 
     int begin[2], end[2];  // cells
 
@@ -114,6 +126,8 @@ class Neighbour : public Exchange {
     }
     Meeting& meeting;
     int rank;
+    Axis axes[2];
+    WholeGrid whole_grid;
     std::vector<std::uint8_t> mine;
     std::vector<std::size_t> shared_nodes, shared_cells;
 };

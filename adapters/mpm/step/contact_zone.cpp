@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/mpm/step/contact_zone.hpp"
+
+#include <algorithm>
+
+#include "adapters/mpm/kernel/nodes.hpp"
+#include "adapters/mpm/kernel/place.hpp"
+
+namespace grit::mpm {
+namespace {
+
+// Part of the zone, and number within it.
+constexpr int number_bits = 62;
+std::uint64_t key_of(int part, std::ptrdiff_t number) {
+    return static_cast<std::uint64_t>(part) << number_bits | static_cast<std::uint64_t>(number);
+}
+std::ptrdiff_t number_of(const KeyedNumbers& item) {
+    return static_cast<std::ptrdiff_t>(item.key & ((std::uint64_t{1} << number_bits) - 1));
+}
+bool is_before(const KeyedNumbers& item, std::uint64_t key) { return item.key < key; }
+
+}  // namespace
+
+ContactZone::ContactZone(const GridView& here, const WholeGrid& of_all, bool with_axis,
+                         const std::vector<std::uint8_t>& fixed)
+    : grid(here), whole(of_all), axisymmetric(with_axis), fixed_nodes(fixed), near(here) {}
+
+bool ContactZone::find(const SurfaceBody& a, const SurfaceBody& b) {
+    near.clear();
+    bool any = false;
+    for (std::size_t i = 0; i < fixed_nodes.size(); ++i) {
+        if (!NearCells::is_shared(a.records[i], b.records[i])) continue;
+        any = true;
+        near.add(grid, static_cast<std::ptrdiff_t>(i));
+    }
+    return any;
+}
+
+// Which cells of particles are near, this process knows: it has the two nodes on both sides of them. Whether a node
+// is, which may be three from the one that both bodies reach, some process knows that has both.
+void ContactZone::gather(const SurfaceBody& a, const SurfaceBody& b, Exchange& exchange) {
+    items.clear();
+    for (const int which : {0, 1}) {
+        add_domains(which == 0 ? a : b, which);
+        add_nodes(which == 0 ? a : b, which);
+    }
+    exchange.gather(items);
+    sort();
+}
+
+void ContactZone::add_domains(const SurfaceBody& body, int which) {
+    for (std::ptrdiff_t p = 0; p < body.count; ++p) {
+        if (!near.has(grid, body.particles, p)) continue;
+        const auto place = axisymmetric ? baseline::place_of<true>(grid, body.particles, p)
+                                        : baseline::place_of<false>(grid, body.particles, p);
+        items.push_back({key_of(which, body.ids[p]),
+                         {place.r, place.z, place.domain.r1r, place.domain.r1z, place.domain.r2r,
+                          place.domain.r2z}});
+    }
+}
+
+void ContactZone::add_nodes(const SurfaceBody& body, int which) {
+    if (body.rigid) return;
+    near.each_reached(grid, [&](std::ptrdiff_t node) {
+        const NodeRecord& n = body.records[node];
+        if (!(n[record::m] > body.least_mass)) return;
+        const NodeMotion& v = body.motions[node];
+        const std::ptrdiff_t r = node % grid.nodes_r() + whole.first_r;
+        const std::ptrdiff_t z = node / grid.nodes_r() + whole.first_z;
+        const std::uint8_t bits = fixed_nodes[static_cast<std::size_t>(node)];
+        items.push_back({key_of(2 + which, z * whole.grid.nodes_r() + r),
+                         {n[record::m], v[motion::v_r], v[motion::v_z], v[motion::other_r],
+                          v[motion::other_z], static_cast<double>(bits)}});
+    });
+}
+
+// However particles are sorted and the grid is cut. A node that several processes have told of is one: they have the
+// same bits of it.
+void ContactZone::sort() {
+    std::sort(items.begin(), items.end(),
+              [](const KeyedNumbers& x, const KeyedNumbers& y) { return x.key < y.key; });
+    items.erase(
+        std::unique(items.begin(), items.end(),
+                    [](const KeyedNumbers& x, const KeyedNumbers& y) { return x.key == y.key; }),
+        items.end());
+    for (int part = 1; part < parts; ++part)
+        start[part] = std::lower_bound(items.begin(), items.end(), key_of(part, 0), is_before) -
+                      items.begin();
+    start[parts] = static_cast<std::ptrdiff_t>(items.size());
+    held.clear();
+    for (const int body : {0, 1})
+        for (const KeyedNumbers& node : nodes(body)) {
+            const int bits = static_cast<int>(node.value[near_node::fixed]);
+            held.push_back((bits & fixed::r ? 1 : 0) | (bits & fixed::z ? 2 : 0));
+        }
+}
+
+std::ptrdiff_t ContactZone::place_of(int body, std::ptrdiff_t node) const {
+    const std::span<const KeyedNumbers> all = of(2 + body);
+    const std::uint64_t key = key_of(2 + body, node);
+    const auto found = std::lower_bound(all.begin(), all.end(), key, is_before);
+    return found != all.end() && found->key == key ? found - all.begin() : -1;
+}
+
+void ContactZone::write(int body, const SurfaceBody& to) const {
+    for (const KeyedNumbers& item : of(2 + body)) {
+        const std::ptrdiff_t r = number_of(item) % whole.grid.nodes_r() - whole.first_r;
+        const std::ptrdiff_t z = number_of(item) / whole.grid.nodes_r() - whole.first_z;
+        if (r < 0 || r > grid.r.cells || z < 0 || z > grid.z.cells) continue;
+        const std::ptrdiff_t node = z * grid.nodes_r() + r;
+        // The last ones here may be nodes that no particle here reaches: at rest.
+        if (!(to.records[node][record::m] > to.least_mass)) continue;
+        to.motions[node][motion::v_r] = item.value[near_node::v_r];
+        to.motions[node][motion::v_z] = item.value[near_node::v_z];
+    }
+}
+
+}  // namespace grit::mpm

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where two bodies may touch, of all processes that share the grid: the domains of the particles there, and the
+// nodes that move them. Every process has all of it, in the same order and with the same bits, however the grid is
+// cut.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "adapters/mpm/kernel/exchange.hpp"
+#include "adapters/mpm/step/near_cells.hpp"
+
+namespace grit::mpm {
+
+struct SurfaceBody {
+    const NodeRecord* records;
+    NodeMotion* motions;
+    ParticleView particles;
+    const int* ids;
+    std::ptrdiff_t count;
+    double least_mass;  // nodes with less take no impulse [kg]
+    bool rigid;
+    Vector2 velocity;  // of a rigid body in this step [m/s]
+};
+
+namespace near_domain {
+enum : int { r, z, r1r, r1z, r2r, r2z };
+}  // namespace near_domain
+
+namespace near_node {
+enum : int { m, v_r, v_z, other_r, other_z, fixed };
+}  // namespace near_node
+
+class ContactZone {
+  public:
+    // fixed: of the nodes of this process, outlives this.
+    ContactZone(const GridView& grid, const WholeGrid& whole, bool axisymmetric,
+                const std::vector<std::uint8_t>& fixed);
+
+    // False where no node of this process is reached by both.
+    bool find(const SurfaceBody& a, const SurfaceBody& b);
+    // After find, by all processes if one of them has found something.
+    void gather(const SurfaceBody& a, const SurfaceBody& b, Exchange& exchange);
+
+    // Of body 0 or 1. Domains by the particles' ids, nodes by their numbers in the whole grid; of a rigid body there
+    // are none.
+    std::span<const KeyedNumbers> domains(int body) const { return of(body); }
+    std::span<KeyedNumbers> nodes(int body) { return of(2 + body); }
+    // [nodes(body)] bits of components that are held.
+    const int* fixed(int body) const { return held.data() + (body == 0 ? 0 : of(2).size()); }
+    // Of a node of the whole grid among those of a body; -1: it has no mass there.
+    std::ptrdiff_t place_of(int body, std::ptrdiff_t node) const;
+    const GridView& whole_grid() const { return whole.grid; }
+
+    // The velocities of its nodes, to those that are here.
+    void write(int body, const SurfaceBody& to) const;
+
+  private:
+    std::span<const KeyedNumbers> of(int part) const {
+        return {items.data() + start[part], items.data() + start[part + 1]};
+    }
+    std::span<KeyedNumbers> of(int part) {
+        return {items.data() + start[part], items.data() + start[part + 1]};
+    }
+    void add_domains(const SurfaceBody& body, int which);
+    void add_nodes(const SurfaceBody& body, int which);
+    void sort();
+
+    GridView grid;
+    WholeGrid whole;
+    bool axisymmetric;
+    const std::vector<std::uint8_t>& fixed_nodes;
+    NearCells near;
+    static constexpr int parts = 4;  // domains of both bodies, nodes of both
+    std::vector<KeyedNumbers> items;
+    std::ptrdiff_t start[parts + 1] = {};
+    std::vector<int> held;
+};
+
+}  // namespace grit::mpm
