@@ -66,7 +66,9 @@ Momentum momentum(const Told& told, int first, int last) {
 
 // Two blocks meet where four sub-domains do. What one of them loses the other one gains: forces on nodes that
 // several processes hold balance, and none is counted twice.
-TEST(LammpsFlight, MassMomentumAndContactForcesBalanceToRoundoff) {
+class LammpsContact : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(LammpsContact, MassMomentumAndContactForcesBalanceToRoundoff) {
     std::string text = block_case("2, 2", "3.6", R"(
 [[body]]
 name = "target"
@@ -83,6 +85,7 @@ soft = "target"
 law = "frictional"
 friction_coefficient = 0.3
 )");
+    text = replaced(text, "frictional", GetParam());
     text = replaced(text, "fixed_point = true", "fixed_point = false");
     for (std::size_t at = 0; (at = text.find("kPa = 20", at)) != std::string::npos; ++at)
         text.replace(at, 8, "kPa = 400");
@@ -107,6 +110,8 @@ friction_coefficient = 0.3
     EXPECT_LT(block.r, 1.5 * m);
     EXPECT_GT(std::abs(block.z - 2.0 * m), 1e-3 * m);
 }
+
+INSTANTIATE_TEST_SUITE_P(Laws, LammpsContact, testing::Values("frictional", "surface"));
 
 // The grid is cut anew: balance moves the cut along r to where the block is.
 TEST(LammpsFlight, GoesOnWhereTheGridIsCutAnew) {

@@ -40,6 +40,15 @@ TEST(LammpsPile, HasTheBitsOfTheDriverOnFourProcesses) {
     EXPECT_EQ(first_difference(reference(), BothHosts(case_text()).in_lammps(2, 2)), "");
 }
 
+TEST(LammpsPile, WithContactAtSurfacesHasTheBitsOfTheDriverToo) {
+    const BothHosts hosts(replaced(case_text(), "law = \"geo\"", "law = \"surface\""));
+    const Told driver = hosts.in_driver(all);
+    ASSERT_GT(driver.rows.size(), 500u);
+    EXPECT_EQ(first_difference(driver, hosts.in_lammps(1, 1)), "");
+    EXPECT_EQ(first_difference(driver, hosts.in_lammps(2, 1)), "");
+    EXPECT_EQ(first_difference(driver, hosts.in_lammps(2, 2)), "");
+}
+
 TEST(LammpsPile, GoesOnOnFourProcessesFromTheRestartFileOfTwo) {
     const BothHosts hosts(case_text());
     const Told before = hosts.in_lammps(2, 1, "restart 500 blows\n" + hosts.script());

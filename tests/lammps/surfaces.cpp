@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A block thrown on the ground, with friction at the surfaces of both, where four sub-domains meet.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "support/block.hpp"
+#include "support/both_hosts.hpp"
+
+namespace {
+
+class LammpsSurfaces : public ::testing::Test {
+  protected:
+    // material: of the ground; at r up to 15.5 m.
+    static std::string case_with(const std::string& material) {
+        std::string text = block_case("2.5, -2", "0.5", R"([[body]]
+name = "ground"
+density_kg_per_m3 = 1500
+[[body.box]]
+r_m = [5.25, 15.5]
+z_m = [8, 12]
+)" + material + R"(
+[[contact]]
+stiff = "ground"
+soft = "block"
+law = "surface"
+friction_coefficient = 0.3
+)");
+        text = replaced(text, "r_m = [2, 6]\nz_m = [3, 6]", "r_m = [9.5, 13]\nz_m = [12, 15]");
+        text = replaced(text, "fixed_point = true", "fixed_point = true\ncfl = 0.1");
+        return replaced(text, "kPa = 20", "kPa = 200");
+    }
+    static std::string on_soft_ground() {
+        return case_with("[body.elastic]\nyoungs_modulus_kPa = 400\npoissons_ratio = 0.2");
+    }
+    // Of the history.
+    static constexpr std::size_t tip_force = 6, contact_loss = 16;
+};
+
+TEST_F(LammpsSurfaces, HaveTheBitsOfTheDriverHoweverTheGridIsCut) {
+    const BothHosts hosts(on_soft_ground());
+    const Told driver = hosts.in_driver(1000000);
+    ASSERT_GT(driver.rows.size(), 50u);
+    EXPECT_GT(driver.rows.back()[contact_loss], 0.0);
+    EXPECT_GT(driver.rows.back()[tip_force], 0.0);  // still pressed
+    EXPECT_EQ(first_difference(driver, hosts.in_lammps(1, 1)), "");
+    EXPECT_EQ(first_difference(driver, hosts.in_lammps(2, 1)), "");
+    EXPECT_EQ(first_difference(driver, hosts.in_lammps(1, 2)), "");
+    EXPECT_EQ(first_difference(driver, hosts.in_lammps(2, 2)), "");
+}
+
+// The last one of three, from 16 m on.
+TEST_F(LammpsSurfaces, HaveTheBitsOfTheDriverWhereAProcessHasNoParticle) {
+    const BothHosts hosts(on_soft_ground());
+    EXPECT_EQ(first_difference(hosts.in_driver(1000000), hosts.in_lammps(3, 1)), "");
+}
+
+TEST_F(LammpsSurfaces, OfARigidBodyHaveTheBitsOfTheDriver) {
+    const BothHosts hosts(case_with("[body.rigid]\nvelocity_r_m_per_s = [-0.5]\n"
+                                    "velocity_z_m_per_s = [0.5]"));
+    const Told driver = hosts.in_driver(1000000);
+    EXPECT_GT(driver.rows.back()[contact_loss], 0.0);
+    EXPECT_EQ(first_difference(driver, hosts.in_lammps(1, 2)), "");
+    EXPECT_EQ(first_difference(driver, hosts.in_lammps(2, 2)), "");
+}
+
+// The cut goes from 12 m to where the block's corner is; forces are means since the last row.
+TEST_F(LammpsSurfaces, GoOnWhereTheGridIsCutAnew) {
+    const BothHosts hosts(on_soft_ground());
+    const std::string script = replaced(hosts.folder.read(hosts.name + ".in"), "run ${most_steps}",
+                                        "run 17\nbalance 1.0 x 0.4\nrun ${most_steps}");
+    EXPECT_EQ(first_difference(hosts.in_driver(1000000), hosts.in_lammps(2, 2, script)), "");
+}
+
+TEST_F(LammpsSurfaces, GoOnFromARestartFileOnMoreProcesses) {
+    const BothHosts hosts(on_soft_ground());
+    const Told before = hosts.in_lammps(2, 1, "restart 30 surfaces\n" + hosts.script());
+    const Told after = hosts.in_lammps(2, 2,
+                                       "atom_modify map yes\nread_restart surfaces.30\n"
+                                       "include both.fix\nthermo 1\nrun 2000000000\n");
+    ASSERT_FALSE(after.rows.empty());
+    EXPECT_EQ(first_difference({{before.rows.back()}, before.points},
+                               {{after.rows.back()}, after.points}),
+              "");
+}
+
+}  // namespace
