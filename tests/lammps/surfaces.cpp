@@ -12,8 +12,9 @@ namespace {
 
 class LammpsSurfaces : public ::testing::Test {
   protected:
-    // material: of the ground; at r up to 15.5 m.
-    static std::string case_with(const std::string& material) {
+    // material: of the ground, up to 15.5 m. block: from r, to r.
+    static std::string case_with(const std::string& material,
+                                 const std::string& block = "9.5, 13") {
         std::string text = block_case("2.5, -2", "0.5", R"([[body]]
 name = "ground"
 density_kg_per_m3 = 1500
@@ -27,13 +28,14 @@ soft = "block"
 law = "surface"
 friction_coefficient = 0.3
 )");
-        text = replaced(text, "r_m = [2, 6]\nz_m = [3, 6]", "r_m = [9.5, 13]\nz_m = [12, 15]");
+        text =
+            replaced(text, "r_m = [2, 6]\nz_m = [3, 6]", "r_m = [" + block + "]\nz_m = [12, 15]");
         text = replaced(text, "fixed_point = true", "fixed_point = true\ncfl = 0.1");
         return replaced(text, "kPa = 20", "kPa = 200");
     }
-    static std::string on_soft_ground() {
-        return case_with("[body.elastic]\nyoungs_modulus_kPa = 400\npoissons_ratio = 0.2");
-    }
+    static constexpr const char* soft =
+        "[body.elastic]\nyoungs_modulus_kPa = 400\npoissons_ratio = 0.2";
+    static std::string on_soft_ground() { return case_with(soft); }
     // Of the history.
     static constexpr std::size_t tip_force = 6, contact_loss = 16;
 };
@@ -54,6 +56,14 @@ TEST_F(LammpsSurfaces, HaveTheBitsOfTheDriverHoweverTheGridIsCut) {
 TEST_F(LammpsSurfaces, HaveTheBitsOfTheDriverWhereAProcessHasNoParticle) {
     const BothHosts hosts(on_soft_ground());
     EXPECT_EQ(first_difference(hosts.in_driver(1000000), hosts.in_lammps(3, 1)), "");
+}
+
+// The first process has nodes up to 15 m and counts them; that they are near, the second one alone knows.
+TEST_F(LammpsSurfaces, HaveTheBitsOfTheDriverWhereTheyBeginBeyondTheNodesOfAProcess) {
+    const BothHosts hosts(replaced(case_with(soft, "16.25, 19.5"), "[5.25, 15.5]", "[5.25, 20]"));
+    const Told driver = hosts.in_driver(1000000);
+    EXPECT_GT(driver.rows.back()[contact_loss], 0.0);
+    EXPECT_EQ(first_difference(driver, hosts.in_lammps(2, 1)), "");
 }
 
 TEST_F(LammpsSurfaces, OfARigidBodyHaveTheBitsOfTheDriver) {

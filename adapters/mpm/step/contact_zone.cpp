@@ -108,8 +108,6 @@ void ContactZone::write(int body, const SurfaceBody& to) const {
         const std::ptrdiff_t z = number_of(item) / whole.grid.nodes_r() - whole.first_z;
         if (r < 0 || r > grid.r.cells || z < 0 || z > grid.z.cells) continue;
         const std::ptrdiff_t node = z * grid.nodes_r() + r;
-        // The last ones here may be nodes that no particle here reaches: at rest.
-        if (!(to.records[node][record::m] > to.least_mass)) continue;
         to.motions[node][motion::v_r] = item.value[near_node::v_r];
         to.motions[node][motion::v_z] = item.value[near_node::v_z];
     }
