@@ -55,7 +55,14 @@ template <int C> class BoxTree {
     }
     // take(item) for all whose boxes meet this one, in no particular order.
     template <class Take> void each(const Box<C>& box, const Take& take) const {
-        if (items > 0) each(box, 1, 0, items, levels, take);
+        any(box, [&](std::ptrdiff_t item) {
+            take(item);
+            return false;
+        });
+    }
+    // ... until is(item) for one of them.
+    template <class Is> bool any(const Box<C>& box, const Is& is) const {
+        return items > 0 && any(box, 1, 0, items, levels, is);
     }
 
   private:
@@ -83,18 +90,18 @@ template <int C> class BoxTree {
         build(2 * node, begin, middle, level - 1);
         build(2 * node + 1, middle, end, level - 1);
     }
-    template <class Take>
-    void each(const Box<C>& box, std::ptrdiff_t node, std::ptrdiff_t begin, std::ptrdiff_t end,
-              int level, const Take& take) const {
-        if (!nodes[node].meets(box)) return;
+    template <class Is>
+    bool any(const Box<C>& box, std::ptrdiff_t node, std::ptrdiff_t begin, std::ptrdiff_t end,
+             int level, const Is& is) const {
+        if (!nodes[node].meets(box)) return false;
         if (level == 0) {
             for (std::ptrdiff_t i = begin; i < end; ++i)
-                if (boxes[order[i]].meets(box)) take(order[i]);
-            return;
+                if (boxes[order[i]].meets(box) && is(order[i])) return true;
+            return false;
         }
         const std::ptrdiff_t middle = begin + (end - begin) / 2;
-        each(box, 2 * node, begin, middle, level - 1, take);
-        each(box, 2 * node + 1, middle, end, level - 1, take);
+        return any(box, 2 * node, begin, middle, level - 1, is) ||
+               any(box, 2 * node + 1, middle, end, level - 1, is);
     }
 
     const Box<C>* boxes;

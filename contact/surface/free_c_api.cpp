@@ -141,11 +141,13 @@ class FreeEdges {
         at.include(from + off);
         at.include(from + along + off);
         std::ptrdiff_t count = 0;
-        tree.each(at, [&](std::ptrdiff_t other) {
-            if (other == i) return;
+        const bool is_covered = tree.any(at, [&](std::ptrdiff_t other) {
+            if (other == i) return false;
             const Interval shadow = domains[other].cut(from + off, along);
             if (shadow.begin < shadow.end) covered[count++] = shadow;
+            return shadow.end - shadow.begin > 0.5;  // inside of a body: by one neighbour
         });
+        if (is_covered) return false;
         std::sort(covered, covered + count);
         double open = 0.0, reached = 0.0;
         for (std::ptrdiff_t c = 0; c < count; ++c) {
