@@ -255,6 +255,14 @@ TEST(SharedGridOfDoubles, TwoProcessesDifferByRoundoff) {
     EXPECT_EQ(two.rows.size(), one.rows.size());
 }
 
+TEST(SharedGridOfDoubles, BothProcessesHaveTheSameContactAtSurfaces) {
+    PressedSand problem;
+    problem.at_surfaces = true;
+    const Result two = together(problem, {0, 3}, 60, 3);
+    EXPECT_GT(two.totals[0][8], 0.0);  // contact has taken energy
+    EXPECT_EQ(two.totals[0], two.totals[1]);
+}
+
 TEST(SharedGridOfDoubles, PenaltyContactIsForOneProcess) {
     Exchange exchange;
     Simulation simulation(Axis::uniform(0.0, 1.0, 4), Axis::uniform(0.0, 1.0, 4), {}, &exchange);
