@@ -123,6 +123,9 @@ void add_bodies(const Case& plan, const std::string& stem, FixWords& fix) {
 void add_contacts(const Case& plan, FixWords& fix) {
     for (const ContactPlan& contact : plan.contacts) {
         if (contact.penalty) throw BadInput("fix grit/mpm of LAMMPS has no penalty contact");
+        if (!contact.surface_line.points.empty())
+            throw BadInput(
+                "fix grit/mpm of LAMMPS has no stiff_line: surfaces are free edges there");
         const bool geo = contact.law == GRIT_CONTACT_GEO;
         std::string more;
         for (const Member<ContactPlan>& member : contact_members()) {

@@ -60,8 +60,8 @@ grit::Vector2 direction_of(TomlTable& table, Edge edge) {
 }
 
 // A line in the grid; closed if its last point is its first.
-PenaltyLine read_line(TomlTable table, const Case& plan) {
-    PenaltyLine out;
+BoundaryLine read_line(TomlTable table, const Case& plan) {
+    BoundaryLine out;
     const std::vector<double> r = table.numbers("r_m"), z = table.numbers("z_m", r.size());
     for (std::size_t i = 0; i < r.size(); ++i) {
         if (!(r[i] >= plan.r.from && r[i] <= plan.r.to() && z[i] >= plan.z.from &&
@@ -132,6 +132,8 @@ ContactPlan read_contact(TomlTable table, const Case& plan) {
         return out;
     }
     words::set_law(out, law);
+    if (out.at_surfaces && table.has("stiff_line"))
+        out.surface_line = read_line(table.table("stiff_line"), plan);
     read_members(table, "contact", contact_members(), out);
     refuse(table, objection_to(
                       out, [&table](std::string_view key) { return table.has(std::string(key)); }));

@@ -91,7 +91,7 @@ struct TractionPlan {
 struct PenaltyPlan {
     double modulus;                   // P-wave modulus of the softer body [Pa]
     double stiffness_multiple = 1.0;  // of modulus / shortest cell
-    PenaltyLine stiff_line, soft_line;
+    BoundaryLine stiff_line, soft_line;
 };
 
 struct ContactPlan {
@@ -101,7 +101,8 @@ struct ContactPlan {
     int normal = 0, measure = 0;  // GRIT_CONTACT_...
     bool gated = true;
     std::optional<PenaltyPlan> penalty = {};  // in place of a nodal law
-    bool at_surfaces = false;                 // in place of a nodal law
+    bool at_surfaces = false;                 // in place of a nodal law ...
+    BoundaryLine surface_line = {};  // ... along this line of the stiff body; empty: its free edges
 };
 
 // What ends a stage: whichever comes first.

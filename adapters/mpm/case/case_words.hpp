@@ -224,10 +224,11 @@ inline constexpr CaseWord all[] = {
            "of penalty: P-wave modulus of the softer body", "needed by penalty"),
     number("contact", "stiffness_multiple", {1e-6, 1e6}, none,
            "of penalty: of modulus / shortest cell", "1"),
-    a_table("contact", "stiff_line",
-            "of penalty: with the body on its left, closed if the last point is the first",
-            "needed by penalty"),
-    a_table("contact", "soft_line", "", "needed by penalty"),
+    a_table(
+        "contact", "stiff_line",
+        "of penalty and surface: with the body on its left, closed if the last point is the first",
+        "of surface: the free edges of particles"),
+    a_table("contact", "soft_line", "of penalty", "needed by penalty"),
 
     numbers("contact.stiff_line", "r_m", metre, ""),
     numbers("contact.stiff_line", "z_m", metre, ""),

@@ -87,7 +87,10 @@ void contact_words(const Simulation& s, std::ostream& out) {
     for (std::size_t i = 0; i < s.surface_contact_count(); ++i) {
         const SurfaceLaw& law = s.surface_contact(i).law();
         out << "surface contact " << i << ": bodies " << law.a << " and " << law.b
-            << ", friction coefficient " << law.options.friction_coefficient << '\n';
+            << ", friction coefficient " << law.options.friction_coefficient;
+        if (!law.line_a.points.empty()) out << (law.line_a.closed ? ", closed line" : ", line");
+        for (const Vector2& x : law.line_a.points) out << ' ' << x[0] << ' ' << x[1];
+        out << '\n';
     }
 }
 

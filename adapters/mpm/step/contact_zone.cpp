@@ -95,6 +95,8 @@ void ContactZone::sort() {
         }
 }
 
+int ContactZone::id_of(const KeyedNumbers& domain) { return static_cast<int>(number_of(domain)); }
+
 std::ptrdiff_t ContactZone::place_of(int body, std::ptrdiff_t node) const {
     const std::span<const KeyedNumbers> all = of(2 + body);
     const std::uint64_t key = key_of(2 + body, node);

@@ -48,6 +48,8 @@ class ContactZone {
     std::span<KeyedNumbers> nodes(int body) { return of(2 + body); }
     // [nodes(body)] bits of components that are held.
     const int* fixed(int body) const { return held.data() + (body == 0 ? 0 : of(2).size()); }
+    // The particle of a domain.
+    static int id_of(const KeyedNumbers& domain);
     // Of a node of the whole grid among those of a body; -1: it has no mass there.
     std::ptrdiff_t place_of(int body, std::ptrdiff_t node) const;
     const GridView& whole_grid() const { return whole.grid; }

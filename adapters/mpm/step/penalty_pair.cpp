@@ -49,7 +49,7 @@ PenaltyPair::PenaltyPair(const PenaltyLaw& law, bool axisymmetric, std::size_t n
     next_totals.struct_size = step_totals.struct_size = sizeof step_totals;
     pair_law.options.axisymmetric = axisymmetric;
     for (const int k : {0, 1}) {
-        const PenaltyLine& given = k == 0 ? law.line_a : law.line_b;
+        const BoundaryLine& given = k == 0 ? law.line_a : law.line_b;
         for (const Vector2& x : given.points)
             lines[k].position.insert(lines[k].position.end(), {x[0], x[1]});
         lines[k].closed = given.closed;

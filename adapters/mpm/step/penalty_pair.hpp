@@ -9,20 +9,15 @@
 #include <grit/contact_penalty.h>
 
 #include "adapters/mpm/kernel/nodes.hpp"
+#include "adapters/mpm/step/boundary_line.hpp"
 #include "adapters/mpm/step/faces.hpp"
 
 namespace grit::mpm {
 
-// A polyline with its body on the left of the direction of travel.
-struct PenaltyLine {
-    std::vector<Vector2> points;
-    bool closed = false;
-};
-
 struct PenaltyLaw {
     std::size_t a = 0, b = 1;        // bodies
     grit_penalty_options options{};  // axisymmetric and time_step are the driver's
-    PenaltyLine line_a, line_b;      // at the start
+    BoundaryLine line_a, line_b;     // at the start
     double longest = 0.0;            // segments are split above it [m]
     double shortest = 0.0;           // ... and merged below it [m]; 0: never
 };

@@ -7,7 +7,7 @@ void SurfaceContacts::add(const SurfaceLaw& law) {
     const bool axisymmetric = model.settings.axisymmetric;
     pairs.emplace_back(law, model.shortest,
                        ContactZone(model.grid(), model.whole(), axisymmetric, model.fixed_nodes),
-                       axisymmetric);
+                       axisymmetric, model.parts[law.a].body.particles);
     are_near.resize(pairs.size());
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double neighbours =
     0.25;                        // share of a width: domains no farther apart leave no free edge
-constexpr double spacing = 2.0;  // of what carries the pressure, in cells (ADR 13)
+constexpr double spacing = 2.0;  // of what carries the pressure, in cells (ADR 12)
 constexpr int nodes_each = 4;
 constexpr std::ptrdiff_t stride = sizeof(KeyedNumbers) / sizeof(double);  // of what a zone has
 
@@ -33,8 +33,8 @@ SurfaceLaw surface_law(double friction_coefficient) {
 }
 
 SurfacePair::SurfacePair(const SurfaceLaw& law, double shortest_cell, ContactZone of_both,
-                         bool axisymmetric)
-    : pair_law(law), zone(std::move(of_both)) {
+                         bool axisymmetric, const Particles& a)
+    : pair_law(law), zone(std::move(of_both)), line_a(law.line_a, 0.5 * shortest_cell, a) {
     pair_law.options.axisymmetric = axisymmetric;
     pair_law.options.spacing = spacing * shortest_cell;
     pair_law.options.reach = shortest_cell;
@@ -55,8 +55,17 @@ bool SurfacePair::find(const SurfaceBody& a, const SurfaceBody& b) {
 
 void SurfacePair::find_edges(int body, Skin& skin) {
     skin.vertices = skin.facets = 0;
-    const std::span<const KeyedNumbers> of_zone = zone.domains(body);
-    if (of_zone.empty()) return;
+    const std::span<const KeyedNumbers> domains = zone.domains(body);
+    if (body == 0 && !line_a.empty()) {
+        line_a.place(domains, skin.position, skin.facet);
+        skin.vertices = static_cast<std::ptrdiff_t>(skin.position.size() / 2);
+        skin.facets = static_cast<std::ptrdiff_t>(skin.facet.size() / 2);
+    } else if (!domains.empty()) {
+        find_free_edges(domains, skin);
+    }
+}
+
+void SurfacePair::find_free_edges(std::span<const KeyedNumbers> of_zone, Skin& skin) {
     const std::size_t n = of_zone.size();
     skin.position.resize(8 * n);
     skin.facet.resize(8 * n);

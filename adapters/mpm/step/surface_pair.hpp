@@ -9,6 +9,7 @@
 
 #include "adapters/mpm/step/contact_zone.hpp"
 #include "adapters/mpm/step/faces.hpp"
+#include "adapters/mpm/step/ridden_line.hpp"
 #include "adapters/mpm/step/settings.hpp"
 
 namespace grit::mpm {
@@ -16,13 +17,16 @@ namespace grit::mpm {
 struct SurfaceLaw {
     std::size_t a = 0, b = 1;  // bodies; a's surface gives the normals and carries the pressure
     grit_surface_options options{};
+    BoundaryLine line_a;  // at the start, in the place of a's free edges; empty: these
 };
 
 SurfaceLaw surface_law(double friction_coefficient);
 
 class SurfacePair {
   public:
-    SurfacePair(const SurfaceLaw& law, double shortest_cell, ContactZone zone, bool axisymmetric);
+    // a: its particles, at the start.
+    SurfacePair(const SurfaceLaw& law, double shortest_cell, ContactZone zone, bool axisymmetric,
+                const Particles& a);
     // False where no node of this process is reached by both bodies.
     bool find(const SurfaceBody& a, const SurfaceBody& b);
     // After find, by all processes if one of them has found something: velocities after the momentum update become
@@ -41,7 +45,7 @@ class SurfacePair {
     }
 
   private:
-    // Free edges of a body where the other one is near.
+    // Edges of a body where the other one is near.
     struct Skin {
         std::vector<double> position, weight, velocity;
         std::vector<std::ptrdiff_t> facet, node;
@@ -49,6 +53,7 @@ class SurfacePair {
         std::ptrdiff_t vertices = 0, facets = 0;
     };
     void find_edges(int body, Skin& skin);
+    void find_free_edges(std::span<const KeyedNumbers> domains, Skin& skin);
     void find_nodes(int body, const SurfaceBody& of, Skin& skin);
     grit_surface surface(int body, const SurfaceBody& of);
     void solve(const grit_surface& a, const grit_surface& b);
@@ -58,6 +63,7 @@ class SurfacePair {
 
     SurfaceLaw pair_law;
     ContactZone zone;
+    RiddenLine line_a;
     Skin skins[2];
     std::vector<std::uint64_t> workspace;
     std::vector<grit_surface_report> reports;

@@ -24,7 +24,7 @@ inline const char* name_of(ContactKind kind) {
 // What penalty contact needs besides; the others find their surfaces.
 struct PenaltyNeeds {
     double modulus, cell;  // [Pa], [m]
-    PenaltyLine line_a, line_b;
+    BoundaryLine line_a, line_b;
 };
 
 // Between bodies 0 and 1; 0 is the stiffer one. power: k of the Geo-contact; 0: its default.

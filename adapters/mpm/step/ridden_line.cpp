@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/mpm/step/ridden_line.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "adapters/mpm/step/contact_zone.hpp"
+
+namespace grit::mpm {
+namespace {
+
+// Points of a line, none farther from the next one than this.
+std::vector<Vector2> divided(const BoundaryLine& line, double longest) {
+    std::vector<Vector2> out;
+    const std::size_t n = line.points.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vector2 from = line.points[i], along = line.points[(i + 1) % n] - from;
+        out.push_back(from);
+        if (i + 1 == n && !line.closed) break;
+        const double parts = std::ceil(norm(along) / longest * (1.0 - 1e-9));
+        for (double k = 1.0; k < parts; k += 1.0) out.push_back(from + (k / parts) * along);
+    }
+    return out;
+}
+
+}  // namespace
+
+RiddenLine::RiddenLine(const BoundaryLine& line, double longest, const Particles& particles)
+    : closed(line.closed) {
+    const std::ptrdiff_t n = particles.size();
+    for (const Vector2& x : divided(line, longest)) {
+        std::ptrdiff_t nearest = -1;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::ptrdiff_t p = 0; p < n; ++p) {
+            const double away =
+                std::hypot(particles(column::r, p) - x[0], particles(column::z, p) - x[1]);
+            const bool is_first = away == least && particles.ids()[p] < particles.ids()[nearest];
+            if (!(away < least) && !is_first) continue;
+            least = away;
+            nearest = p;
+        }
+        if (nearest < 0) continue;
+        riders.push_back(
+            {particles.ids()[nearest],
+             (x[0] - particles(column::r, nearest)) / particles(column::l_r, nearest),
+             (x[1] - particles(column::z, nearest)) / particles(column::l_z, nearest)});
+    }
+}
+
+void RiddenLine::place(std::span<const KeyedNumbers> domains, std::vector<double>& position,
+                       std::vector<std::ptrdiff_t>& facet) const {
+    position.clear();
+    facet.clear();
+    constexpr std::ptrdiff_t lost = -1;
+    std::ptrdiff_t first = lost, before = lost, count = 0;
+    for (std::size_t i = 0; i < riders.size(); ++i) {
+        const Rider& rider = riders[i];
+        const auto found = std::lower_bound(
+            domains.begin(), domains.end(), rider.id,
+            [](const KeyedNumbers& x, int id) { return ContactZone::id_of(x) < id; });
+        if (found == domains.end() || ContactZone::id_of(*found) != rider.id) {
+            before = lost;
+            continue;
+        }
+        const auto& d = found->value;
+        using namespace near_domain;
+        position.push_back(d[r] + rider.along_1 * d[r1r] + rider.along_2 * d[r2r]);
+        position.push_back(d[z] + rider.along_1 * d[r1z] + rider.along_2 * d[r2z]);
+        if (before != lost) facet.insert(facet.end(), {before, count});
+        if (i == 0) first = count;
+        before = count++;
+    }
+    if (closed && first != lost && before != lost && before != first)
+        facet.insert(facet.end(), {before, first});
+}
+
+}  // namespace grit::mpm

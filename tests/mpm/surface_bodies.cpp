@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bodies in contact at their true surfaces, in the driver.
+#include <gtest/gtest.h>
+
+#include "support/cavity_in_sand.hpp"
+#include "support/cylinders.hpp"
+#include "support/inclined_bars.hpp"
+#include "support/pressed_blocks.hpp"
+
+namespace {
+
+using namespace mpm_test;
+
+TEST(SurfaceContactOfBodies, PressesEveryParticleAlikeWhereverTheInterfaceIs) {
+    for (const double offset : {0.0, 0.3, 0.7})
+        for (const bool axisymmetric : {false, true}) {
+            PressedBlocks blocks;
+            blocks.offset = offset;
+            blocks.axisymmetric = axisymmetric;
+            const PressedBlocks::Result seen = blocks.run();
+            EXPECT_NEAR(seen.lowest, -PressedBlocks::pressure, 5e3) << offset;
+            EXPECT_NEAR(seen.highest, -PressedBlocks::pressure, 5e3) << offset;
+            EXPECT_LT(std::fabs(seen.overlap), 0.01) << offset;
+        }
+}
+
+// The patch test: a constant stress crosses an interface of unlike particles that is inclined to the grid.
+TEST(SurfaceContactOfBodies, CarriesAConstantStressAcrossAnInclinedInterface) {
+    for (const double angle : {0.0, 0.1, 0.3, 0.5, 0.7})
+        for (const double mu : {0.0, 0.4}) {
+            InclinedBars bars;
+            bars.angle = angle;
+            bars.friction_coefficient = mu;
+            EXPECT_LT(bars.run(), 1e-3) << angle << ", " << mu;
+        }
+}
+
+TEST(SurfaceContactOfBodies, BeginsWhenTheGapIsClosedWhereverTheSideIs) {
+    for (const double radius : {0.2, 0.205, 0.2125, 0.22})
+        for (const double offset : {0.0, 0.5}) {
+            Cylinders cylinders;
+            cylinders.radius = radius;
+            cylinders.offset = offset;
+            const Cylinders::Result seen = cylinders.run();
+            EXPECT_NEAR(seen.first, Cylinders::gap / Cylinders::closing, 1e-3);
+            EXPECT_NEAR(seen.momentum, 0.0, 1e-12);
+        }
+}
+
+// The wall of a cavity feels what finite elements that know no contact tell, and so do the particles beside it.
+TEST(SurfaceContactOfBodies, ExpandsACavityInSandWithTheStressOfFiniteElements) {
+    CavityByPoints points;
+    points.cell_mean = true;
+    points.end = points.turn() + 0.01;
+    CavityByElements elements;
+    elements.end = points.end;
+    const CavityCurve exact = elements.run();
+    const CavityByPoints::Result seen = points.run();
+    for (std::size_t i = 0; i < seen.curve.time.size(); ++i)
+        if (seen.curve.displacement[i] > 0.005) {
+            EXPECT_NEAR(seen.curve.pressure[i] / exact.pressure_at(seen.curve.time[i]), 1.0, 0.01)
+                << seen.curve.displacement[i];
+        }
+    for (const CavityByPoints::Row& row : seen.rows)
+        if (row.r0 < 2.0 * CavityProblem::a) {
+            EXPECT_NEAR(row.sigma_rr / exact.stress_at(row.r0), 1.0, 0.05) << row.r0;
+        }
+}
+
+KeyedNumbers domain(std::uint64_t id, double r, double z, const double (&sides)[4]) {
+    return {id, {r, z, sides[0], sides[1], sides[2], sides[3]}};
+}
+
+TEST(RiddenLine, MovesAsTheDomainsThatItsVerticesWereNearestTo) {
+    Particles particles(0);
+    for (const double r : {0.5, 1.5}) particles.add({r, 0.5, 0.5, 0.5, 1.0}, false);
+    const RiddenLine line({{{2.0, 1.2}, {0.0, 1.2}}, false}, 1.0, particles);
+    std::vector<double> x;
+    std::vector<std::ptrdiff_t> facet;
+    // F = [[1.1, 0.2], [-0.1, 0.9]], moved by (3, 4).
+    const auto image = [](double r, double z) {
+        return std::pair{3.0 + 1.1 * r + 0.2 * z, 4.0 - 0.1 * r + 0.9 * z};
+    };
+    std::vector<KeyedNumbers> domains;
+    for (const std::ptrdiff_t p : {0, 1}) {
+        const auto [r, z] = image(particles(column::r, p), 0.5);
+        domains.push_back(
+            domain(static_cast<std::uint64_t>(particles.ids()[p]), r, z, {0.55, -0.05, 0.1, 0.45}));
+    }
+    line.place(domains, x, facet);
+    ASSERT_EQ(x.size(), 6u);
+    EXPECT_EQ(facet, (std::vector<std::ptrdiff_t>{0, 1, 1, 2}));
+    for (std::size_t v = 0; v < 3; ++v) {
+        const auto [r, z] = image(2.0 - static_cast<double>(v), 1.2);
+        EXPECT_NEAR(x[2 * v], r, 1e-12);
+        EXPECT_NEAR(x[2 * v + 1], z, 1e-12);
+    }
+    domains.pop_back();  // what is not near is left out
+    line.place(domains, x, facet);
+    EXPECT_EQ(x.size() / 2, facet.size() / 2 + 1);
+    EXPECT_LT(x.size(), 6u);
+}
+
+TEST(RiddenLine, OfAClosedLineIsClosed) {
+    Particles particles(0);
+    particles.add({0.5, 0.5, 0.5, 0.5, 1.0}, false);
+    const RiddenLine line({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, true}, 0.5, particles);
+    std::vector<double> x;
+    std::vector<std::ptrdiff_t> facet;
+    const KeyedNumbers one =
+        domain(static_cast<std::uint64_t>(particles.ids()[0]), 0.5, 0.5, {0.5, 0.0, 0.0, 0.5});
+    line.place({&one, 1}, x, facet);
+    EXPECT_EQ(x.size(), 16u);
+    ASSERT_EQ(facet.size(), 16u);
+    EXPECT_EQ(facet[15], 0);
+}
+
+TEST(SurfaceContactOfBodies, RestsOnTheLineOfABodyAndNotOnItsParticles) {
+    constexpr double h = 0.1, level = 0.203;
+    Simulation simulation(
+        Axis::uniform(0.0, 0.4, 4), Axis::uniform(0.0, 0.8, 8),
+        {.axisymmetric = false, .cfl = 0.4, .local_damping = 0.5, .gravity_z = -9.81});
+    Body floor = make_box({0.0, 0.4, 0.0, 0.2, 8, 4, 2000.0}, false, nullptr);
+    floor.prescribed_velocity = [](double) { return grit::Vector2{0.0, 0.0}; };
+    simulation.add_body(std::move(floor));
+    simulation.add_body(make_box({0.0, 0.4, 0.21, 0.21 + 2 * h, 8, 4, 2000.0}, false,
+                                 std::make_unique<LinearElastic>(10e6, 0.2)));
+    simulation.fix_below(0, 0.0);
+    simulation.fix_above(0, 0.4);
+    SurfaceLaw law = surface_law(0.0);
+    law.line_a.points = {{0.4, level}, {0.0, level}};
+    simulation.add_contact(law);
+    while (simulation.time() < 0.5) simulation.step();
+    const Particles& q = simulation.body(1).particles;
+    double lowest = 1e30;
+    for (std::ptrdiff_t p = 0; p < q.size(); ++p)
+        lowest = std::min(lowest, q(column::z, p) - q(column::F_zz, p) * q(column::l_z, p));
+    EXPECT_NEAR(lowest, level, 1e-4);
+}
+
+}  // namespace
