@@ -36,6 +36,8 @@ constexpr Member<Case> of_numerics[] = {
         case_word("numerics", "bulk_viscosity_quadratic"), "bulk_viscosity"),
     member<Case, &Case::settings, &Settings::cell_mean>(
         case_word("numerics", "cell_averaged_volume"), "cell_mean"),
+    member<Case, &Case::settings, &Settings::reduced_domains>(
+        case_word("numerics", "reduced_domains"), "reduced_domains"),
     member<Case, &Case::settings, &Settings::fixed_point>(case_word("numerics", "fixed_point"),
                                                           "fixed_point"),
     member<Case, &Case::gravity>(case_word("", "gravity_m_per_s2"), "gravity"),

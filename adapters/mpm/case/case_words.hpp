@@ -136,6 +136,8 @@ inline constexpr CaseWord all[] = {
     number("numerics", "bulk_viscosity_quadratic", {0.0, 10.0}, none, ""),
     yes_or_no("numerics", "cell_averaged_volume",
               "volumetric strain of a step as the mean of a cell"),
+    yes_or_no("numerics", "reduced_domains",
+              "of sand: where shear draws a domain out, a compact one that tiles as it did"),
     yes_or_no("numerics", "fixed_point",
               "nodal sums in integers: no order and no processes change a bit"),
     integer("numerics", "threads", {1, 1024}, "of a process; change no result"),

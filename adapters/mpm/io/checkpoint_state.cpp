@@ -38,6 +38,7 @@ void grid_words(const Simulation& s, std::ostream& out) {
         << "bulk viscosity: linear " << settings.linear_viscosity << ", quadratic "
         << settings.quadratic_viscosity << '\n'
         << "volumetric strain: " << (settings.cell_mean ? "mean of the cell" : "own") << '\n'
+        << "domains of sand: " << (settings.reduced_domains ? "reduced" : "convected") << '\n'
         << "sums: " << (settings.fixed_point ? "fixed point" : "floating point") << '\n';
 }
 

@@ -145,6 +145,7 @@ struct GatherCall {
     double pic;                 // PIC share of this step [-]
     unsigned tasks;
     Separation separation = {};
+    bool reduces_domains = false;
     CellMean mean = {};        // with cells, deformation stops there
     bool fixed_point = false;  // of the sums
 };
@@ -156,6 +157,7 @@ struct DeformCall {
     const CellIntegers* cells;
     const Deferred* deferred;  // [particles]
     Separation separation;
+    bool reduces_domains = false;
 };
 
 struct GatherSums {

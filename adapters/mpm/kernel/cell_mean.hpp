@@ -80,7 +80,8 @@ void deform_by_mean(bool axisymmetric, const DeformCall& call, Increments& incre
             L.zz += change;
             if (axisymmetric) L.tt += change;
         }
-        deform(call.particles, p, L, call.separation, increments, p - call.begin);
+        deform(call.particles, p, L, call.separation, call.reduces_domains, increments,
+               p - call.begin);
     }
 }
 

@@ -90,7 +90,9 @@ void gather_by(const GatherCall& call, Increments& increments, GatherSums& sums)
                                 call.dt * g.G_r[lane + 1], call.dt * g.G_z[lane + 1],
                                 axisymmetric ? call.dt * g.T[lane] : 0.0};
             if constexpr (mean) defer(call, place, p, L);
-            else deform(call.particles, p, L, call.separation, increments, p - call.begin);
+            else
+                deform(call.particles, p, L, call.separation, call.reduces_domains, increments,
+                       p - call.begin);
         }
     }
 }

@@ -5,6 +5,7 @@
 
 #include "adapters/mpm/kernel/call.hpp"
 #include "adapters/mpm/kernel/record_lanes.hpp"
+#include "adapters/mpm/kernel/reduced_domain.hpp"
 
 GRIT_KERNEL_BEGIN_OF(mpm)
 
@@ -22,7 +23,8 @@ GRIT_INLINE bool opens_too_far(const ParticleView& q, std::ptrdiff_t p, const Gr
 }
 
 GRIT_INLINE void deform(const ParticleView& q, std::ptrdiff_t p, const Gradient& given,
-                        const Separation& separation, Increments& out, std::ptrdiff_t i) {
+                        const Separation& separation, bool reduces, Increments& out,
+                        std::ptrdiff_t i) {
     namespace c = column;
     // What has opened to the cap keeps its domain and does not turn.
     const bool held = opens_too_far(q, p, given, separation);
@@ -34,6 +36,7 @@ GRIT_INLINE void deform(const ParticleView& q, std::ptrdiff_t p, const Gradient&
     q[c::F_zr][p] = F_zr + L.zr * F_rr + L.zz * F_zr;
     q[c::F_zz][p] = F_zz + L.zr * F_rz + L.zz * F_zz;
     q[c::F_tt][p] += q[c::F_tt][p] * L.tt;
+    if (reduces) reduce_domain(q, p);
 
     // M = L (I + L/2)^-1, the gradient against the middle of the step.
     const double a = 1.0 + 0.5 * L.rr, d = 1.0 + 0.5 * L.zz;

@@ -30,6 +30,8 @@ class Material {
     // Energy that the stress has stored, or taken, since the start [J].
     virtual double energy(const ParticleView& particles, std::ptrdiff_t p) const = 0;
     virtual Separation separation() const { return {}; }
+    // It asks of F no more than the volume: domains may be reduced.
+    virtual bool knows_no_deformation() const { return false; }
     // Columns of its own as seen in the mirror r -> -r.
     virtual void reflect(const ParticleView&, std::ptrdiff_t) const {}
 };

@@ -22,6 +22,7 @@ class Sand : public Material {
     double energy(const ParticleView& particles, std::ptrdiff_t p) const override;
     // e = 1.2 e_i at zero pressure.
     Separation separation() const override;
+    bool knows_no_deformation() const override { return true; }
     void reflect(const ParticleView& particles, std::ptrdiff_t p) const override;
 
     const grit_sand& prepared() const { return sand; }

@@ -69,6 +69,7 @@ void Gather::gather(std::size_t body, int strip, unsigned tasks) {
                               std::min(settings.pic_rate * model.dt, 1.0),
                               tasks,
                               part.separation,
+                              part.reduces_domains,
                               means.of(body),
                               settings.fixed_point};
         kernels().gather(settings.shape, settings.axisymmetric, call, bodies[body].increments[s],
@@ -87,9 +88,10 @@ void Gather::deform(std::size_t body, int strip) {
     double fastest = 0.0;
     each_range(part.strips, strip, [&](std::ptrdiff_t begin, std::ptrdiff_t stop) {
         const CellMean& mean = means.of(body);
-        kernels().deform(model.settings.axisymmetric,
-                         {q, begin, stop, mean.cells, mean.deferred, part.separation},
-                         bodies[body].increments[s]);
+        kernels().deform(
+            model.settings.axisymmetric,
+            {q, begin, stop, mean.cells, mean.deferred, part.separation, part.reduces_domains},
+            bodies[body].increments[s]);
         fastest = std::max(fastest, update(body, strip, {q, begin, stop}));
     });
     bodies[body].strips[s].speed = std::sqrt(fastest);

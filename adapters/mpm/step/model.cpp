@@ -50,7 +50,11 @@ void Model::add_body(Body body) {
     exchange.max(extremes, 2);
     part.least_mass = std::isfinite(extremes[0]) ? -1e-12 * extremes[0] : 0.0;
     part.largest_volume = extremes[1];
-    if (part.body.material) part.separation = part.body.material->separation();
+    if (part.body.material) {
+        part.separation = part.body.material->separation();
+        part.reduces_domains =
+            settings.reduced_domains && part.body.material->knows_no_deformation();
+    }
     parts.push_back(std::move(part));
     particles_changed(parts.size() - 1);
 }

@@ -21,6 +21,7 @@ struct Part {
     std::vector<NodeMotion> motions = {};
     std::vector<std::ptrdiff_t> by_id = {};  // particles, ids ascending
     Separation separation = {};
+    bool reduces_domains = false;
     double least_mass = 0.0;      // of a node that moves [kg]
     double largest_volume = 0.0;  // of a particle at the start [m3]
 

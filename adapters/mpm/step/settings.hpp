@@ -27,7 +27,8 @@ struct Settings {
     double gravity_r = 0.0, gravity_z = 0.0;                        // [m/s2]
     // Bulk viscosity: rho l (linear c |rate| + quadratic l rate^2) in compression [-].
     double linear_viscosity = 0.0, quadratic_viscosity = 0.0;
-    bool cell_mean = false;  // of the volumetric strain of a step, against locking
+    bool cell_mean = false;        // of the volumetric strain of a step, against locking
+    bool reduced_domains = false;  // of sand, where shear draws them out
     // Sums over particles and nodes in integers: no order, no threads and no processes change a bit.
     bool fixed_point = false;
     int threads = 1;

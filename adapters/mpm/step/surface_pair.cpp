@@ -181,14 +181,24 @@ void SurfacePair::correct(const SurfaceBody& a, const SurfaceBody& b, double dt,
     sum_faces();
 }
 
+// The normal force of a facet bears at the tip as far as it acts along z, wherever the facet is.
 void SurfacePair::sum_faces() {
     const Skin& skin = skins[0];
     for (std::size_t f = 0; f < reports.size(); ++f) {
         const double* from = &skin.position[2 * static_cast<std::size_t>(skin.facet[2 * f])];
         const double* to = &skin.position[2 * static_cast<std::size_t>(skin.facet[2 * f + 1])];
-        const bool faces_z = std::fabs(to[0] - from[0]) > std::fabs(to[1] - from[1]);
-        Vector2& face = faces_z ? step_faces.along_z : step_faces.along_r;
-        for (int c = 0; c < 2; ++c) face[c] -= reports[f].force[c];
+        const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
+        if (!(length > 0.0)) continue;
+        const Vector2 outward{(to[1] - from[1]) / length, (from[0] - to[0]) / length};
+        const Vector2 force{-reports[f].force[0], -reports[f].force[1]};  // on b
+        const bool faces_z = std::fabs(outward[1]) > std::fabs(outward[0]);
+        if (faces_z) {
+            step_faces.along_z = step_faces.along_z + force;
+            continue;
+        }
+        const double bearing = reports[f].normal_force * outward[1];
+        step_faces.along_z[1] += bearing;
+        step_faces.along_r = step_faces.along_r + Vector2{force[0], force[1] - bearing};
     }
 }
 
