@@ -14,7 +14,7 @@ module grit_contact_interface
    integer(c_int), parameter :: grit_contact_sums_words = 1200, grit_contact_most_bodies = 8
 
    type, bind(c) :: grit_contact_options
-      integer(c_size_t) :: struct_size = 80
+      integer(c_size_t) :: struct_size = 96
       integer(c_int) :: components, law
       real(c_double) :: penalty_power         ! k [-]
       real(c_double) :: friction_coefficient  ! mu [-]
@@ -23,6 +23,8 @@ module grit_contact_interface
       real(c_double) :: mass_tolerance        ! [-]
       real(c_double) :: gap_tolerance         ! [length]
       integer(c_int) :: rigid, allow_zero_normal, instruction_set, validate_only
+      real(c_double) :: relaxation_time       ! tau [time]
+      real(c_double) :: contact_stiffness     ! epsilon [stress/length]
    end type
 
    type, bind(c) :: grit_contact_nodes

@@ -22,12 +22,14 @@ frictional contact. One impulse per node: momentum is kept, energy never grows.
     cell_size           (n,)          d [length], the cell along the normal; or
     spacing             (c,), (n, c)  edges of the cell [length]
     gap                 (n,)          surface of A to that of B along the normal [length]
-    contact_area        (n,)          [area], with adhesion
+    contact_area        (n,)          [area], with adhesion or contact_stiffness
     acceleration_a, _b  (n, c)        corrected alike; needs time_step
     index               (m,) int64    the nodes to be taken
     law                 "geo" or "frictional"
     penalty_power       k [-], 6      friction_coefficient  mu [-], 0
     adhesion            [stress], 0   time_step             [time], 0: not given
+    relaxation_time     [time], 0: the step
+    contact_stiffness   [stress/length], 0: none; needs gap and contact_area
     rigid               None, "a" or "b"
     allow_zero_normal   a node with a zero normal is open
 
@@ -56,7 +58,8 @@ py::array correct(const py::object& mass_a, const py::object& mass_b, const py::
                   const py::object& acceleration_a, const py::object& acceleration_b,
                   const py::object& index, const std::string& law, double penalty_power,
                   double friction_coefficient, double adhesion, double time_step,
-                  const py::object& rigid, bool allow_zero_normal) {
+                  double relaxation_time, double contact_stiffness, const py::object& rigid,
+                  bool allow_zero_normal) {
     Arrays arrays("normal", normal, {2, 3});
     const int c = arrays.components();
     for (const auto& [name, object] : {std::pair{"mass_a", &mass_a},
@@ -72,6 +75,8 @@ py::array correct(const py::object& mass_a, const py::object& mass_b, const py::
     options.friction_coefficient = friction_coefficient;
     options.adhesion = adhesion;
     options.time_step = time_step;
+    options.relaxation_time = relaxation_time;
+    options.contact_stiffness = contact_stiffness;
     options.rigid = rigid_of(rigid);
     options.allow_zero_normal = allow_zero_normal;
     grit_contact_nodes nodes{};
@@ -129,8 +134,8 @@ void add_contact(py::module_& module) {
                arg("contact_area") = none, arg("acceleration_a") = none,
                arg("acceleration_b") = none, arg("index") = none, arg("law") = "geo",
                arg("penalty_power") = 6.0, arg("friction_coefficient") = 0.0, arg("adhesion") = 0.0,
-               arg("time_step") = 0.0, arg("rigid") = none, arg("allow_zero_normal") = false,
-               correct_doc);
+               arg("time_step") = 0.0, arg("relaxation_time") = 0.0, arg("contact_stiffness") = 0.0,
+               arg("rigid") = none, arg("allow_zero_normal") = false, correct_doc);
     module.def(
         "penalty_factor", &penalty_factor, arg("s"), arg("d"), arg("k") = 6.0,
         "f_p = 1 - (min(max(s, 0), d)/d)^k [-] at the distance s [length] in a cell d [length].");

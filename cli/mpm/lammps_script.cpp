@@ -129,7 +129,11 @@ void add_contacts(const Case& plan, FixWords& fix) {
         const bool geo = contact.law == GRIT_CONTACT_GEO;
         std::string more;
         for (const Member<ContactPlan>& member : contact_members()) {
-            if (member.fix.empty() || contact.at_surfaces || (member.fix == "power" && !geo) ||
+            const double value = member.get(contact);
+            const bool is_none =
+                member.word->kind == Kind::number && (value == 0.0 || !std::isfinite(value));
+            if (member.fix.empty() || contact.at_surfaces || is_none ||
+                (member.fix == "power" && !geo) ||
                 (member.fix == "distance" && !geo && !contact.gated))
                 continue;
             more += fmt::format(" {} {}", member.fix, value_of(member, contact));

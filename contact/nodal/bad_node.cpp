@@ -75,7 +75,8 @@ grit_status describe_node(const grit_contact_nodes& q, const grit_contact_option
                            "got %g",
                            c, number(q.spacing, at, c));
     }
-    if (o.adhesion > 0.0 && !c_api::good_area(number(q.contact_area, at)))
+    if ((o.adhesion > 0.0 || o.contact_stiffness > 0.0) &&
+        !c_api::good_area(number(q.contact_area, at)))
         return say("node %td: contact_area must be in [0, 1e100] [area], got %g",
                    number(q.contact_area, at));
     const auto check_optional = [&](const char* name, const auto& view, const char* unit) {

@@ -14,8 +14,9 @@ template <int C> struct NodePair {
     Shares<double> shares;
     Approach<double, C> x;
     Response<double, C> r;
-    Vector<double, C> u_t;  // tangential part of r.u
-    bool silent;            // an allowed zero normal
+    Vector<double, C> u_t;        // tangential part of r.u
+    bool silent;                  // an allowed zero normal
+    Resistance<double> spring{};  // with contact_stiffness only
 };
 
 // The bodies at one node, and the pairs between them.
@@ -52,14 +53,16 @@ template <int C> struct BodiesAtNode {
         for (int body = 0; body < bodies; ++body) trial[body] = velocity[body];
         const double approach = assemble(), allowed = 1e-6 * tolerance * approach;
         if (!(approach > 0.0)) return true;
+        double most_energy = energy(trial);  // springs may give some
         for (int s = 0; s < sweep_limit; ++s) {
             const double pressed = press(allowed);
             if (pressed < 0.0) return false;
+            if (s == 0 && has_springs) most_energy = max(most_energy, energy(velocity));
             if (max(pressed, rub()) <= tolerance * approach) break;
         }
         // Coulomb's law at several normals may have no solution, or one that gains energy: then friction
         // is left out.
-        if (energy(velocity) <= energy(trial) && consistent(approach)) return true;
+        if (energy(velocity) <= most_energy && consistent(approach)) return true;
         for (int row = 0; row < system.count; ++row) {
             NodePair<C>& pair = pairs[pair_of[row]];
             pair.u_t = {};
@@ -74,7 +77,8 @@ template <int C> struct BodiesAtNode {
         for (int row = 0; row < system.count; ++row) {
             const NodePair<C>& pair = pairs[pair_of[row]];
             const Velocity w = velocity[pair.a] - velocity[pair.b];
-            const double left = (1.0 - pair.r.f_p) * pair.r.w_n;
+            const double left =
+                pair.law.springs ? pair.r.w_n - pair.r.u_n : (1.0 - pair.r.f_p) * pair.r.w_n;
             if (fused_dot(w, pair.x.n) > left + 0.1 * approach) return false;
         }
         return true;
@@ -98,12 +102,14 @@ template <int C> struct BodiesAtNode {
     // The pairs that can touch and the matrix of their normal impulses; the largest approach.
     double assemble() {
         system.count = 0;
+        has_springs = false;
         double largest = 0.0;
         for (int p = 0; p < pair_count; ++p) {
             NodePair<C>& pair = pairs[p];
             if (!pair.shares.active || pair.silent) continue;
             pair.x.w = velocity[pair.a] - velocity[pair.b];
-            largest = max(largest, fused_dot(pair.x.w, pair.x.n));
+            const double approach = fused_dot(pair.x.w, pair.x.n);
+            largest = max(largest, approach);
             Approach<double, C> closing = pair.x;
             closing.w = pair.x.n;  // would it touch if it approached?
             pair.r = respond<double, C>(pair.law, pair.shares, closing);
@@ -114,7 +120,14 @@ template <int C> struct BodiesAtNode {
             pair_of[row] = p;
             for (int r = 0; r <= row; ++r)
                 system.M[row][r] = system.M[r][row] = coupling(p, pair_of[r]);
-            system.M[row][row] += (1.0 - pair.r.f_p) / (pair.r.f_p * pair.shares.m_r);
+            if (pair.law.springs) {
+                has_springs = true;
+                pair.spring = resistance(pair.law, pair.shares, pair.x, pair.r.f_p);
+                largest = max(largest, approach + pair.spring.push);
+                system.M[row][row] += pair.spring.yield / pair.shares.m_r;
+            } else {
+                system.M[row][row] += (1.0 - pair.r.f_p) / (pair.r.f_p * pair.shares.m_r);
+            }
         }
         return largest;
     }
@@ -138,6 +151,7 @@ template <int C> struct BodiesAtNode {
         for (int row = 0; row < system.count; ++row) {
             const NodePair<C>& pair = pairs[pair_of[row]];
             system.b[row] = fused_dot(velocity[pair.a] - velocity[pair.b], pair.x.n);
+            if (pair.law.springs) system.b[row] += pair.spring.push;
         }
         if (!solve_normals(system, allowed)) return -1.0;
         double change = 0.0;
@@ -146,7 +160,9 @@ template <int C> struct BodiesAtNode {
             const double u_n = system.J[row] / pair.shares.m_r;
             change = max(change, fabs(u_n - pair.r.u_n));
             pair.r.u_n = u_n;
-            pair.r.w_n = u_n / pair.r.f_p;  // what the others leave, (C5)
+            // What the others leave, (C5) or (C9).
+            pair.r.w_n = pair.law.springs ? (1.0 + pair.spring.yield) * u_n - pair.spring.push
+                                          : u_n / pair.r.f_p;
             pair.r.touches = u_n > 0.0;
             push(pair, pair.x.n, u_n);
             for (int c = 0; c < C; ++c) pair.r.u[c] = fma(u_n, pair.x.n[c], pair.u_t[c]);
@@ -190,6 +206,7 @@ template <int C> struct BodiesAtNode {
 
     Velocity trial[most_bodies];
     NormalSystem system;
+    bool has_springs = false;
     int pair_of[most_pairs];  // row of the system
 };
 

@@ -30,6 +30,35 @@ grit_status read_options(const grit_contact_options* caller, grit_contact_option
     return check_contact_options(ours, error);
 }
 
+namespace {
+
+// (C9)
+grit_status check_in_time(const grit_contact_options& o, grit_error* error) {
+    GRIT_REQUIRE(o.relaxation_time == 0.0 ||
+                     (o.relaxation_time >= 1e-100 && o.relaxation_time <= 1e100),
+                 "relaxation_time must be in [1e-100, 1e100] [time], or 0 for the step, got %g",
+                 o.relaxation_time);
+    GRIT_REQUIRE(o.contact_stiffness >= 0.0 && o.contact_stiffness <= 1e100,
+                 "contact_stiffness must be in [0, 1e100] [stress/length], got %g",
+                 o.contact_stiffness);
+    if (o.relaxation_time == 0.0 && o.contact_stiffness == 0.0) return GRIT_OK;
+    const struct {
+        const char* name;
+        double value;
+    } given[] = {{"relaxation_time", o.relaxation_time},
+                 {"contact_stiffness", o.contact_stiffness}};
+    for (const auto& [name, value] : given) {
+        if (value == 0.0) continue;
+        GRIT_REQUIRE(o.law == GRIT_CONTACT_GEO, "%s %g belongs to GRIT_CONTACT_GEO, got law %d",
+                     name, value, o.law);
+        GRIT_REQUIRE(o.time_step > 0.0, "%s %g needs time_step > 0 [time], got %g", name, value,
+                     o.time_step);
+    }
+    return GRIT_OK;
+}
+
+}  // namespace
+
 grit_status check_contact_options(const grit_contact_options& o, grit_error* error) {
     GRIT_CHECK(check_dimension(o.components, error));
     GRIT_REQUIRE(o.law == GRIT_CONTACT_GEO || o.law == GRIT_CONTACT_FRICTIONAL,
@@ -52,6 +81,7 @@ grit_status check_contact_options(const grit_contact_options& o, grit_error* err
                  "rigid must be GRIT_CONTACT_NONE_RIGID, _A_RIGID or _B_RIGID, got %d", o.rigid);
     GRIT_CHECK(check_switch(o.allow_zero_normal, "allow_zero_normal", error));
     GRIT_CHECK(check_switch(o.validate_only, "validate_only", error));
+    GRIT_CHECK(check_in_time(o, error));
     return check_instruction_set(o.instruction_set, error);
 }
 
@@ -63,20 +93,22 @@ grit_status check_nodes(const grit_contact_nodes& q, const grit_contact_options&
         bool needed;
         const grit_view& view;
         int components;
-    } inputs[] = {{"mass_a", true, q.mass_a, 1},
-                  {"mass_b", true, q.mass_b, 1},
-                  {"normal", true, q.normal, o.components},
-                  {"distance", geo, q.distance, 1},
-                  {"contact_area", o.adhesion > 0.0, q.contact_area, 1},
-                  {"spacing", false, q.spacing, o.components},
-                  {"previous_velocity_a", false, q.previous_velocity_a, o.components},
-                  {"previous_velocity_b", false, q.previous_velocity_b, o.components},
-                  {"position", false, q.position, o.components}};
+    } inputs[] = {
+        {"mass_a", true, q.mass_a, 1},
+        {"mass_b", true, q.mass_b, 1},
+        {"normal", true, q.normal, o.components},
+        {"distance", geo, q.distance, 1},
+        {"contact_area", o.adhesion > 0.0 || o.contact_stiffness > 0.0, q.contact_area, 1},
+        {"spacing", false, q.spacing, o.components},
+        {"previous_velocity_a", false, q.previous_velocity_a, o.components},
+        {"previous_velocity_b", false, q.previous_velocity_b, o.components},
+        {"position", false, q.position, o.components}};
     for (const auto& input : inputs) {
         if (input.needed) GRIT_CHECK(check_base(input.view, input.name, error));
         if (input.view.base)
             GRIT_CHECK(check_components(input.view, input.components, input.name, error));
     }
+    if (o.contact_stiffness > 0.0) GRIT_CHECK(check_base(q.gap, "gap", error));
     GRIT_REQUIRE(!geo || q.cell_size.base || q.spacing.base,
                  "Geo-contact needs cell_size or spacing: neither has a base pointer");
     const struct {

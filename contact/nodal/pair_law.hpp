@@ -5,6 +5,7 @@
 
 #include <grit/contact.h>
 
+#include "contact/normals/limits.hpp"
 #include "support/elementary.hpp"
 #include "support/vector.hpp"
 
@@ -29,13 +30,19 @@ GRIT_INLINE Vector<Real, C> fused_sum(const Real& s, const Vector<Real, C>& a,
 // The constants of a pair, from its options.
 struct Law {
     explicit Law(const grit_contact_options& o)
-        : k(o.penalty_power), mu(o.friction_coefficient), c_a_dt(o.adhesion * o.time_step),
+        : springs(o.contact_stiffness > 0.0),
+          part(o.relaxation_time > 0.0 ? o.time_step / o.relaxation_time : 1.0),
+          k(springs ? o.penalty_power : o.penalty_power * part),  // (C9)
+          stiffness_dt2(o.contact_stiffness * o.time_step * o.time_step),
+          mu(o.friction_coefficient), c_a_dt(o.adhesion * o.time_step),
           gap_tolerance(o.gap_tolerance), mass_tolerance(o.mass_tolerance),
           inverse_dt(o.time_step > 0.0 ? 1.0 / o.time_step : 0.0), adheres(o.adhesion > 0.0),
           frictionless(o.friction_coefficient == 0.0 && !adheres), geo(o.law == GRIT_CONTACT_GEO),
           allow_zero_normal(o.allow_zero_normal != 0), rigid_a(o.rigid == GRIT_CONTACT_A_RIGID),
           rigid_b(o.rigid == GRIT_CONTACT_B_RIGID) {}
-    double k, mu, c_a_dt, gap_tolerance, mass_tolerance, inverse_dt;
+    bool springs;
+    double part;  // dt/tau
+    double k, stiffness_dt2, mu, c_a_dt, gap_tolerance, mass_tolerance, inverse_dt;
     bool adheres, frictionless, geo, allow_zero_normal, rigid_a, rigid_b;
 };
 
@@ -102,7 +109,7 @@ template <class Real, int C> struct Approach {
     Real s = Real(0.0);    // of Geo-contact only, as is the cell
     Cell<Real> cell = {Real(1.0), Real(1.0)};
     Real gap;               // -infinity where none is known
-    Real area = Real(0.0);  // with adhesion only
+    Real area = Real(0.0);  // with adhesion or springs only
 };
 
 template <class Real, int C> struct Response {
@@ -120,6 +127,21 @@ GRIT_INLINE Real friction_limit(const Law& law, const Shares<Real>& shares,
     return friction + r.f_p * Real(law.c_a_dt) * x.area / max(shares.m_r, Real(no_mass));
 }
 
+// Of a spring with a dashpot, implicit in w, (C9): u_n = (w_n + push) / (1 + yield).
+template <class Real> struct Resistance { Real yield, push; };
+
+template <class Real, int C>
+GRIT_INLINE Resistance<Real> resistance(const Law& law, const Shares<Real>& shares,
+                                        const Approach<Real, C>& x, const Real& f_p) {
+    const Real free = Real(1.0) - f_p;
+    // K dt^2 / m_r, and never so much that a product overflows.
+    const Real stiff = min(Real(law.stiffness_dt2) * x.area / max(shares.m_r, Real(no_mass)),
+                           Real(largest_number));
+    const Real overlap = max(-x.gap, Real(0.0));
+    const Real yield = free / max(fma(free, stiff, Real(law.part) * f_p), Real(no_mass));
+    return {yield, yield * (stiff * (overlap * Real(law.inverse_dt)))};
+}
+
 template <class Real, int C>
 GRIT_INLINE Response<Real, C> respond(const Law& law, const Shares<Real>& shares,
                                       const Approach<Real, C>& x) {
@@ -127,12 +149,20 @@ GRIT_INLINE Response<Real, C> respond(const Law& law, const Shares<Real>& shares
     Response<Real, C> r;
     r.w_n = fused_dot(x.w, x.n);
     r.f_p = one;
+    r.u_n = r.w_n;
     r.touches = shares.active & (r.w_n > zero) & (x.gap <= Real(law.gap_tolerance));  // (C3)
     if (law.geo) {
         r.f_p = penalty_factor(x.s, x.cell, law.k);
-        r.touches = r.touches & (x.s < x.cell.d) & (r.f_p > zero);
+        r.u_n = r.f_p * r.w_n;  // (C5)
+        const MaskOf<Real> reaches = (x.s < x.cell.d) & (r.f_p > zero);
+        r.touches = r.touches & reaches;
+        if (law.springs) {
+            const Resistance<Real> spring = resistance(law, shares, x, r.f_p);
+            r.u_n = (r.w_n + spring.push) / (one + spring.yield);  // (C9)
+            const MaskOf<Real> closed = x.gap <= Real(law.gap_tolerance);
+            r.touches = shares.active & closed & reaches & (r.u_n > zero);
+        }
     }
-    r.u_n = r.f_p * r.w_n;  // (C5)
     const Vector<Real, C> w_t = fused_sum(-r.w_n, x.n, x.w);
     r.w_t = sqrt(fused_dot(w_t, w_t));
     const Real limit = friction_limit(law, shares, x, r);

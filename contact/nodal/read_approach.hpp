@@ -66,7 +66,7 @@ GRIT_INLINE ReadApproach<Real, C> read_approach(const Views& views, const Law& l
         r.x.cell = cell_along(views.cell_size, views.spacing, r.x.n, indices, only, good_d);
         r.good = r.good & good_signed_length(r.x.s) & (good_d | r.no_normal);
     }
-    if (law.adheres) {
+    if (law.adheres || law.springs) {
         r.x.area = only(load<Real>(views.contact_area, 0, indices));
         r.good = r.good & good_area(r.x.area);
     }

@@ -44,6 +44,13 @@ typedef struct grit_contact_options {
     int allow_zero_normal; /* 1: a node whose normal is all zero is open; 0 (default): refused */
     int instruction_set;   /* GRIT_ISA_..., default best */
     int validate_only;     /* 1: check every node and report, change nothing */
+    /* Geo-contact that does not depend on the step, (C9); both need time_step. */
+    double
+        relaxation_time; /* tau [time] > 0: f_p is of this time, w_n falls to (1 - f_p) w_n in it;
+                               0 (default): of a step, as published */
+    double
+        contact_stiffness; /* epsilon [stress/length] >= 0 against the overlap max(0, -gap); needs
+                                 gap and contact_area; 0 (default): none */
 } grit_contact_options;
 
 GRIT_API grit_status grit_contact_options_init(grit_contact_options* options, size_t struct_size);
@@ -65,7 +72,7 @@ typedef struct grit_contact_nodes {
     grit_view cell_size;    /* [1] d [length] > 0, the cell along n (GEO only); or ... */
     grit_view spacing;      /* [c] ... edges of the cell [length] > 0, d follows from (C4) */
     grit_view gap;          /* [1] optional: surface of A to that of B along n [length] */
-    grit_view contact_area; /* [1] A_c [area] >= 0, with adhesion only */
+    grit_view contact_area; /* [1] A_c [area] >= 0, with adhesion or contact_stiffness only */
     grit_mutable_view velocity_a; /* [c] in: after the momentum update, out: corrected */
     grit_mutable_view velocity_b;
     grit_mutable_view acceleration_a; /* [c] optional, needs time_step: corrected alike */
@@ -77,20 +84,24 @@ typedef struct grit_contact_nodes {
 
 enum {
     GRIT_CONTACT_INACTIVE = 0, /* one body only, or none */
-    GRIT_CONTACT_OPEN = 1,     /* two bodies that part, are apart, or s >= d: bitwise untouched */
+    GRIT_CONTACT_OPEN = 1,     /* two bodies that part (and no stiffness pushes), are apart, or
+                                  s >= d: bitwise untouched */
     GRIT_CONTACT_STICK = 2,
     GRIT_CONTACT_SLIP = 3 /* always without friction and adhesion */
 };
 
 typedef struct grit_contact_report {
     grit_status status;
-    int state;             /* GRIT_CONTACT_INACTIVE ... SLIP */
-    double penalty_factor; /* f_p [-], 0 where open */
-    double impulse[3];     /* J [mass velocity] on B, -J on A; third component 0 in the plane */
-    double force[3];       /* J / dt, 0 without time_step */
-    /* Energies taken from the trial velocities, each >= 0. Not the contact's share of an energy
-     * balance: a sustained contact counts its load again in every step. */
-    double trial_energy_normal;     /* D_n = m_r w_n^2 f_p (2 - f_p) / 2 */
+    int state; /* GRIT_CONTACT_INACTIVE ... SLIP */
+    double
+        penalty_factor; /* f_p [-], 0 where open; of the step if there is a relaxation time, of that
+                              time if there is a contact_stiffness too */
+    double impulse[3];  /* J [mass velocity] on B, -J on A; third component 0 in the plane */
+    double force[3];    /* J / dt, 0 without time_step */
+    /* Energies taken from the trial velocities, each >= 0 (D_n not with contact_stiffness, which gives
+     * back). Not the contact's share of an energy balance: a sustained contact counts its load again in
+     * every step. */
+    double trial_energy_normal;     /* D_n = J_n (w_n - J_n / (2 m_r)) */
     double trial_energy_tangential; /* D_t = J_t (|w_t| - J_t / (2 m_r)) */
     /* J . (w_old + w_new) / 2: what closes the balance of a leapfrog step; needs both
      * previous_velocity views, 0 without. */
@@ -132,6 +143,9 @@ GRIT_API grit_status grit_contact_sums_read(const grit_contact_sums* sums,
 
 /* Remove the approach velocity of bodies A and B at n nodes, with one impulse per node, (C1)-(C6).
  *   Each node alone: momentum is kept, energy never grows, friction obeys Coulomb after the penalty.
+ *   With contact_stiffness, C = m_r f_p / ((1 - f_p) tau), K = epsilon A_c and delta = max(0, -gap):
+ *   J_n = dt [(C + K dt) w_n + K delta] / [1 + (C + K dt) dt / m_r] where that is > 0, (C9): spring and
+ *   dashpot, implicit; energy is that of velocities and of K delta^2 / 2 then.
  *   All or nothing per node: a bad node keeps velocities and accelerations bitwise, its report and
  *   the return value (the first bad node's status) say why; the others are corrected.
  *   GRIT_BAD_CALL without a node: nothing was done and no report written. n = 0 is no error.

@@ -15,7 +15,7 @@ VALUE(GRIT_CONTACT_SUMS_WORDS, 1200);
 
 #if defined(__LP64__)
 
-SIZE(grit_contact_options, 80);
+SIZE(grit_contact_options, 96);
 PLACE(grit_contact_options, struct_size, 0);
 PLACE(grit_contact_options, components, 8);
 PLACE(grit_contact_options, law, 12);
@@ -29,6 +29,8 @@ PLACE(grit_contact_options, rigid, 64);
 PLACE(grit_contact_options, allow_zero_normal, 68);
 PLACE(grit_contact_options, instruction_set, 72);
 PLACE(grit_contact_options, validate_only, 76);
+PLACE(grit_contact_options, relaxation_time, 80);
+PLACE(grit_contact_options, contact_stiffness, 88);
 
 SIZE(grit_contact_nodes, 376);
 PLACE(grit_contact_nodes, struct_size, 0);

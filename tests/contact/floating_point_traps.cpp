@@ -33,6 +33,7 @@ TEST(FloatingPointTraps, AreNotSprungByGoodNodes) {
                 options.instruction_set = isa;
                 options.adhesion = odd % 2 ? 1.0 : 0.0;
                 options.time_step = 1e-3;
+                options.contact_stiffness = odd == 0 || odd == 5 ? 0.0 : 1e5;
                 std::feclearexcept(FE_ALL_EXCEPT);
                 EXPECT_EQ(nodes.correct(options), GRIT_OK) << nodes.error.message;
                 EXPECT_EQ(std::fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW), 0)

@@ -57,12 +57,14 @@ Nodes prepared(int components) {
     return nodes;
 }
 
-TEST(ManyBodies, OfTwoAreAPairInEverything) {
+void are_a_pair_in_everything(double relaxation_time, double contact_stiffness) {
     for (const int components : {2, 3})
         for (const int rigid :
              {GRIT_CONTACT_NONE_RIGID, GRIT_CONTACT_A_RIGID, GRIT_CONTACT_B_RIGID}) {
             AsMany many{prepared(components), everything(components)};
             many.options.rigid = rigid;
+            many.options.relaxation_time = relaxation_time;
+            many.options.contact_stiffness = contact_stiffness;
             Nodes pair = many.nodes;
             ASSERT_EQ(many.correct(), GRIT_OK) << many.nodes.error.message;
             ASSERT_EQ(pair.correct(many.options), GRIT_OK);
@@ -73,6 +75,10 @@ TEST(ManyBodies, OfTwoAreAPairInEverything) {
             EXPECT_EQ(std::memcmp(&many.nodes.sums, &pair.sums, sizeof pair.sums), 0);
         }
 }
+
+TEST(ManyBodies, OfTwoAreAPairInEverything) { are_a_pair_in_everything(0.0, 0.0); }
+TEST(ManyBodies, OfTwoAreAPairWithARelaxationTime) { are_a_pair_in_everything(0.02, 0.0); }
+TEST(ManyBodies, OfTwoAreAPairWithASpring) { are_a_pair_in_everything(0.02, 1e4); }
 
 TEST(ManyBodies, ValidateOnlyChangesNothing) {
     AsMany many{prepared(3), everything(3)};

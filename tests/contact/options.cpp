@@ -10,5 +10,7 @@ TEST(ContactOptions, StartAsDocumented) {
     EXPECT_EQ(options.penalty_power, 6.0);
     EXPECT_EQ(options.friction_coefficient, 0.0);
     EXPECT_EQ(options.mass_tolerance, 1e-10);
+    EXPECT_EQ(options.relaxation_time, 0.0);
+    EXPECT_EQ(options.contact_stiffness, 0.0);
     EXPECT_EQ(options.rigid, GRIT_CONTACT_NONE_RIGID);
 }

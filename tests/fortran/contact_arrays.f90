@@ -32,6 +32,7 @@ program contact_arrays
                                               grit_contact_open]))
    call holds('sums', grit_contact_sums_read(sums, totals) == grit_ok)
    call holds('force on B', abs(totals%force_on_b(1) - 30*(1 + f_p)) < 1d-12 .and. totals%slip == 2)
+   call in_time()
    call chosen_nodes()
    call many()
    call normals()
@@ -48,6 +49,22 @@ contains
       velocity_b = spread([-1d0, 7d0], 2, n)
       normal = spread([1d0, 0d0], 2, n)
       distance = [0d0, 0.25d0, 0.5d0]
+   end subroutine
+
+   ! In four steps of a quarter of its time the approach of 4 falls to that of one step of it.
+   subroutine in_time()
+      integer :: i
+      call meet()
+      options%relaxation_time = 4*options%time_step
+      do i = 1, 4
+         call holds('a quarter', grit_contact_correct(mass_a, mass_b, normal, velocity_a, velocity_b, &
+                                                      distance, spacing=spacing, &
+                                                      options=options) == grit_ok)
+      end do
+      call holds('relaxation', all(abs(velocity_a(1, :) - velocity_b(1, :) &
+                                   - 4*[0d0, 1 - f_p, 1d0]) < 1d-14))
+      options%relaxation_time = 0
+      call holds('stiffness of none', options%contact_stiffness == 0)
    end subroutine
 
    subroutine chosen_nodes()

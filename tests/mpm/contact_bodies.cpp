@@ -2,6 +2,7 @@
 // Bodies that meet, slide and rest on each other, in the driver.
 #include "support/cylinders.hpp"
 #include "support/meeting_bodies.hpp"
+#include "support/pressed_blocks.hpp"
 
 namespace {
 
@@ -38,6 +39,20 @@ TEST(TwoBars, TouchWhenTheGapIsClosedPressWithTheirImpedanceAndPartAfterTheWave)
         EXPECT_NEAR(seen.residual, 0.0, 0.01);
         EXPECT_GT(simulation->energy().contact, 0.0);
     }
+}
+
+// (C9): published, they creep into each other, in each step by as much.
+TEST(BlocksOnSprings, RestWhateverTheStep) {
+    PressedBlocks blocks;
+    blocks.kind = ContactKind::geo_spring;
+    blocks.offset = 0.3;
+    const double overlap = blocks.run().overlap;
+    EXPECT_GT(overlap, 0.001);
+    blocks.end = 2.0;
+    EXPECT_NEAR(blocks.run().overlap, overlap, 1e-3 * overlap);
+    blocks.end = 1.0;
+    blocks.cfl = 0.1;
+    EXPECT_NEAR(blocks.run().overlap, overlap, 0.03 * overlap);
 }
 
 // Beside the edge normals are diagonal: the gap is closed no earlier there.

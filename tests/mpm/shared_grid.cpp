@@ -215,6 +215,19 @@ TEST_P(SharedGrid, InFixedPointTwoProcessesGetTheBitsOfOne) {
     EXPECT_GT(migrated, 0);
 }
 
+TEST(SharedSprings, WorkAgainstTheSameOverlap) {
+    PressedSand problem;
+    problem.settings.fixed_point = true;
+    problem.relaxation_time = 1e-4;
+    problem.stiffness = 1e8;
+    const Result one = alone(problem, 120);
+    for (const Cut cut : {Cut{1, 10}, Cut{1, 12}, Cut{0, 3}, Cut{0, 5}}) {
+        const Result two = together(problem, cut, 120, 3);
+        EXPECT_EQ(two.totals[0], one.totals[0]) << cut.direction << ' ' << cut.cell;
+        EXPECT_TRUE(same_bits(two.rows, one.rows)) << cut.direction << ' ' << cut.cell;
+    }
+}
+
 // Nothing moves but by tractions, so that their last bits are seen; cuts are where several meet at a node.
 TEST(SharedLoads, AddUpToTheSameBits) {
     PressedSand problem;

@@ -53,6 +53,22 @@ class Contact(unittest.TestCase):
         np.testing.assert_allclose(a[:, 0], -30 * self.f_p)
         np.testing.assert_allclose(b[:, 0], 10 * self.f_p)
 
+    def test_relaxes_in_its_own_time_whatever_the_step(self):
+        for _ in range(4):
+            grit.contact_correct(**self.nodes, time_step=0.01, relaxation_time=0.04)
+        w = self.nodes["velocity_a"][:, 0] - self.nodes["velocity_b"][:, 0]
+        np.testing.assert_allclose(w, 4 * (1 - self.f_p), atol=1e-14)
+
+    def test_pushes_what_overlaps_apart(self):
+        self.nodes["velocity_b"][:, 0] = 3
+        overlap, stiffness, area, dt = 0.01, 100.0, 2.0, 0.1
+        reports = grit.contact_correct(**self.nodes, gap=np.full(3, -overlap), time_step=dt,
+                                       contact_area=np.full(3, area), contact_stiffness=stiffness)
+        f, m = self.f_p[1], 0.75
+        C, K = m * f / ((1 - f) * dt), stiffness * area
+        J = dt * K * overlap / (1 + (C + K * dt) * dt / m)
+        np.testing.assert_allclose(reports["impulse"][:, 0], [0, J, 0], rtol=1e-12)
+
     def test_refuses_what_it_cannot_take_and_changes_nothing(self):
         bad_normal = np.array([[1.0, 0], [1, 0.5], [1, 0]])
         read_only = self.nodes["velocity_b"].copy()

@@ -33,7 +33,8 @@ void blocks() {
                     -1e-3 * r.highest, -1e-3 * r.lowest, r.overlap);
         std::fflush(stdout);
     };
-    for (const ContactKind kind : {ContactKind::geo, ContactKind::frictional, ContactKind::penalty})
+    for (const ContactKind kind :
+         {ContactKind::geo, ContactKind::geo_spring, ContactKind::frictional, ContactKind::penalty})
         for (const double cfl : {0.4, 0.1}) row(kind, 0.3, cfl);
     for (const double cfl : {0.4, 0.1})
         for (int i = 0; i < 10; ++i) row(ContactKind::surface, 0.1 * i, cfl);
@@ -115,8 +116,9 @@ void punch() {
     for (const double fine : {1.0, 2.0, 4.0})
         std::printf("| elements, %g times as fine | | %.3f | |\n", fine,
                     1e-6 * (exact = punch_by_elements(fine)));
-    for (const ContactKind kind : {ContactKind::surface, ContactKind::geo, ContactKind::geo_ungated,
-                                   ContactKind::frictional, ContactKind::penalty})
+    for (const ContactKind kind :
+         {ContactKind::surface, ContactKind::geo, ContactKind::geo_ungated, ContactKind::geo_spring,
+          ContactKind::geo_spring_10, ContactKind::frictional, ContactKind::penalty})
         for (const double phase : {0.0, 0.4, 0.6})
             for (const int n : {4, 8, 16}) {
                 Punch p;

@@ -182,6 +182,10 @@ void add_contacts(const Case& plan, Simulation& simulation) {
         law.normal = contact.normal;
         law.measure = contact.measure;
         law.gated = contact.gated;
+        law.options.relaxation_time = contact.relaxation_time;
+        if (contact.contact_stiffness_multiple > 0.0)
+            stiffen(law, contact.contact_stiffness_multiple, contact.modulus,
+                    simulation.shortest_cell());
         simulation.add_contact(law);
     }
 }

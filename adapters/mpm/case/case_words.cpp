@@ -52,7 +52,12 @@ constexpr Member<ContactPlan> of_contact[] = {
                                                      "power"),
     member<ContactPlan, &ContactPlan::normal>(case_word("contact", "normal"), "normal"),
     member<ContactPlan, &ContactPlan::measure>(case_word("contact", "distance"), "distance"),
-    member<ContactPlan, &ContactPlan::gated>(case_word("contact", "gated"), "gated")};
+    member<ContactPlan, &ContactPlan::gated>(case_word("contact", "gated"), "gated"),
+    member<ContactPlan, &ContactPlan::relaxation_time>(case_word("contact", "relaxation_time_s"),
+                                                       "relaxation_time"),
+    member<ContactPlan, &ContactPlan::contact_stiffness_multiple>(
+        case_word("contact", "contact_stiffness_multiple"), "stiffness_multiple"),
+    member<ContactPlan, &ContactPlan::modulus>(case_word("contact", "modulus_kPa"), "modulus")};
 
 constexpr Member<StagePlan> of_stage[] = {
     member<StagePlan, &StagePlan::gravity>(case_word("stage", "gravity"), "gravity"),
@@ -88,9 +93,10 @@ constexpr FixKeyword keywords[] = {
      "stress [Pa] times direction on that edge of each atom of the group"},
     {"contact",
      "STIFF SOFT {contact.law} MU [`power` K] [`normal` {contact.normal}] [`distance` "
-     "{contact.distance}] [`gated` `yes`|`no`]",
-     "`power` of the geo law alone, `distance` not without gate where it is frictional; `surface` "
-     "has none of these"},
+     "{contact.distance}] [`gated` `yes`|`no`] [`relaxation_time` TAU] [`stiffness_multiple` X "
+     "`modulus` M]",
+     "`power`, TAU [s] and X of M [Pa] / shortest cell of the geo law alone, X with gate, "
+     "`distance` not without gate where it is frictional; `surface` has none of these"},
     {"stages", "N NAME...",
      "all stages, in order; default: one, `run`; names: letters, digits, _ and -"},
     {"driven", "NAME {history.depth_of}", "the body of the history; default: the first"}};

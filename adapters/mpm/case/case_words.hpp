@@ -222,8 +222,13 @@ inline constexpr CaseWord all[] = {
     choice("contact", "normal", normals, "of whose gradient"),
     choice("contact", "distance", distances, "none if frictional and not gated"),
     yes_or_no("contact", "gated", "bodies apart are left alone"),
-    number("contact", "modulus_kPa", above_zero, kilopascal,
-           "of penalty: P-wave modulus of the softer body", "needed by penalty"),
+    number("contact", "relaxation_time_s", time_range, second,
+           "of geo: f_p is of this time, whatever the step; 0: of the step, as published"),
+    number("contact", "contact_stiffness_multiple", {0.0, 1e6}, none,
+           "of geo, gated: a spring of that multiple of modulus / shortest cell against overlap, "
+           "with f_p as its dashpot; 0: none"),
+    number("contact", "modulus_kPa", above_zero, kilopascal, "P-wave modulus of the softer body",
+           "needed by penalty and `contact_stiffness_multiple`"),
     number("contact", "stiffness_multiple", {1e-6, 1e6}, none,
            "of penalty: of modulus / shortest cell", "1"),
     a_table(

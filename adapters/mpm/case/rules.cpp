@@ -96,14 +96,27 @@ Objections objection_to_contact(const Case& plan, std::size_t contact, const Key
 
 Objections objection_to(const ContactPlan& contact, const IsGiven& given) {
     if (contact.at_surfaces) {
-        for (const char* key : {"penalty_power", "normal", "distance", "gated"})
+        for (const char* key : {"penalty_power", "normal", "distance", "gated", "relaxation_time_s",
+                                "contact_stiffness_multiple", "modulus_kPa"})
             if (given(key))
                 return Objection{key, " belongs to laws at nodes, not to the surface one"};
         return {};
     }
-    if (contact.law != GRIT_CONTACT_FRICTIONAL || contact.penalty) return {};
-    if (given("penalty_power"))
-        return Objection{"penalty_power", " belongs to the geo law, not to the frictional one"};
+    if (contact.penalty) return {};
+    if (contact.contact_stiffness_multiple > 0.0 && contact.law == GRIT_CONTACT_GEO) {
+        if (!contact.gated)
+            return Objection{"contact_stiffness_multiple",
+                             " needs a gap: the contact is not gated"};
+        if (!given("modulus_kPa"))
+            return Objection{"contact_stiffness_multiple",
+                             " needs the P-wave modulus of the softer body"};
+    } else if (given("modulus_kPa") && !given("contact_stiffness_multiple")) {
+        return Objection{"modulus_kPa",
+                         " belongs to a stiffness of the contact, and there is none"};
+    }
+    if (contact.law != GRIT_CONTACT_FRICTIONAL) return {};
+    for (const char* key : {"penalty_power", "relaxation_time_s", "contact_stiffness_multiple"})
+        if (given(key)) return Objection{key, " belongs to the geo law, not to the frictional one"};
     if (given("distance") && !contact.gated)
         return Objection{"distance", ": the frictional law measures none unless it is gated"};
     return {};

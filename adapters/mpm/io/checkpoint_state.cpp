@@ -73,7 +73,10 @@ void contact_words(const Simulation& s, std::ostream& out) {
         out << "contact " << i << ": bodies " << law.a << " and " << law.b << ", law " << o.law
             << ", friction coefficient " << o.friction_coefficient << ", penalty power "
             << o.penalty_power << ", normal " << law.normal << ", measure " << law.measure
-            << (law.gated ? ", gated" : "") << '\n';
+            << (law.gated ? ", gated" : "");
+        if (o.relaxation_time > 0.0) out << ", relaxation time " << o.relaxation_time << " s";
+        if (o.contact_stiffness > 0.0) out << ", stiffness " << o.contact_stiffness << " Pa/m";
+        out << '\n';
     }
     out << "penalty contacts: " << s.penalty_contact_count() << '\n';
     for (std::size_t i = 0; i < s.penalty_contact_count(); ++i) {

@@ -12,6 +12,7 @@
 //   contact with distances      minima of surfaces, of those beside the node,   48 a halo node
 //                               and of centres, two each
 //   ... that is gated           minima of surfaces along four directions        64 a halo node
+//   ... with a stiffness        minima of overlaps, two                         16 a halo node
 //   contact                     whether any node is in it: maximum              8
 //   ...                         sums of the library, integers                   9600
 //   ...                         sums of forces, maximum of gaps                 40

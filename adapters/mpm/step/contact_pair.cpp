@@ -22,6 +22,10 @@ ContactLaw contact_law(int law, double friction_coefficient, double penalty_powe
     return out;
 }
 
+void stiffen(ContactLaw& law, double multiple, double modulus, double cell) {
+    law.options.contact_stiffness = multiple * modulus / cell;
+}
+
 ContactPair::ContactPair(const ContactLaw& law, const Settings& settings, const GridView& grid,
                          const std::vector<std::uint8_t>& fixed)
     : pair_law(law), axisymmetric(settings.axisymmetric), fixed_point(settings.fixed_point),
@@ -46,6 +50,8 @@ ContactPair::ContactPair(const ContactLaw& law, const Settings& settings, const 
     distance.resize(n);
     gap.resize(n);
     gate_gap.resize(n);
+    area.resize(n);
+    overlap_gap.resize(2 * n);
     touched.resize(n);
     is_active.resize(n);
     active.reserve(n);
@@ -239,6 +245,47 @@ void ContactPair::part_corners(const GridView& grid, const ContactBody& a, const
     }
 }
 
+// How far x is from the stiffer body near a node, negative inside: what is outside along any direction is.
+double ContactPair::outside(const double* x, std::size_t node) const {
+    const double* at = &position[2 * node];
+    const auto along = [&](const double* n, double surface_of_a) {
+        return surface_of_a + (x[0] - at[0]) * n[0] + (x[1] - at[1]) * n[1];
+    };
+    double out = along(&normal[2 * node], surface[2 * node]);
+    for (std::size_t k = 0; k < directions; ++k) {
+        const double from_a = direction_surface[2 * (directions * node + k)];
+        if (std::isfinite(from_a)) out = std::max(out, along(&direction[k][2 * node], from_a));
+    }
+    return out;
+}
+
+template <bool axi>
+void ContactPair::measure_overlaps(const GridView& grid, const ContactBody& soft) {
+    for (std::ptrdiff_t p = 0; p < soft.count; ++p) {
+        if (!near.has(grid, soft.particles, p)) continue;
+        const Reaching q(grid, baseline::place_of<axi>(grid, soft.particles, p), is_closed);
+        for (const auto& at : q.corner)
+            for (int k = 0; k < q.count; ++k) {
+                const auto i = static_cast<std::size_t>(q.nodes[k]);
+                if (!is_beside(at, q.nodes[k])) continue;
+                overlap_gap[2 * i] = std::min(overlap_gap[2 * i], outside(at, i));
+            }
+    }
+}
+
+// The overlap that a spring works against. In the hollow corner of what surrounds an edge the gap along the diagonal is
+// no overlap: there it is what the corners of the softer body have entered of the stiffer one.
+void ContactPair::find_overlaps(const GridView& grid, const ContactBody& soft, Exchange& exchange) {
+    for (const std::ptrdiff_t node : closed)
+        overlap_gap[2 * static_cast<std::size_t>(node)] = std::numeric_limits<double>::infinity();
+    axisymmetric ? measure_overlaps<true>(grid, soft) : measure_overlaps<false>(grid, soft);
+    exchange.min_nodes(overlap_gap.data(), static_cast<std::ptrdiff_t>(is_closed.size()), 2);
+    for (const std::ptrdiff_t node : closed) {
+        const auto i = static_cast<std::size_t>(node);
+        if (gap[i] <= 0.0) gap[i] = std::min(0.0, std::max(gap[i], overlap_gap[2 * i]));
+    }
+}
+
 // A parallelogram, or a point where side is null.
 void ContactPair::add(const grit_contact_surfaces& to, int which, const double* x,
                       const double* side, const std::ptrdiff_t* nodes, int count) {
@@ -285,6 +332,17 @@ void ContactPair::find_reaches() {
     }
 }
 
+// What the stiffer body's surface has of a node's weight, across the normal: its gradient is the integral of the
+// weight over the surface. Per radian the ring's; what a node on the axis has lies around a third of a cell.
+void ContactPair::find_areas(const ContactBody& stiff) {
+    for (const std::ptrdiff_t node : active) {
+        const auto i = static_cast<std::size_t>(node);
+        const NodeRecord& g = stiff.records[i];
+        area[i] = std::abs(g[record::g_r] * normal[2 * i] + g[record::g_z] * normal[2 * i + 1]);
+        if (axisymmetric) area[i] *= std::max(position[2 * i], spacing[2 * i] / 3.0);
+    }
+}
+
 // What is beside a node changes from one corner to the next, and with it the gap by a jump. A node that
 // pressed in the step before is therefore left to the velocities alone, unless the gap is half its reach.
 void ContactPair::find_gates() {
@@ -325,10 +383,13 @@ void ContactPair::correct(const GridView& grid, const ContactBody& a, const Cont
         wanted.gap = grit_mutable_view_of(gap.data(), 1, 1);
         require(grit_contact_surfaces_finish(&s, n, &wanted, &error), error, "contact");
         if (pair_law.gated) part_corners(grid, a, b, exchange);
+        if (pair_law.options.contact_stiffness > 0.0) find_overlaps(grid, b, exchange);
         find_reaches();
         find_gates();
     }
 
+    const bool stiff = pair_law.options.contact_stiffness > 0.0;
+    if (stiff) find_areas(a);
     grit_contact_options options = pair_law.options;
     options.time_step = dt;
     options.rigid = a.rigid   ? GRIT_CONTACT_A_RIGID
@@ -347,6 +408,7 @@ void ContactPair::correct(const GridView& grid, const ContactBody& a, const Cont
         q.cell_size = grit_view_of(reach.data(), 1, 1);
     }
     if (pair_law.gated) q.gap = grit_view_of(gate_gap.data(), 1, 1);
+    if (stiff) q.contact_area = grit_view_of(area.data(), 1, 1);
     q.velocity_a = grit_mutable_view_of(motions_a + motion::v_r, motion::size, 1);
     q.velocity_b = grit_mutable_view_of(motions_b + motion::v_r, motion::size, 1);
     q.previous_velocity_a = grit_view_of(motions_a + motion::other_r, motion::size, 1);

@@ -27,6 +27,8 @@ struct ContactLaw {
 // GRIT_CONTACT_GEO or _FRICTIONAL.
 ContactLaw contact_law(int law, double friction_coefficient,
                        double penalty_power = GRIT_CONTACT_DEFAULT_PENALTY_POWER);
+// Gives the Geo-contact the stiffness of a multiple of modulus / cell [Pa], [m], (C9).
+void stiffen(ContactLaw& law, double multiple, double modulus, double cell);
 
 struct ContactBody {
     const NodeRecord* records;
@@ -72,12 +74,16 @@ class ContactPair {
                        Exchange& exchange);
     void part_corners(const GridView& grid, const ContactBody& a, const ContactBody& b,
                       Exchange& exchange);
+    template <bool axi> void measure_overlaps(const GridView& grid, const ContactBody& soft);
+    void find_overlaps(const GridView& grid, const ContactBody& soft, Exchange& exchange);
+    double outside(const double* x, std::size_t node) const;
     bool is_beside(const double* x, std::ptrdiff_t node) const;
     void add(const grit_contact_surfaces& to, int which, const double* x, const double* side,
              const std::ptrdiff_t* nodes, int count);
     grit_contact_surfaces surfaces(std::vector<double>& of);
     grit_contact_surfaces along_direction(int k);
     void find_reaches();
+    void find_areas(const ContactBody& stiff);
     void find_gates();
     void remember();
     void sum_faces(bool measured, Exchange& exchange);
@@ -86,7 +92,7 @@ class ContactPair {
     bool axisymmetric, fixed_point;
     std::vector<int> fixed_bits;
     std::vector<double> position, spacing, normal, surface, near_surface, centre, reach, distance,
-        gap, gate_gap;
+        gap, gate_gap, overlap_gap, area;
     static constexpr int directions = 4;  // that may part two corners
     std::vector<double> direction[directions], direction_surface;
     std::vector<char> is_active, touched;  // touched: pressed in the step before

@@ -25,6 +25,7 @@ struct BodiesAtNodes {
     std::vector<grit_contact_report> reports;
     std::vector<grit_contact_sums> sums;
     grit_contact_bodies call{};
+    grit_view gap{}, area{};  // of all pairs; none
     grit_error error{};
 
     BodiesAtNodes(int bodies, std::size_t nodes, std::uint64_t seed, int dimensions = 3)
@@ -67,6 +68,8 @@ struct BodiesAtNodes {
             pairs[p].normal = grit_view_of(x.n[p].data(), stride, 1);
             pairs[p].distance = grit_view_of(&x.s[p], stride, 1);
             pairs[p].cell_size = grit_view_of(&d, 0, 1);
+            pairs[p].gap = gap;
+            pairs[p].contact_area = area;
         }
         call.struct_size = sizeof call;
         call.components = components;

@@ -8,12 +8,23 @@ namespace mpm_test {
 
 using namespace grit::mpm;
 
-enum class ContactKind { geo, geo_ungated, frictional, frictional_ungated, penalty, surface };
+enum class ContactKind {
+    geo,
+    geo_ungated,
+    geo_spring,
+    geo_spring_10,
+    frictional,
+    frictional_ungated,
+    penalty,
+    surface
+};
 
 inline const char* name_of(ContactKind kind) {
     switch (kind) {
         case ContactKind::geo: return "GCA gated";
         case ContactKind::geo_ungated: return "GCA";
+        case ContactKind::geo_spring: return "GCA gated, spring M/h";
+        case ContactKind::geo_spring_10: return "GCA gated, spring 10 M/h";
         case ContactKind::frictional: return "FCA gated";
         case ContactKind::frictional_ungated: return "FCA";
         case ContactKind::penalty: return "PCA";
@@ -21,7 +32,7 @@ inline const char* name_of(ContactKind kind) {
     }
 }
 
-// What penalty contact needs besides; the others find their surfaces.
+// What penalty contact and springs need besides; the others find their surfaces.
 struct PenaltyNeeds {
     double modulus, cell;  // [Pa], [m]
     BoundaryLine line_a, line_b;
@@ -38,10 +49,12 @@ inline void add_contact(Simulation& simulation, ContactKind kind, double mu,
         law.line_b = needs.line_b;
         simulation.add_contact(law);
     } else {
-        const bool geo = kind == ContactKind::geo || kind == ContactKind::geo_ungated;
+        const bool geo = kind != ContactKind::frictional && kind != ContactKind::frictional_ungated;
         ContactLaw law = contact_law(geo ? GRIT_CONTACT_GEO : GRIT_CONTACT_FRICTIONAL, mu);
         if (power > 0.0) law.options.penalty_power = power;
-        law.gated = kind == ContactKind::geo || kind == ContactKind::frictional;
+        law.gated = kind != ContactKind::geo_ungated && kind != ContactKind::frictional_ungated;
+        if (kind == ContactKind::geo_spring || kind == ContactKind::geo_spring_10)
+            stiffen(law, kind == ContactKind::geo_spring ? 1.0 : 10.0, needs.modulus, needs.cell);
         simulation.add_contact(law);
     }
 }

@@ -18,8 +18,9 @@ struct PressedSand {
     bool ring = true;
     double block_density = 2500.0, block_velocity = -10.0;
 
-    double growth = 1.0;       // of a cell to the next one
-    bool at_surfaces = false;  // contact, not at nodes
+    double relaxation_time = 0.0, stiffness = 0.0;  // of the contact [s], [Pa/m]
+    double growth = 1.0;                            // of a cell to the next one
+    bool at_surfaces = false;                       // contact, not at nodes
 
     // The whole grid along r (0) or z (1).
     Axis axis(int direction) const {
@@ -67,8 +68,14 @@ struct PressedSand {
             out->add_traction({0, id, Edge::top, [](double t) {
                                    return grit::Vector2{0.0, -1e5 * std::sin(500.0 * t)};
                                }});
-        if (at_surfaces) out->add_contact(surface_law(0.3));
-        else out->add_contact(contact_law(GRIT_CONTACT_GEO, 0.3));
+        if (at_surfaces) {
+            out->add_contact(surface_law(0.3));
+        } else {
+            ContactLaw law = contact_law(GRIT_CONTACT_GEO, 0.3);
+            law.options.relaxation_time = relaxation_time;
+            law.options.contact_stiffness = stiffness;
+            out->add_contact(law);
+        }
         out->fix_below(1, 0.0);
         if (end[0] == 8) out->absorb_last(0, {200.0, 100.0});
         return out;
