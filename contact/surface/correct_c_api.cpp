@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // grit_surface_correct: where the surfaces meet, what carries the pressure, which impulses close the gap.
+#include "contact/surface/ascending.hpp"
 #include "contact/surface/call_checks.hpp"
 #include "contact/surface/system.hpp"
 
@@ -89,7 +90,7 @@ template <int C> class Call {
             std::ptrdiff_t n = 0;
             tree.each(a.facet[f].box().grown(o.reach),
                       [&](std::ptrdiff_t other) { candidates[n++] = other; });
-            std::sort(candidates, candidates + n);
+            sort_ascending(candidates, candidates + n);
             meeting.each_point(f, candidates, n, [&](MeetingPoint<C> p) {
                 smallest_gap[f] = std::min(smallest_gap[f], p.gap);
                 const auto v =

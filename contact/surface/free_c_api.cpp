@@ -2,6 +2,7 @@
 // grit_surface_find_free: the edges of particles' domains beyond which no neighbour is, (V6).
 #include <cmath>
 
+#include "contact/surface/ascending.hpp"
 #include "contact/surface/box_tree.hpp"
 #include "contact/surface/call_checks.hpp"
 
@@ -148,7 +149,7 @@ class FreeEdges {
             return shadow.end - shadow.begin > 0.5;  // inside of a body: by one neighbour
         });
         if (is_covered) return false;
-        std::sort(covered, covered + count);
+        sort_ascending(covered, covered + count);
         double open = 0.0, reached = 0.0;
         for (std::ptrdiff_t c = 0; c < count; ++c) {
             open += std::max(covered[c].begin - reached, 0.0);

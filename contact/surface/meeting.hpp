@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "contact/surface/ascending.hpp"
 #include "contact/surface/facets.hpp"
 
 namespace grit::surface {
@@ -36,7 +37,7 @@ template <> class Meeting<2> {
         const Facet<2>& facet = a.facet[f];
         if (!(facet.size > 0.0)) return;
         find_opposite(facet, candidates, n);
-        std::sort(cuts, cuts + n_cuts);
+        sort_ascending(cuts, cuts + n_cuts);
         for (std::ptrdiff_t i = 0; i + 1 < n_cuts; ++i) {
             const double from = cuts[i], to = cuts[i + 1];
             if (to - from < least_piece) continue;

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "contact/surface/ascending.hpp"
 #include "contact/surface/facets.hpp"
 
 namespace grit::surface {
@@ -60,7 +61,7 @@ template <int C> class Pressures {
         tree.each(around.grown(radius), [&](std::ptrdiff_t k) {
             if (point[k].stretch == stretch[f] && norm(point[k].x - x) < radius) found[n++] = k;
         });
-        std::sort(found, found + n);
+        sort_ascending(found, found + n);
         double sum = 0.0;
         for (std::ptrdiff_t i = 0; i < n; ++i) sum += weight(found[i], x);
         for (std::ptrdiff_t i = 0; i < n; ++i) take(found[i], weight(found[i], x) / sum);
@@ -107,7 +108,7 @@ template <int C> class Pressures {
         for (std::ptrdiff_t f = 0; f < facets; ++f)
             for (int i = 0; i < C; ++i)
                 corner[C * f + i] = {stretch_of(f), skin.vertex(f, i), f, false};
-        std::sort(corner, corner + C * facets);
+        sort_ascending(corner, corner + C * facets);
     }
     // Corners with the same stretch and vertex, one behind the other.
     template <class Take> void each_ridge(const Take& take) {
@@ -162,7 +163,8 @@ template <int C> class Pressures {
         do length += skin.facet[f].size;
         while ((f = next[f]) >= 0 && f != start);
         const bool ring = f == start;
-        const double parts = std::round(length / spacing), each = length / std::max(parts, 1.0);
+        const double parts = std::floor(length / spacing + 0.5),
+                     each = length / std::max(parts, 1.0);
         add_point(start, 0);
         double at = 0.0, wanted = each;
         for (f = start; f >= 0;) {
@@ -192,7 +194,7 @@ template <int C> class Pressures {
             one.is_rim = is_rim(first, last);
             corner[kept++] = one;
         });
-        std::sort(corner, corner + kept);
+        sort_ascending(corner, corner + kept);
         for (std::ptrdiff_t i = 0; i < kept; ++i) {
             is_near[i] = false;
             boxes[i] = Box<C>::empty();

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "contact/surface/ascending.hpp"
 #include "contact/surface/meeting.hpp"
 #include "contact/surface/pressures.hpp"
 
@@ -163,7 +164,7 @@ template <int C> class System {
         std::ptrdiff_t* last[2];
         for (int body = 0; body < 2; ++body) {
             std::ptrdiff_t *const from = id + (body == 0 ? 0 : end[0]), *const to = id + end[body];
-            std::sort(from, to);
+            sort_ascending(from, to);
             last[body] = std::unique(from, to);
             first_node[body + 1] = first_node[body] + (last[body] - from);
         }
