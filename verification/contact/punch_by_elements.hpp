@@ -88,8 +88,8 @@ inline double punch_by_elements(double fine) {
     std::vector<int> held(static_cast<std::size_t>(unknowns));
     for (int j = 0; j < n_z; ++j)
         for (int i = 0; i < n_r; ++i) {
-            int& u_r = held[static_cast<std::size_t>(2 * node(i, j))];
-            int& u_z = held[static_cast<std::size_t>(2 * node(i, j) + 1)];
+            int& u_r = held[2 * static_cast<std::size_t>(node(i, j))];
+            int& u_z = held[2 * static_cast<std::size_t>(node(i, j)) + 1];
             if (!used[static_cast<std::size_t>(node(i, j))]) u_r = u_z = 1;
             if (i == 0 || i == n_r - 1 || (i == i_corner && j < j_corner)) u_r = 1;
             if (j == n_z - 1) u_z = 1;

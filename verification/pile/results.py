@@ -34,10 +34,10 @@ class History:
             raise Unusable(f"{path}: no rows, or rows of different lengths")
         self.columns = {name: [row[i] for row in table] for i, name in enumerate(self.names)}
         self.stopped = next((c for c in self.comments if c.startswith("STOPPED EARLY")), None)
-        mass = re.search(r"driven body: \S+, ([\d.e+]+) kg", " ".join(self.comments))
+        mass = re.search(r"driven body: \S+, (?:([\d.e+]+) kg|rigid)", " ".join(self.comments))
         if not mass:
             raise Unusable(f"{path}: its comments do not tell the mass of the driven body")
-        self.mass = float(mass[1])  # [kg]
+        self.mass = float(mass[1] or "nan")  # [kg]; a rigid body has none
         self.particles = int(re.search(r"(\d+) particles", " ".join(self.comments))[1])
 
     def __getitem__(self, name):
