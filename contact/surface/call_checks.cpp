@@ -18,9 +18,20 @@ grit_status check_vector(const grit_view& view, std::ptrdiff_t i, int components
     return GRIT_OK;
 }
 
+// check(vertex) of the vertices of all facets.
+template <class Check>
+grit_status check_vertices(const grit_surface& s, int components, const Check& check) {
+    for (std::ptrdiff_t i = 0; i < components * s.facets; ++i) GRIT_CHECK(check(s.facet[i]));
+    return GRIT_OK;
+}
+
 grit_status check_positions(const grit_surface& s, const char* name, const grit_surface_options& o,
                             grit_error* error) {
-    for (std::ptrdiff_t v = 0; v < s.vertices; ++v) {
+    for (std::ptrdiff_t f = 0; f < s.facets; ++f)
+        for (int i = 0; i < o.components; ++i)
+            if (const std::ptrdiff_t v = s.facet[o.components * f + i]; !is_index(v, s.vertices))
+                return refuse_index(v, s.vertices, f, {name, "facet"}, error);
+    return check_vertices(s, o.components, [&](std::ptrdiff_t v) -> grit_status {
         for (int c = 0; c < o.components; ++c)
             if (const double x = component(s.position, v, c); !is_within(x, largest_number))
                 return failure(error, GRIT_BAD_STATE, v,
@@ -30,30 +41,26 @@ grit_status check_positions(const grit_surface& s, const char* name, const grit_
             return failure(error, GRIT_BAD_STATE, v,
                            "%s vertex %td: r must be >= 0 (length) in axisymmetry, got %g", name, v,
                            component(s.position, v, 0));
-    }
-    for (std::ptrdiff_t f = 0; f < s.facets; ++f)
-        for (int i = 0; i < o.components; ++i)
-            if (const std::ptrdiff_t v = s.facet[o.components * f + i]; !is_index(v, s.vertices))
-                return refuse_index(v, s.vertices, f, {name, "facet"}, error);
-    return GRIT_OK;
+        return GRIT_OK;
+    });
 }
 
 grit_status check_rigid(const grit_surface& s, const char* name, int components,
                         grit_error* error) {
     GRIT_CHECK(check_usable(s.vertex_velocity, components, {name, "vertex_velocity"}, error));
-    for (std::ptrdiff_t v = 0; v < s.vertices; ++v)
-        GRIT_CHECK(check_vector(s.vertex_velocity, v, components, name, "vertex velocity",
-                                "length / time", error));
-    return GRIT_OK;
+    return check_vertices(s, components, [&](std::ptrdiff_t v) {
+        return check_vector(s.vertex_velocity, v, components, name, "vertex velocity",
+                            "length / time", error);
+    });
 }
 
 grit_status check_node(const grit_surface& s, const char* name, std::ptrdiff_t node, int components,
                        grit_error* error) {
     const double m = component(s.mass, node, 0);
-    if (!(m > 0.0 && m <= largest_number))
+    if (!(m >= 1.0 / largest_number && m <= largest_number))
         return failure(
             error, GRIT_BAD_STATE, node,
-            "%s node %td: mass must be in (0, 1e30] (mass) where a vertex has weight, got "
+            "%s node %td: mass must be in [1e-30, 1e30] (mass) where a vertex has weight, got "
             "%g",
             name, node, m);
     const grit_view velocity{s.velocity.base, s.velocity.point_stride, s.velocity.component_stride};

@@ -113,6 +113,10 @@ template <int C> class Call {
         const BoxTree<C> tree(arena, pressures.point_boxes(), pressures.size());
         auto* near = arena.take<std::ptrdiff_t>(pressures.size());
         if (arena.is_overrun()) return false;
+        double longest = 0.0;
+        for (std::ptrdiff_t p = 0; p < n_points; ++p)
+            longest = std::max(longest, a.facet[points[p].facet_a].longest_edge());
+        pressures.set_radius(longest);
         Growing<Share> found(arena);
         for (std::ptrdiff_t p = 0; p < n_points; ++p) {
             const Facet<C>& facet = a.facet[points[p].facet_a];
@@ -214,7 +218,12 @@ grit_status grit_surface_correct(const grit_surface_options* options, const grit
     GRIT_CHECK(check_understood(!totals || is_possible_size(size_of_versioned(totals)), totals,
                                 "grit_surface_totals", set_it_to_sizeof, error));
     constexpr size_t least = 4096;
-    GRIT_CHECK(check_workspace(workspace, workspace_size, least, error));
+    const grit_status has_memory = check_workspace(workspace, workspace_size, least, error);
+    if (has_memory != GRIT_OK) {
+        if (needed && (!workspace || workspace_size < least))
+            *needed = grit_surface_workspace_size(a, b);
+        return has_memory;
+    }
     const Arena arena(workspace, workspace_size);
     return o.components == 2 ? correct<2>(o, s[0], s[1], arena, needed, reports, totals, error)
                              : correct<3>(o, s[0], s[1], arena, needed, reports, totals, error);

@@ -83,8 +83,8 @@ template <int C> Skin<C> read_skin(Arena& arena, const grit_surface& s) {
         facet.size = C == 2 ? length : 0.5 * length;
         facet.n = length > 0.0 ? area / length : Vector<double, C>{};
     }
-    for (std::ptrdiff_t v = 0; v < s.vertices; ++v)
-        skin.velocity[v] = at_vertex<C>(s, read_only(s.velocity), v);
+    for (std::ptrdiff_t corner = 0; corner < C * s.facets; ++corner)
+        skin.velocity[s.facet[corner]] = at_vertex<C>(s, read_only(s.velocity), s.facet[corner]);
     return skin;
 }
 

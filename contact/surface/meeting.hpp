@@ -28,7 +28,7 @@ template <> class Meeting<2> {
   public:
     Meeting(Arena& arena, const Skin<2>& of_a, const Skin<2>& of_b, double how_far)
         : a(of_a), b(of_b), reach(how_far), opposite(arena.take<Opposite>(of_b.given->facets)),
-          cuts(arena.take<double>(2 * of_b.given->facets + 2)) {}
+          cuts(arena.take<double>(4 * of_b.given->facets)) {}
 
     // take(point) for all points of a facet; candidates: of B, in order.
     template <class Take>
@@ -81,6 +81,12 @@ template <> class Meeting<2> {
             if (to - from < least_piece) continue;
             cuts[n_cuts++] = from;
             cuts[n_cuts++] = to;
+            for (const double limit : {-reach, reach}) {  // where it comes within reach
+                const double below = limit - o.height[0], above = o.height[1] - limit;
+                if (!(below * above > 0.0)) continue;
+                const double at = o.s[0] + below / (below + above) * (o.s[1] - o.s[0]);
+                if (at > from && at < to) cuts[n_cuts++] = at;
+            }
             opposite[n_opposite++] = o;
         }
     }
@@ -116,11 +122,14 @@ template <> class Meeting<3> {
             if (!(other.size > 0.0) || dot(facet.n, other.n) > most_facing) continue;
             Polygon piece = shadow(facet, other);
             clip(piece);
+            for (const double side : {-1.0, 1.0})  // within reach
+                cut(piece, [&](const Place& q) { return reach - side * gap_at(facet, other, q); });
             // A fan; three points per triangle, the middles of its sides.
             for (int k = 1; k + 1 < piece.corners; ++k) {
                 const Place p[3] = {piece.at[0], piece.at[k], piece.at[k + 1]};
                 const double share = std::fabs(cross(p[1] - p[0], p[2] - p[0]));
-                if (share < least_piece) continue;
+                if (!(share * facet.size > least_piece * std::min(facet.size, other.size)))
+                    continue;
                 const Place middle = (p[0] + p[1] + p[2]) / 3.0;
                 const double gap = gap_at(facet, other, middle);
                 if (!(std::fabs(gap) <= reach) ||
@@ -148,10 +157,9 @@ template <> class Meeting<3> {
     // Shares of a point, along A's normal.
     static Place place_on(const Facet<3>& facet, const Vector3& x) {
         const Vector3 e = facet.x[1] - facet.x[0], d = facet.x[2] - facet.x[0];
-        const Vector3 y = x - facet.x[0];
-        const double ee = dot(e, e), ed = dot(e, d), dd = dot(d, d);
-        const double ye = dot(y, e), yd = dot(y, d), det = ee * dd - ed * ed;
-        return {(ye * dd - yd * ed) / det, (yd * ee - ye * ed) / det};
+        const Vector3 y = x - facet.x[0], area = surface::cross(e, d);
+        const double det = dot(area, area);
+        return {dot(surface::cross(y, d), area) / det, dot(surface::cross(e, y), area) / det};
     }
     static Polygon shadow(const Facet<3>& facet, const Facet<3>& other) {
         Polygon p{{}, 3};
@@ -164,16 +172,20 @@ template <> class Meeting<3> {
             const auto inside = [side](const Place& q) {
                 return side == 2 ? 1.0 - q[0] - q[1] : q[side];
             };
-            Polygon out{{}, 0};
-            for (int i = 0; i < p.corners; ++i) {
-                const Place &from = p.at[i], &to = p.at[(i + 1) % p.corners];
-                const double d = inside(from), e = inside(to);
-                if (d >= 0.0) out.at[out.corners++] = from;
-                if ((d >= 0.0) != (e >= 0.0))
-                    out.at[out.corners++] = from + (d / (d - e)) * (to - from);
-            }
-            p = out;
+            cut(p, inside);
         }
+    }
+    // What of it lies where this is >= 0.
+    template <class Inside> static void cut(Polygon& p, const Inside& inside) {
+        Polygon out{{}, 0};
+        for (int i = 0; i < p.corners; ++i) {
+            const Place &from = p.at[i], &to = p.at[(i + 1) % p.corners];
+            const double d = inside(from), e = inside(to);
+            if (d >= 0.0) out.at[out.corners++] = from;
+            if ((d >= 0.0) != (e >= 0.0))
+                out.at[out.corners++] = from + (d / (d - e)) * (to - from);
+        }
+        p = out;
     }
     static Vector3 point_of(const Facet<3>& facet, const Place& at) {
         return facet.x[0] + at[0] * (facet.x[1] - facet.x[0]) + at[1] * (facet.x[2] - facet.x[0]);

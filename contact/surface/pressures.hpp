@@ -32,12 +32,9 @@ template <int C> class Pressures {
         sort_corners([this](std::ptrdiff_t f) { return stretch[f]; });
         if constexpr (C == 2) part_chains();
         else spread_points();
-        double longest = 0.0;
-        for (std::ptrdiff_t f = 0; f < facets; ++f)
-            longest = std::max(longest, skin.facet[f].longest_edge());
-        // Every vertex has a point no farther than the spacing.
-        radius = (spacing + longest) * (1.0 + 1e-9);
     }
+    // longest: edge of the facets in contact. Every vertex of theirs has a point no farther than the spacing.
+    void set_radius(double longest) { radius = (spacing + longest) * (1.0 + 1e-9); }
     std::ptrdiff_t size() const { return count; }
     const PressurePoint<C>& operator[](std::ptrdiff_t k) const { return point[k]; }
 

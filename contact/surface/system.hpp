@@ -218,15 +218,19 @@ template <int C> class System {
         if constexpr (C == 2) {
             direction[1] = {-n[1], n[0]};
         } else {
+            // Tangents of the point, turned the shortest way from its normal to the facet's.
             const Vector3& m = pressures[pressure].n;
             int least = 0;
             for (int c = 1; c < 3; ++c)
                 if (std::fabs(m[c]) < std::fabs(m[least])) least = c;
             Vector3 axis{};
             axis[least] = 1.0;
-            const Vector3 t = cross(m, axis);
-            const Vector3 flat = t - dot(t, n) * n;
-            direction[1] = flat / norm(flat);
+            Vector3 t = cross(m, axis);
+            t = t / norm(t);
+            const double cosine = dot(m, n);
+            if (cosine > -1.0 + 1e-9) t = t - (dot(t, n) / (1.0 + cosine)) * (m + n);
+            t = t - dot(t, n) * n;
+            direction[1] = t / norm(t);
             direction[2] = cross(n, direction[1]);
         }
     }
@@ -235,9 +239,13 @@ template <int C> class System {
         rows = arena.take<Row<C>>(pressures.size());
         std::ptrdiff_t* vertex[2] = {arena.take<std::ptrdiff_t>(skin[0]->given->vertices),
                                      arena.take<std::ptrdiff_t>(skin[1]->given->vertices)};
+        std::ptrdiff_t* last_row[2] = {arena.take<std::ptrdiff_t>(skin[0]->given->vertices),
+                                       arena.take<std::ptrdiff_t>(skin[1]->given->vertices)};
         if (arena.is_overrun()) return false;
-        for (int body = 0; body < 2; ++body)
+        for (int body = 0; body < 2; ++body) {
             std::fill_n(sum[body], skin[body]->given->vertices, Directions{});
+            std::fill_n(last_row[body], skin[body]->given->vertices, -1);
+        }
         Growing<Term<C>> found(arena);
         n_rows = 0;
         for (std::ptrdiff_t k = 0; k < pressures.size(); ++k) {
@@ -258,10 +266,8 @@ template <int C> class System {
                     for (int j = 0; j < C; ++j) {
                         const std::ptrdiff_t v = skin[body]->vertex(facet_of(p, body), j);
                         Directions& of_vertex = sum[body][v];
-                        bool is_new = true;
-                        for (std::ptrdiff_t w = 0; w < count[body] && is_new; ++w)
-                            is_new = vertex[body][w] != v;
-                        if (is_new) vertex[body][count[body]++] = v;
+                        if (last_row[body][v] != k) vertex[body][count[body]++] = v;
+                        last_row[body][v] = k;
                         const double N =
                             (body == 0 ? size : -size) * (body == 0 ? p.place_a[j] : p.place_b[j]);
                         for (int m = 0; m < C; ++m)

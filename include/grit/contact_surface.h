@@ -43,8 +43,8 @@ GRIT_API grit_status grit_surface_options_init(grit_surface_options* options, si
 
 /* ---- the surface of a body ------------------------------------------------------------------- */
 
-/* Vertices of no facet are not looked at. Facets are segments (2 components), with the body on the left of the way from the first vertex to the
- * second, or triangles (3), whose vertices go round counter-clockwise as seen from outside. Neighbours
+/* Vertices of no facet are not looked at. Facets are segments (2 components), with the body on the left of
+ * the way from the first vertex to the second, or triangles (3), whose vertices go round counter-clockwise as seen from outside. Neighbours
  * that share vertices and turn by less than 30 degrees are one smooth stretch: pressure is continuous
  * there, and jumps where the surface turns by more. Facets of A that are longer than the spacing are
  * allowed, but their pressure is known at their vertices alone.
@@ -58,9 +58,10 @@ typedef struct grit_surface {
     grit_view position;     /* [vertices][components] at the start of the step [length] */
     const ptrdiff_t* facet; /* [facets][components] vertices */
     const ptrdiff_t* node;  /* [vertices][nodes_each] in [0, nodes); not read where weight is 0 */
-    const double* weight;   /* [vertices][nodes_each] N_i [-] in [0, 1], sum 1 to 1e-6 */
+    const double* weight;   /* [vertices][nodes_each] N_i [-] in [0, 1], sum 1 to 1e-6; momentum
+                                  is kept as far as they add up to 1 */
     ptrdiff_t nodes;        /* how many the views hold */
-    grit_view mass;         /* [nodes] m_i > 0 of the nodes in contact [mass] */
+    grit_view mass;         /* [nodes] m_i in [1e-30, 1e30] of the nodes in contact [mass] */
     const int* fixed;       /* [nodes] optional: bit c: component c of the velocity is held */
     grit_mutable_view velocity;  /* [nodes][components] after the momentum update [length / time] */
     grit_view previous_velocity; /* [nodes][components] optional: before it, for the dissipation */
@@ -103,7 +104,8 @@ typedef struct grit_surface_totals {
 GRIT_API size_t grit_surface_workspace_size(const grit_surface* a, const grit_surface* b);
 
 /* Velocities after contact, (V1)-(V5), in place.
- *   where     every point of A sees the nearest facet of B along A's normal, within reach.
+ *   where     every point of A sees the facet of B that comes first along A's normal, from as deep in A
+ *             as reach is to as far outside: a layer of B inside of A hides what is behind it.
  *   when      it is in contact if its gap is overrun at the end of the step; overlap that is there
  *             stays, but does not grow.
  *   pressure  >= 0, between points of A that are spacing apart, so that the mean approach around each of

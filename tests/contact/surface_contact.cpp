@@ -305,7 +305,7 @@ TEST(SurfaceContact, ChangesNothingWhereItIsRefusedOrOnlyValidates) {
          [](Meeting& x, SurfaceCall&) {
              x.a.position[5] = std::numeric_limits<double>::infinity();
          }},
-        {"mass must be in (0, 1e30] (mass) where a vertex has weight, got 0", GRIT_BAD_STATE,
+        {"mass must be in [1e-30, 1e30] (mass) where a vertex has weight, got 0", GRIT_BAD_STATE,
          [](Meeting& x, SurfaceCall&) { x.b.mass.assign(64, 0.0); }},
         {"velocity 0 must be within +-1e30 (length / time), got nan", GRIT_BAD_STATE,
          [](Meeting& x, SurfaceCall&) { x.a.v.assign(128, std::nan("")); }},
@@ -340,6 +340,173 @@ TEST(SurfaceContact, SaysHowMuchMemoryItNeeds) {
     EXPECT_GT(needed, 4096u);
     EXPECT_NE(std::string(call.error.message).find("too small"), std::string::npos);
     EXPECT_EQ(m.b.v, before.v);
+}
+
+// A body whose vertices are nodes of their own.
+struct FreeBody {
+    std::vector<double> position, mass, v, weight;
+    std::vector<std::ptrdiff_t> facet, node;
+    int components = 2;
+
+    FreeBody(int of, std::vector<double> x, std::vector<std::ptrdiff_t> facets, double each)
+        : position(std::move(x)), facet(std::move(facets)), components(of) {
+        const std::size_t n = position.size() / static_cast<std::size_t>(components);
+        mass.assign(n, each);
+        weight.assign(n, 1.0);
+        v.assign(position.size(), 0.0);
+        for (std::size_t i = 0; i < n; ++i) node.push_back(static_cast<std::ptrdiff_t>(i));
+    }
+    void move(double along_last) {
+        const auto c = static_cast<std::size_t>(components);
+        for (std::size_t i = c - 1; i < v.size(); i += c) v[i] = along_last;
+    }
+    grit_surface surface() {
+        grit_surface s{};
+        s.struct_size = sizeof s;
+        s.nodes_each = 1;
+        s.vertices = s.nodes = static_cast<std::ptrdiff_t>(mass.size());
+        s.facets = static_cast<std::ptrdiff_t>(facet.size()) / components;
+        s.position = grit_view_of(position.data(), components, 1);
+        s.facet = facet.data();
+        s.node = node.data();
+        s.weight = weight.data();
+        s.mass = grit_view_of(mass.data(), 1, 1);
+        s.velocity = grit_mutable_view_of(v.data(), components, 1);
+        return s;
+    }
+};
+
+SurfaceCall call_of(int components, double spacing, double reach, double mu = 0.0) {
+    SurfaceCall call(components, mu);
+    call.options.spacing = spacing;
+    call.options.reach = reach;
+    return call;
+}
+
+TEST(SurfaceContact, LooksAtNoVertexOfNoFacet) {
+    FreeBody a(2, {0, 0, 1, 0, 0, 0}, {1, 0}, 1.0), b(2, {0, 0, 1, 0}, {0, 1}, 1.0);
+    a.node[2] = std::ptrdiff_t{1} << 40;
+    a.position[4] = std::nan("");
+    b.move(-1.0);
+    SurfaceCall call = call_of(2, 1.0, 0.5);
+    EXPECT_EQ(call(a, b), GRIT_OK) << call.error.message;
+    EXPECT_GT(call.totals.normal_impulse, 0.0);
+}
+
+// Long sides of a wedge leave the reach of a plane; its tip does not.
+TEST(SurfaceContact, MeetsTheTipOfAWedgeHoweverLongItsSidesAre) {
+    for (const double side : {0.1, 0.4, 1.0, 100.0}) {
+        FreeBody plane(2, {-500, 0, 500, 0}, {1, 0}, 10.0);
+        FreeBody wedge(2, {-side, side - 0.05, 0, -0.05, side, side - 0.05}, {0, 1, 1, 2}, 1.0);
+        wedge.move(-1.0);
+        SurfaceCall call = call_of(2, 0.2, 0.1);
+        ASSERT_EQ(call(plane, wedge), GRIT_OK) << call.error.message;
+        EXPECT_GT(call.totals.points, 0) << side;
+        EXPECT_GT(call.totals.normal_impulse, 0.0) << side;
+    }
+}
+
+TEST(SurfaceContact, MeetsASmallFacetOnALargeOne) {
+    FreeBody floor(3, {-100, -100, 0, 100, -100, 0, 0, 100, 0}, {0, 1, 2}, 10.0);
+    FreeBody small(3, {0, 0, 0, 0.003, 0, 0, 0, 0.003, 0}, {0, 2, 1}, 1.0);
+    small.move(-1.0);
+    SurfaceCall call = call_of(3, 1.0, 0.1);
+    ASSERT_EQ(call(floor, small), GRIT_OK) << call.error.message;
+    EXPECT_NEAR(call.totals.area, 0.5 * 0.003 * 0.003, 1e-12);
+    EXPECT_GT(call.totals.normal_impulse, 0.0);
+}
+
+// Slivers, as surface meshes have them, carry next to nothing and disturb nothing.
+TEST(SurfaceContact, InSpaceIsNotDisturbedBySlivers) {
+    double impulse[2];
+    for (const bool with : {false, true}) {
+        FreeBody floor(3, {0, 0, 0, 3, 0, 0, 3, 3, 0, 0, 3, 0}, {0, 1, 2, 0, 2, 3}, 1.0);
+        std::vector<double> x{0.5, 0.5, 0, 2.5, 0.5, 0, 2.5, 2.5, 0, 0.5, 2.5, 0};
+        std::vector<std::ptrdiff_t> facets{0, 2, 1, 0, 3, 2};
+        if (with) {  // 2 m by 5 nm below the edge from vertex 0 to 1
+            x.insert(x.end(), {0.5, 0.5 - 5e-9, 0, 2.5, 0.5 - 5e-9, 0});
+            facets.insert(facets.end(), {4, 0, 1, 4, 1, 5});
+        }
+        FreeBody plate(3, x, facets, 1.0);
+        plate.mass.resize(4 + (with ? 2 : 0), 1.0);
+        if (with) plate.mass[4] = plate.mass[5] = 1e-9;
+        plate.move(-1.0);
+        SurfaceCall call = call_of(3, 1.0, 0.5);
+        ASSERT_EQ(call(floor, plate), GRIT_OK) << call.error.message;
+        impulse[with] = call.totals.normal_impulse;
+    }
+    EXPECT_GT(impulse[0], 0.5);
+    EXPECT_NEAR(impulse[1], impulse[0], 1e-3 * impulse[0]);
+}
+
+// A round pile thinner than the spacing: its normals turn by more than a right angle around a point of pressure.
+TEST(SurfaceContact, InSpaceHoldsFrictionOnARoundBodyThinnerThanTheSpacing) {
+    constexpr int sides = 16;
+    std::vector<double> x;
+    std::vector<std::ptrdiff_t> facets;
+    for (int i = 0; i < sides; ++i)
+        for (const double z : {0.0, 1.0}) {
+            const double angle = 6.283185307179586 * i / sides;
+            x.insert(x.end(), {0.5 * std::cos(angle), 0.5 * std::sin(angle), z});
+        }
+    for (std::ptrdiff_t i = 0; i < sides; ++i) {
+        const std::ptrdiff_t a = 2 * i, b = 2 * ((i + 1) % sides);
+        facets.insert(facets.end(), {a, b, b + 1, a, b + 1, a + 1});
+    }
+    for (const double mu : {0.0, 0.5}) {
+        FreeBody pile(3, x, facets, 1e3);
+        // A plate beside it, at x = 0.5, that presses against it and slides upwards.
+        FreeBody plate(3, {0.49, -1, 0, 0.49, 1, 0, 0.49, 1, 1, 0.49, -1, 1}, {0, 2, 1, 0, 3, 2},
+                       1.0);
+        for (std::size_t i = 0; i < 4; ++i) plate.v[3 * i] = -1.0, plate.v[3 * i + 2] = 0.2;
+        SurfaceCall call = call_of(3, 2.0, 0.3, mu);
+        ASSERT_EQ(call(pile, plate), GRIT_OK) << call.error.message;
+        EXPECT_GT(call.totals.normal_impulse, 0.0);
+        for (const double J : call.totals.impulse_on_a) EXPECT_TRUE(std::isfinite(J));
+        if (mu > 0.0) {
+            EXPECT_GT(call.totals.impulse_on_a[2], 0.05 * call.totals.normal_impulse);
+        } else {
+            EXPECT_NEAR(call.totals.impulse_on_a[2], 0.0, 1e-12);
+        }
+    }
+}
+
+TEST(SurfaceContact, DoesNotFeelFacetsFarAway) {
+    double impulse[2];
+    for (const bool far : {false, true}) {
+        std::vector<double> x, y;
+        std::vector<std::ptrdiff_t> facets, opposite;
+        for (int i = 0; i <= 64; ++i) {
+            x.insert(x.end(), {i / 16.0, 0.0});
+            y.insert(y.end(), {i / 16.0, 0.0});
+            if (i == 0) continue;
+            facets.insert(facets.end(), {i, i - 1});
+            if (i <= 16) opposite.insert(opposite.end(), {i - 1, i});
+        }
+        if (far) {
+            x.insert(x.end(), {1004.0, 0.0});
+            facets.insert(facets.end(), {65, 64});
+        }
+        FreeBody a(2, x, facets, 1.0), b(2, y, opposite, 1.0);
+        b.move(-1.0);
+        SurfaceCall call = call_of(2, 0.25, 0.1);
+        ASSERT_EQ(call(a, b), GRIT_OK) << call.error.message;
+        impulse[far] = call.totals.normal_impulse;
+    }
+    EXPECT_GT(impulse[0], 0.0);
+    EXPECT_NEAR(impulse[1], impulse[0], 1e-9 * impulse[0]);
+}
+
+TEST(SurfaceContact, SaysHowMuchMemoryToTryWhereThereIsNone) {
+    FreeBody a(2, {0, 0, 1, 0}, {1, 0}, 1.0), b(2, {0, 0, 1, 0}, {0, 1}, 1.0);
+    const grit_surface of_a = a.surface(), of_b = b.surface();
+    const SurfaceCall call = call_of(2, 1.0, 0.5);
+    double memory[8];
+    std::size_t needed = 0;
+    EXPECT_EQ(grit_surface_correct(&call.options, &of_a, &of_b, memory, sizeof memory, &needed,
+                                   nullptr, nullptr, nullptr),
+              GRIT_BAD_CALL);
+    EXPECT_EQ(needed, grit_surface_workspace_size(&of_a, &of_b));
 }
 
 }  // namespace

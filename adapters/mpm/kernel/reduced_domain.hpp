@@ -9,7 +9,8 @@
 
 GRIT_KERNEL_BEGIN_OF(mpm)
 
-// Where the longer side leans along the shorter one by more than its length; then by no more than half of it.
+// Where the longer side leans along the shorter one by more than its length; then by no more than half of it. What has
+// become the shorter one may lean in turn: that is the next step's.
 GRIT_INLINE void reduce_domain(const ParticleView& q, std::ptrdiff_t p) {
     namespace c = column;
     const double l_r = q[c::l_r][p], l_z = q[c::l_z][p];

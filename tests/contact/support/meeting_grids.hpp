@@ -156,7 +156,7 @@ struct SurfaceCall {
         options.sweep_limit = 20000;
         totals.struct_size = sizeof totals;
     }
-    grit_status operator()(GridBody& body_a, GridBody& body_b) {
+    template <class Body> grit_status operator()(Body& body_a, Body& body_b) {
         const grit_surface a = body_a.surface(), b = body_b.surface();
         reports.resize(static_cast<std::size_t>(a.facets));
         std::size_t needed = grit_surface_workspace_size(&a, &b);
