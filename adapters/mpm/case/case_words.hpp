@@ -234,7 +234,7 @@ inline constexpr CaseWord all[] = {
     a_table(
         "contact", "stiff_line",
         "of penalty and surface: with the body on its left, closed if the last point is the first",
-        "of surface: the free edges of particles"),
+        "needed by penalty; of surface: the free edges of particles"),
     a_table("contact", "soft_line", "of penalty", "needed by penalty"),
 
     numbers("contact.stiff_line", "r_m", metre, ""),
