@@ -52,9 +52,7 @@ TEST(LammpsPile, WithContactAtSurfacesHasTheBitsOfTheDriverToo) {
 TEST(LammpsPile, GoesOnOnFourProcessesFromTheRestartFileOfTwo) {
     const BothHosts hosts(case_text());
     const Told before = hosts.in_lammps(2, 1, "restart 500 blows\n" + hosts.script());
-    const Told after = hosts.in_lammps(2, 2,
-                                       "atom_modify map yes\nread_restart blows.500\n"
-                                       "include both.fix\nthermo 1\nrun 2000000000\n");
+    const Told after = hosts.in_lammps(2, 2, hosts.go_on("blows.500"));
     EXPECT_EQ(first_difference(reference(), before), "");
     Told rest = reference();
     ASSERT_GT(rest.rows.size(), 501u);

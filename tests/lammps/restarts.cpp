@@ -15,15 +15,10 @@ class LammpsRestarts : public ::testing::Test {
     std::string changed(const std::string& words, const std::string& other) const {
         return replaced(hosts.folder.read("both.in"), words, other);
     }
-    // ... from a restart file, with words of the stage behind it.
-    std::string go_on(const std::string& file, const std::string& stage) const {
-        return "atom_modify map yes\nread_restart " + file + "\ninclude both.fix\nthermo 1\n" +
-               stage + "run 2000000000\n";
-    }
     void expect_refused(const std::string& words, const std::string& other) const {
         const std::string fix = hosts.folder.read("both.fix");
         hosts.folder.write("both.fix", replaced(fix, words, other));
-        const Answer answer = hosts.lammps(2, go_on("some.restart", ""));
+        const Answer answer = hosts.lammps(2, hosts.go_on("some.restart"));
         hosts.folder.write("both.fix", fix);
         EXPECT_NE(answer.status, 0);
         EXPECT_TRUE(answer.says("of a fix with other words")) << answer.text;
@@ -35,7 +30,7 @@ TEST_F(LammpsRestarts, BeginFromAFileThatWasWrittenBeforeTheFirstRun) {
         hosts.lammps(2, changed("run ${most_steps}", "write_restart some.restart"));
     ASSERT_EQ(before.status, 0) << before.text;
     const Told told = hosts.in_lammps(
-        1, 1, go_on("some.restart", "fix_modify mpm stage flight until_time 0.4\n"));
+        1, 1, hosts.go_on("some.restart", "fix_modify mpm stage flight until_time 0.4\n"));
     EXPECT_EQ(first_difference(hosts.in_driver(1000000), told), "");
 }
 
@@ -46,7 +41,7 @@ TEST_F(LammpsRestarts, MayBeWrittenAgainBeforeARun) {
     const Answer again = hosts.lammps(1, "atom_modify map yes\nread_restart some.restart\n"
                                          "include both.fix\nwrite_restart again.restart\n");
     ASSERT_EQ(again.status, 0) << again.text;
-    const Told told = hosts.in_lammps(2, 1, go_on("again.restart", ""));
+    const Told told = hosts.in_lammps(2, 1, hosts.go_on("again.restart"));
     const Told driver = hosts.in_driver(1000000);
     ASSERT_FALSE(told.rows.empty());
     EXPECT_EQ(
@@ -66,7 +61,7 @@ TEST_F(LammpsRestarts, RefuseOtherWords) {
     hosts.folder.write("both.fix",
                        replaced(hosts.folder.read("both.fix"), "points block both_block.points",
                                 "threads 2 points block other.points"));
-    const Answer answer = hosts.lammps(2, go_on("some.restart", ""));
+    const Answer answer = hosts.lammps(2, hosts.go_on("some.restart"));
     EXPECT_EQ(answer.status, 0) << answer.text;
 }
 

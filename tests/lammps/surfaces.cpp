@@ -86,9 +86,7 @@ TEST_F(LammpsSurfaces, GoOnWhereTheGridIsCutAnew) {
 TEST_F(LammpsSurfaces, GoOnFromARestartFileOnMoreProcesses) {
     const BothHosts hosts(on_soft_ground());
     const Told before = hosts.in_lammps(2, 1, "restart 30 surfaces\n" + hosts.script());
-    const Told after = hosts.in_lammps(2, 2,
-                                       "atom_modify map yes\nread_restart surfaces.30\n"
-                                       "include both.fix\nthermo 1\nrun 2000000000\n");
+    const Told after = hosts.in_lammps(2, 2, hosts.go_on("surfaces.30"));
     ASSERT_FALSE(after.rows.empty());
     EXPECT_EQ(first_difference({{before.rows.back()}, before.points},
                                {{after.rows.back()}, after.points}),

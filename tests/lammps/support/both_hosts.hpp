@@ -32,6 +32,11 @@ class BothHosts {
     // From what LAMMPS has printed and dumped.
     Told read_told(const std::string& printed) const;
     std::string script() const { return "include " + name + ".in\n"; }
+    // ... from a restart file, with words of the stage behind it.
+    std::string go_on(const std::string& file, const std::string& stage = "") const {
+        return "atom_modify map yes\nread_restart " + file + "\ninclude " + name +
+               ".fix\nthermo 1\n" + stage + "run 2000000000\n";
+    }
 
     const Folder folder;
     std::string name;
