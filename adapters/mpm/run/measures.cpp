@@ -98,35 +98,26 @@ double unbalanced_share(const Simulation& simulation, double dt) {
 ContactForces contact_forces(const Simulation& simulation, std::size_t body) {
     ContactForces out;
     out.largest_gap = NAN;
+    const auto add = [&out](double sign, const auto& faces) {
+        out.tip = out.tip + sign * faces.along_z;
+        out.shaft = out.shaft + sign * faces.along_r;
+    };
     for (std::size_t i = 0; i < simulation.contact_count(); ++i) {
         const ContactPair& pair = simulation.contact(i);
         if (pair.law().a != body && pair.law().b != body) continue;
-        const double sign = pair.law().b == body ? 1.0 : -1.0;
         const ContactPair::Measured& faces = pair.faces();
-        out.tip[0] += sign * faces.along_z[0];
-        out.tip[1] += sign * faces.along_z[1];
-        out.shaft[0] += sign * faces.along_r[0];
-        out.shaft[1] += sign * faces.along_r[1];
+        add(pair.law().b == body ? 1.0 : -1.0, faces);
         out.largest_gap = std::fmax(out.largest_gap, faces.largest_gap);
     }
     for (std::size_t i = 0; i < simulation.penalty_contact_count(); ++i) {
         const PenaltyPair& pair = simulation.penalty_contact(i);
         if (pair.law().a != body && pair.law().b != body) continue;
-        const Faces& faces = pair.faces(pair.law().b == body ? 1 : 0);
-        out.tip[0] += faces.along_z[0];
-        out.tip[1] += faces.along_z[1];
-        out.shaft[0] += faces.along_r[0];
-        out.shaft[1] += faces.along_r[1];
+        add(1.0, pair.faces(pair.law().b == body ? 1 : 0));
     }
     for (std::size_t i = 0; i < simulation.surface_contact_count(); ++i) {
         const SurfacePair& pair = simulation.surface_contact(i);
         if (pair.law().a != body && pair.law().b != body) continue;
-        const double sign = pair.law().b == body ? 1.0 : -1.0;
-        const Faces& faces = pair.faces();
-        out.tip[0] += sign * faces.along_z[0];
-        out.tip[1] += sign * faces.along_z[1];
-        out.shaft[0] += sign * faces.along_r[0];
-        out.shaft[1] += sign * faces.along_r[1];
+        add(pair.law().b == body ? 1.0 : -1.0, pair.faces());
     }
     return out;
 }

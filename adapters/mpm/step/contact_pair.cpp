@@ -5,6 +5,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+
+#include <grit/contact_penalty.h>
 
 #include "adapters/mpm/kernel/place.hpp"
 #include "adapters/mpm/step/require.hpp"
@@ -23,7 +26,8 @@ ContactLaw contact_law(int law, double friction_coefficient, double penalty_powe
 }
 
 void stiffen(ContactLaw& law, double multiple, double modulus, double cell) {
-    law.options.contact_stiffness = multiple * modulus / cell;
+    if (grit_penalty_stiffness(multiple, modulus, cell, &law.options.contact_stiffness) != GRIT_OK)
+        throw std::invalid_argument("contact: no stiffness of this modulus [Pa] and cell [m]");
 }
 
 ContactPair::ContactPair(const ContactLaw& law, const Settings& settings, const GridView& grid,
@@ -371,6 +375,7 @@ void ContactPair::correct(const GridView& grid, const ContactBody& a, const Cont
 
     grit_error error;
     const bool geo = pair_law.options.law == GRIT_CONTACT_GEO;
+    const bool stiff = pair_law.options.contact_stiffness > 0.0;
     if (geo || pair_law.gated) {
         find_surfaces(grid, a, b, exchange);
         grit_contact_surfaces s = surfaces(surface);
@@ -383,12 +388,11 @@ void ContactPair::correct(const GridView& grid, const ContactBody& a, const Cont
         wanted.gap = grit_mutable_view_of(gap.data(), 1, 1);
         require(grit_contact_surfaces_finish(&s, n, &wanted, &error), error, "contact");
         if (pair_law.gated) part_corners(grid, a, b, exchange);
-        if (pair_law.options.contact_stiffness > 0.0) find_overlaps(grid, b, exchange);
+        if (stiff) find_overlaps(grid, b, exchange);
         find_reaches();
         find_gates();
     }
 
-    const bool stiff = pair_law.options.contact_stiffness > 0.0;
     if (stiff) find_areas(a);
     grit_contact_options options = pair_law.options;
     options.time_step = dt;

@@ -12,7 +12,6 @@ namespace grit::mpm {
 
 class NearCells {
   public:
-    NearCells() = default;
     explicit NearCells(const GridView& grid)
         : is_near(static_cast<std::size_t>(grid.r.cells) * static_cast<std::size_t>(grid.z.cells)) {
     }

@@ -13,7 +13,6 @@ namespace grit::mpm {
 
 class RiddenLine {
   public:
-    RiddenLine() = default;
     // At the start; segments are divided until none is longer than this [m].
     RiddenLine(const BoundaryLine& line, double longest, const Particles& particles);
 
