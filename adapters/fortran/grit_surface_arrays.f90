@@ -28,10 +28,12 @@ contains
 
    ! Of a body with nodes: position (c, vertices), facet (c, facets) from 0, node (k, vertices) from 0,
    ! weight (k, vertices), mass (nodes), velocity (c, nodes), previous_velocity alike, fixed (nodes); of
-   ! a rigid one: position, facet, vertex_velocity (c, vertices). All are targets for as long as the
-   ! surface is used. struct_size 0, which every call refuses, if the shapes do not fit.
+   ! a rigid one: position, facet, vertex_velocity (c, vertices); of surface a also spacing (facets).
+   ! All are targets for as long as the surface is used. struct_size 0, which every call refuses, if the
+   ! shapes do not fit.
    type(grit_surface) function grit_surface_of(position, facet, node, weight, mass, velocity, &
-                                               previous_velocity, fixed, vertex_velocity, error) &
+                                               previous_velocity, fixed, vertex_velocity, &
+                                               spacing, error) &
       result(surface)
       real(c_double), intent(in), target :: position(:, :)
       integer(c_ptrdiff_t), intent(in), target, contiguous :: facet(:, :)
@@ -41,6 +43,7 @@ contains
       real(c_double), intent(inout), target, optional :: velocity(:, :)
       real(c_double), intent(in), target, optional :: previous_velocity(:, :), vertex_velocity(:, :)
       integer(c_int), intent(in), target, contiguous, optional :: fixed(:)
+      real(c_double), intent(in), target, contiguous, optional :: spacing(:)
       type(grit_error), intent(inout), optional :: error
       integer :: c, n
       c = size(position, 1)
@@ -79,6 +82,10 @@ contains
       if (present(fixed)) then
          if (.not. grit_fits('fixed', shape(fixed), [int(surface%nodes)], error)) return
          if (size(fixed) > 0) surface%fixed = c_loc(fixed)
+      end if
+      if (present(spacing)) then
+         if (.not. grit_fits('spacing', shape(spacing), [size(facet, 2)], error)) return
+         if (size(spacing) > 0) surface%spacing = c_loc(spacing)
       end if
       surface%struct_size = c_sizeof(surface)
    end function

@@ -16,9 +16,10 @@ module grit_surface_interface
       real(c_double) :: reach                 ! [length]
    end type
 
-   ! facet (components, facets), node and weight (nodes_each, vertices), fixed (nodes): c_loc of arrays.
+   ! facet (components, facets), node and weight (nodes_each, vertices), fixed (nodes), spacing (facets): c_loc of
+   ! arrays.
    type, bind(c) :: grit_surface
-      integer(c_size_t) :: struct_size = 192
+      integer(c_size_t) :: struct_size = 200
       integer(c_int) :: rigid = 0, nodes_each = 0
       integer(c_ptrdiff_t) :: vertices = 0, facets = 0
       type(grit_view) :: position
@@ -28,6 +29,7 @@ module grit_surface_interface
       type(c_ptr) :: fixed = c_null_ptr
       type(grit_mutable_view) :: velocity
       type(grit_view) :: previous_velocity, vertex_velocity
+      type(c_ptr) :: spacing = c_null_ptr
    end type
 
    type, bind(c) :: grit_surface_report

@@ -153,6 +153,11 @@ grit_status read_surface(const grit_surface* given, const char* name, const grit
     GRIT_CHECK(check_usable(s.position, o.components, {name, "position"}, error));
     if (s.facets > 0) GRIT_CHECK(check_given(s.facet, {name, "facet"}, error));
     GRIT_CHECK(check_positions(s, name, o, error));
+    for (std::ptrdiff_t f = 0; s.spacing && f < s.facets; ++f)
+        if (!(s.spacing[f] > 0.0 && s.spacing[f] <= largest_number))
+            return failure(error, GRIT_BAD_STATE, f,
+                           "%s facet %td: spacing must be in (0, 1e30] (length), got %g", name, f,
+                           s.spacing[f]);
     return s.rigid ? check_rigid(s, name, o.components, error) : check_free(s, name, o, error);
 }
 

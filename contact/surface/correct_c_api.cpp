@@ -116,7 +116,7 @@ template <int C> class Call {
         double longest = 0.0;
         for (std::ptrdiff_t p = 0; p < n_points; ++p)
             longest = std::max(longest, a.facet[points[p].facet_a].longest_edge());
-        pressures.set_radius(longest);
+        pressures.set_longest(longest);
         Growing<Share> found(arena);
         for (std::ptrdiff_t p = 0; p < n_points; ++p) {
             const Facet<C>& facet = a.facet[points[p].facet_a];

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The points of a surface that carry its pressure, (V2): some of its vertices. A stretch is what hangs together and
 // turns by less than 30 degrees from facet to facet; in the plane it is parted into equal lengths, as near to the
-// spacing as they go; in space no two of its points are nearer than the spacing, its rim comes first.
+// spacing as they go, counted in spacings where these change; in space no point of it is nearer to another than its
+// spacing, its rim comes first.
 #pragma once
 
 #include <cmath>
@@ -15,12 +16,14 @@ template <int C> struct PressurePoint {
     Vector<double, C> x;
     Vector<double, C> n;  // of one of the facets that meet there
     std::ptrdiff_t stretch;
+    double spacing;
 };
 
 template <int C> class Pressures {
   public:
-    Pressures(Arena& memory, const Skin<C>& of, double least_spacing)
-        : arena(memory), skin(of), spacing(least_spacing), facets(of.given->facets) {
+    // spacing: of facets that are given none.
+    Pressures(Arena& memory, const Skin<C>& of, double spacing)
+        : arena(memory), skin(of), common_spacing(spacing), facets(of.given->facets) {
         stretch = arena.take<std::ptrdiff_t>(facets);
         corner = arena.take<Corner>(C * facets);
         boxes = arena.take<Box<C>>(C * facets);
@@ -33,8 +36,13 @@ template <int C> class Pressures {
         if constexpr (C == 2) part_chains();
         else spread_points();
     }
-    // longest: edge of the facets in contact. Every vertex of theirs has a point no farther than the spacing.
-    void set_radius(double longest) { radius = (spacing + longest) * (1.0 + 1e-9); }
+    // longest: edge of the facets in contact. Every vertex of theirs has a point no farther than its spacing.
+    void set_longest(double edge) {
+        longest = edge;
+        largest_radius = 0.0;
+        for (std::ptrdiff_t k = 0; k < count; ++k)
+            largest_radius = std::max(largest_radius, radius(k));
+    }
     std::ptrdiff_t size() const { return count; }
     const PressurePoint<C>& operator[](std::ptrdiff_t k) const { return point[k]; }
 
@@ -48,15 +56,15 @@ template <int C> class Pressures {
     }
 
     // Partition of unity at x on a facet: take(point, share). Weights ((R - d) / (R d))^2 of Franke and
-    // Little, 1 at a point itself.
+    // Little, 1 at a point itself, R its spacing and an edge more.
     template <class Take>
     void each_share(const BoxTree<C>& tree, std::ptrdiff_t f, const Vector<double, C>& x,
                     std::ptrdiff_t* found, const Take& take) const {
         std::ptrdiff_t n = 0;
         Box<C> around = Box<C>::empty();
         around.include(x);
-        tree.each(around.grown(radius), [&](std::ptrdiff_t k) {
-            if (point[k].stretch == stretch[f] && norm(point[k].x - x) < radius) found[n++] = k;
+        tree.each(around.grown(largest_radius), [&](std::ptrdiff_t k) {
+            if (point[k].stretch == stretch[f] && norm(point[k].x - x) < radius(k)) found[n++] = k;
         });
         sort_ascending(found, found + n);
         double sum = 0.0;
@@ -76,10 +84,15 @@ template <int C> class Pressures {
     };
 
     double weight(std::ptrdiff_t k, const Vector<double, C>& x) const {
-        const double d = std::max(norm(point[k].x - x), 1e-9 * radius);
-        const double w = (radius - d) / d;
+        const double R = radius(k), d = std::max(norm(point[k].x - x), 1e-9 * R);
+        const double w = (R - d) / (R * d);
         return w * w;
     }
+    double radius(std::ptrdiff_t k) const { return (point[k].spacing + longest) * (1.0 + 1e-9); }
+    double spacing(std::ptrdiff_t f) const {
+        return skin.given->spacing ? skin.given->spacing[f] : common_spacing;
+    }
+    double spacings(std::ptrdiff_t f) const { return skin.facet[f].size / spacing(f); }
 
     std::ptrdiff_t root(std::ptrdiff_t f) {
         while (stretch[f] != f) f = stretch[f] = stretch[stretch[f]];
@@ -155,22 +168,21 @@ template <int C> class Pressures {
     }
     // The chain that starts with a facet; next becomes -2 where it has been.
     void part(std::ptrdiff_t start) {
-        double length = 0.0;
+        double length = 0.0;  // in spacings
         std::ptrdiff_t f = start;
-        do length += skin.facet[f].size;
+        do length += spacings(f);
         while ((f = next[f]) >= 0 && f != start);
         const bool ring = f == start;
-        const double parts = std::floor(length / spacing + 0.5),
-                     each = length / std::max(parts, 1.0);
+        const double parts = std::floor(length + 0.5), each = length / std::max(parts, 1.0);
         add_point(start, 0);
         double at = 0.0, wanted = each;
         for (f = start; f >= 0;) {
             const std::ptrdiff_t after = next[f];
             next[f] = -2;
-            at += skin.facet[f].size;
+            at += spacings(f);
             const bool is_last = after < 0 || after == start;
             // The vertex that is nearest to where the point is wanted.
-            const double rest = is_last ? 0.0 : 0.5 * skin.facet[after].size;
+            const double rest = is_last ? 0.0 : 0.5 * spacings(after);
             if (is_last ? !ring && parts > 0.0
                         : at + rest > wanted && wanted < length - 0.5 * each) {
                 add_point(f, 1);
@@ -180,7 +192,7 @@ template <int C> class Pressures {
         }
     }
     void add_point(std::ptrdiff_t f, int end) {
-        point[count++] = {skin.facet[f].x[end], skin.facet[f].n, stretch[f]};
+        point[count++] = {skin.facet[f].x[end], skin.facet[f].n, stretch[f], spacing(f)};
     }
 
     // In space: all vertices that have none near yet, the rims of stretches first.
@@ -199,22 +211,22 @@ template <int C> class Pressures {
         }
         const BoxTree<C> tree(arena, boxes, kept);
         if (arena.is_overrun()) return;
-        const double least = spacing * (1.0 - 1e-9);
         for (std::ptrdiff_t i = 0; i < kept; ++i) {
             if (is_near[i]) continue;
             const Corner& c = corner[i];
             const Vector<double, C> x = boxes[i].low;
+            const double least = spacing(c.facet) * (1.0 - 1e-9);
             tree.each(boxes[i].grown(least), [&](std::ptrdiff_t k) {
                 if (corner[k].stretch == c.stretch && norm(boxes[k].low - x) < least)
                     is_near[k] = true;
             });
-            point[count++] = {x, skin.facet[c.facet].n, c.stretch};
+            point[count++] = {x, skin.facet[c.facet].n, c.stretch, spacing(c.facet)};
         }
     }
 
     Arena& arena;
     const Skin<C>& skin;
-    double spacing, radius = 0.0;
+    double common_spacing, longest = 0.0, largest_radius = 0.0;
     std::ptrdiff_t facets, count = 0;
     std::ptrdiff_t* stretch = nullptr;  // [facets] the first facet of it
     Corner* corner = nullptr;

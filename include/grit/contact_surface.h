@@ -33,8 +33,8 @@ typedef struct grit_surface_options {
                                     than this share of the largest approach is the last one */
     double friction_coefficient; /* mu [-] in [0, 1e6], default 0 */
     double time_step;            /* dt [time] in (0, 1e30], no default */
-    double spacing; /* [length] in (0, 1e30], no default: of the points that carry pressure, at
-                       least; two cells of the grid: less is more than its nodes can follow */
+    double spacing; /* [length] in (0, 1e30], no default: of the points that carry pressure, about;
+                       two cells of the grid: less is more than its nodes can follow */
     double reach;   /* [length] in (0, 1e30], no default: how far apart, or how deep in each other,
                        facets are looked at; about a cell, and more than a step's motion */
 } grit_surface_options;
@@ -66,6 +66,8 @@ typedef struct grit_surface {
     grit_mutable_view velocity;  /* [nodes][components] after the momentum update [length / time] */
     grit_view previous_velocity; /* [nodes][components] optional: before it, for the dissipation */
     grit_view vertex_velocity;   /* [vertices][components] of a rigid body [length / time] */
+    const double* spacing;       /* [facets] optional, of A: in the place of the options' [length] in
+                                    (0, 1e30], where cells differ along the surface */
 } grit_surface;
 
 /* What acts on a facet of A. */

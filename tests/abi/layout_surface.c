@@ -15,7 +15,7 @@ PLACE(grit_surface_options, time_step, 40);
 PLACE(grit_surface_options, spacing, 48);
 PLACE(grit_surface_options, reach, 56);
 
-SIZE(grit_surface, 192);
+SIZE(grit_surface, 200);
 PLACE(grit_surface, struct_size, 0);
 PLACE(grit_surface, rigid, 8);
 PLACE(grit_surface, nodes_each, 12);
@@ -31,6 +31,7 @@ PLACE(grit_surface, fixed, 112);
 PLACE(grit_surface, velocity, 120);
 PLACE(grit_surface, previous_velocity, 144);
 PLACE(grit_surface, vertex_velocity, 168);
+PLACE(grit_surface, spacing, 192);
 
 SIZE(grit_surface_report, 56);
 PLACE(grit_surface_report, area, 0);

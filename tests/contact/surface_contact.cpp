@@ -246,6 +246,28 @@ TEST(SurfaceContact, IsTheSameInAMovingAndATurnedFrame) {
     }
 }
 
+// Pressures are as far apart as the facets say, whatever the options do.
+TEST(SurfaceContact, TakesTheSpacingOfFacetsBeforeThatOfTheOptions) {
+    for (const int components : {2, 3}) {
+        std::ptrdiff_t alike = 0, closer = 0;
+        for (const unsigned seed : {1u, 2u, 3u, 4u}) {
+            Meeting of_options(components, seed), of_facets = of_options, graded = of_options;
+            SurfaceCall call(components, 0.3);
+            of_facets.a.spacing.assign(of_options.a.facet.size(), call.options.spacing);
+            graded.a.spacing.assign(of_options.a.facet.size(), 0.25 * call.options.spacing);
+            ASSERT_EQ(call(of_options.a, of_options.b), GRIT_OK);
+            alike += call.totals.pressures;
+            call.options.spacing = 1e-3;
+            ASSERT_EQ(call(of_facets.a, of_facets.b), GRIT_OK);
+            EXPECT_EQ(of_facets.a.v, of_options.a.v);
+            EXPECT_EQ(of_facets.b.v, of_options.b.v);
+            ASSERT_EQ(call(graded.a, graded.b), GRIT_OK);
+            closer += call.totals.pressures;
+        }
+        EXPECT_GT(closer, alike);
+    }
+}
+
 // What lies behind the nearest facet is not met.
 TEST(SurfaceContact, MeetsTheNearestOfSeveralLayers) {
     GridBody floor, block;
@@ -288,6 +310,11 @@ TEST(SurfaceContact, ChangesNothingWhereItIsRefusedOrOnlyValidates) {
          [](Meeting&, SurfaceCall& c) { c.options.time_step = 0.0; }},
         {"spacing must be in (0, 1e30] (length), got nan", GRIT_BAD_CALL,
          [](Meeting&, SurfaceCall& c) { c.options.spacing = std::nan(""); }},
+        {"surface a facet 4: spacing must be in (0, 1e30] (length), got 0", GRIT_BAD_STATE,
+         [](Meeting& x, SurfaceCall&) {
+             x.a.spacing.assign(x.a.facet.size(), 1.0);
+             x.a.spacing[4] = 0.0;
+         }},
         {"reach must be", GRIT_BAD_CALL, [](Meeting&, SurfaceCall& c) { c.options.reach = -1.0; }},
         {"sweep_limit must be in [1, 100000], got 0", GRIT_BAD_CALL,
          [](Meeting&, SurfaceCall& c) { c.options.sweep_limit = 0; }},

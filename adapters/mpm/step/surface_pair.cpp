@@ -13,8 +13,8 @@ namespace grit::mpm {
 namespace {
 
 constexpr double neighbours =
-    0.25;                        // share of a width: domains no farther apart leave no free edge
-constexpr double spacing = 2.0;  // of what carries the pressure, in cells (ADR 12)
+    0.25;  // share of a width: domains no farther apart leave no free edge
+constexpr double cells_apart = 2.0;  // what carries the pressure (ADR 12)
 constexpr int nodes_each = 4;
 constexpr std::ptrdiff_t stride = sizeof(KeyedNumbers) / sizeof(double);  // of what a zone has
 
@@ -36,8 +36,6 @@ SurfacePair::SurfacePair(const SurfaceLaw& law, double shortest_cell, ContactZon
                          bool axisymmetric, const Particles& a)
     : pair_law(law), zone(std::move(of_both)), line_a(law.line_a, 0.5 * shortest_cell, a) {
     pair_law.options.axisymmetric = axisymmetric;
-    pair_law.options.spacing = spacing * shortest_cell;
-    pair_law.options.reach = shortest_cell;
     forget();
 }
 
@@ -82,6 +80,30 @@ void SurfacePair::find_free_edges(std::span<const KeyedNumbers> of_zone, Skin& s
                                    skin.facet.data(), nullptr, &skin.vertices, &skin.facets,
                                    &error),
             error, "surface contact");
+}
+
+// By the cells along each facet of a, so that cells elsewhere do not matter.
+void SurfacePair::find_spacing() {
+    const Skin& skin = skins[0];
+    const GridView& grid = zone.whole_grid();
+    const auto cell = [](const AxisView& axis, double x) {
+        return 1.0 / axis.inverse[axis.cell_of(x)];
+    };
+    double least = std::numeric_limits<double>::infinity();
+    spacing.clear();
+    for (std::ptrdiff_t f = 0; f < skin.facets; ++f) {
+        const double* from = skin.end(f, 0);
+        const double* to = skin.end(f, 1);
+        const double r = to[0] - from[0], z = to[1] - from[1];
+        const double h_r = cell(grid.r, 0.5 * (from[0] + to[0]));
+        const double h_z = cell(grid.z, 0.5 * (from[1] + to[1]));
+        const double length = std::hypot(r, z);
+        spacing.push_back(cells_apart *
+                          (length > 0.0 ? std::hypot(r * h_r, z * h_z) / length : h_r));
+        least = std::min({least, h_r, h_z});
+    }
+    pair_law.options.spacing = cells_apart * least;
+    pair_law.options.reach = least;
 }
 
 // Weights of the vertices at the nodes that the body has mass at. Facets whose vertices have none are left out.
@@ -139,6 +161,7 @@ grit_surface SurfacePair::surface(int body, const SurfaceBody& of) {
     s.facets = skin.facets;
     s.position = grit_view_of(skin.position.data(), 2, 1);
     s.facet = skin.facet.data();
+    if (body == 0) s.spacing = spacing.data();
     s.vertex_velocity = grit_view_of(skin.velocity.data(), 2, 1);
     if (of.rigid) return s;
     s.node = skin.node.data();
@@ -174,6 +197,7 @@ void SurfacePair::correct(const SurfaceBody& a, const SurfaceBody& b, double dt,
         find_nodes(k, k == 0 ? a : b, skins[k]);
         if (skins[k].facets == 0) return;
     }
+    find_spacing();
     pair_law.options.time_step = dt;
     solve(surface(0, a), surface(1, b));
     zone.write(0, a);
@@ -185,8 +209,8 @@ void SurfacePair::correct(const SurfaceBody& a, const SurfaceBody& b, double dt,
 void SurfacePair::sum_faces() {
     const Skin& skin = skins[0];
     for (std::size_t f = 0; f < reports.size(); ++f) {
-        const double* from = &skin.position[2 * static_cast<std::size_t>(skin.facet[2 * f])];
-        const double* to = &skin.position[2 * static_cast<std::size_t>(skin.facet[2 * f + 1])];
+        const double* from = skin.end(static_cast<std::ptrdiff_t>(f), 0);
+        const double* to = skin.end(static_cast<std::ptrdiff_t>(f), 1);
         const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
         if (!(length > 0.0)) continue;
         const Vector2 outward{(to[1] - from[1]) / length, (from[0] - to[0]) / length};

@@ -51,10 +51,16 @@ class SurfacePair {
         std::vector<std::ptrdiff_t> facet, node;
         std::vector<char> is_lost;  // vertices that no node moves
         std::ptrdiff_t vertices = 0, facets = 0;
+
+        const double* end(std::ptrdiff_t f, int k) const {
+            return &position[2 * static_cast<std::size_t>(facet[2 * static_cast<std::size_t>(f) +
+                                                                static_cast<std::size_t>(k)])];
+        }
     };
     void find_edges(int body, Skin& skin);
     void find_free_edges(std::span<const KeyedNumbers> domains, Skin& skin);
     void find_nodes(int body, const SurfaceBody& of, Skin& skin);
+    void find_spacing();
     grit_surface surface(int body, const SurfaceBody& of);
     void solve(const grit_surface& a, const grit_surface& b);
     void sum_faces();
@@ -65,6 +71,7 @@ class SurfacePair {
     ContactZone zone;
     RiddenLine line_a;
     Skin skins[2];
+    std::vector<double> spacing;  // [facets of a] of what carries the pressure [m]
     std::vector<std::uint64_t> workspace;
     std::vector<grit_surface_report> reports;
     grit_surface_totals step_totals{};

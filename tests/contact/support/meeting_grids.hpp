@@ -18,7 +18,7 @@ namespace tests {
 struct GridBody {
     int components = 2, size = 8;  // nodes along each direction
     bool rigid = false;
-    std::vector<double> position, mass, v, v_old, weight, vertex_velocity;
+    std::vector<double> position, mass, v, v_old, weight, vertex_velocity, spacing;
     std::vector<std::ptrdiff_t> facet, node;
     std::vector<int> fixed;
 
@@ -95,6 +95,7 @@ struct GridBody {
         s.velocity = grit_mutable_view_of(v.data(), components, 1);
         s.previous_velocity = grit_view_of(v_old.data(), components, 1);
         s.vertex_velocity = grit_view_of(vertex_velocity.data(), components, 1);
+        s.spacing = spacing.empty() ? nullptr : spacing.data();
         return s;
     }
     double kinetic() const {

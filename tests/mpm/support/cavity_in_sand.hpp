@@ -260,7 +260,7 @@ struct CavityByPoints : CavityProblem {
             simulation.step();
             const double dt = simulation.time() - t, v = velocity(simulation.time());
             const double force = contact_force(simulation, kind, dt)[0];
-            if (u < 0.075) out.work += force * v * dt / h;
+            if (u < 0.075 && v > 0.0) out.work += force * v * dt / h;
             record.add(simulation.time(), dt, u, force / ((a + u) * h), out.curve);
             u += v * dt;
             if (out.rows.empty() && u >= 0.075) {

@@ -17,6 +17,7 @@ struct Punch {
     static constexpr double width = 6.0 * R, depth = 6.0 * R, embedded = 2.0 * R;
     ContactKind kind = ContactKind::surface;
     double cells = 4.4;               // in the radius
+    double last_cell = 0.0;           // a grid line so far above the bottom [cells]; 0: none
     double moved = 1e-3;              // [m]
     double rise = 0.05, rest = 0.10;  // [s]
     double power = 0.0;               // k of the Geo-contact; 0: its default
@@ -26,7 +27,10 @@ struct Punch {
         const double h = R / cells;
         const std::vector<double> r = nodes(h, width), down = nodes(h, depth);
         std::vector<double> z;
-        for (std::size_t i = down.size(); i-- > 0;) z.push_back(-down[i]);
+        for (std::size_t i = down.size(); i-- > 0;) {
+            z.push_back(-down[i]);
+            if (z.size() == 1 && last_cell > 0.0) z.push_back(last_cell * h - depth);
+        }
         for (const int i : {1, 2}) z.push_back(i * h);
         Simulation simulation{
             Axis(r), Axis(z), {.axisymmetric = true, .cfl = 0.4, .local_damping = 0.4}};
