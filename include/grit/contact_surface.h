@@ -108,8 +108,8 @@ GRIT_API size_t grit_surface_workspace_size(const grit_surface* a, const grit_su
 /* Velocities after contact, (V1)-(V5), in place.
  *   where     every point of A sees the facet of B that comes first along A's normal, from as deep in A
  *             as reach is to as far outside: a layer of B inside of A hides what is behind it.
- *   when      it is in contact if its gap is overrun at the end of the step; overlap that is there
- *             stays, but does not grow.
+ *   when      it is in contact if its gap is overrun at the end of the step, or less than a fiftieth of
+ *             the reach; overlap that is there stays, but does not grow.
  *   pressure  >= 0, between points of A that are spacing apart, so that the mean approach around each of
  *             them is what closes the gap; friction opposes the slip that is left, <= mu times it.
  *   Both bodies feel the same impulses at the same points: linear momentum is kept to roundoff, and no

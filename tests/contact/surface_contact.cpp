@@ -212,8 +212,12 @@ TEST(SurfaceContact, ClosesTheGapInTheStepAndNoMore) {
     for (std::size_t i = 1; i < block.position.size(); i += 2) block.position[i] = 3.03;
     for (std::size_t i = 1; i < block.v.size(); i += 2) block.v[i] = -2.0;
     ASSERT_EQ(call(floor, block), GRIT_OK);
-    EXPECT_EQ(call.totals.points, 0);
+    EXPECT_EQ(call.totals.pressures, 0);
     EXPECT_EQ(block.v[2 * 28 + 1], -2.0);
+    // Beyond a fiftieth of the reach no point counts.
+    for (std::size_t i = 1; i < block.position.size(); i += 2) block.position[i] = 3.06;
+    ASSERT_EQ(call(floor, block), GRIT_OK);
+    EXPECT_EQ(call.totals.points, 0);
 }
 
 TEST(SurfaceContact, IsTheSameInAMovingAndATurnedFrame) {

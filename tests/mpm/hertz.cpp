@@ -16,11 +16,11 @@ void is_that_of_hertz(const Hertz& hertz) {
 }
 
 TEST(PressedParaboloid, HasThePressureOfHertzByGeoContactOnAGridLine) {
-    is_that_of_hertz({.cells = 11, .law = GRIT_CONTACT_GEO});
+    is_that_of_hertz({.cells = 11, .kind = ContactKind::geo});
 }
 
 TEST(PressedParaboloid, HasThePressureOfHertzByFrictionalContactBetweenGridLines) {
-    is_that_of_hertz({.cells = 11, .beyond = 0.5, .law = GRIT_CONTACT_FRICTIONAL});
+    is_that_of_hertz({.cells = 11, .beyond = 0.5, .kind = ContactKind::frictional});
 }
 
 }  // namespace

@@ -68,6 +68,7 @@ void print_table() {
         std::snprintf(name, sizeof name, "PCA %g E/cell", multiple);
         print_row(name, "-", penalty_contact(impact_penalty_stiffness(multiple)));
     }
+    print_row("surface", "-", surface_contact(0.0));
 }
 
 void write_histories(std::ostream& out) {
@@ -78,8 +79,9 @@ void write_histories(std::ostream& out) {
                            impact(literal, 0.3),
                            impact(frictional_contact(true), 0.3),
                            impact(frictional_contact(false), 0.3),
-                           impact(penalty_contact(impact_penalty_stiffness(1.0)), 0.3)};
-    out << "time,gca_gated,gca_ungated,gca_literal,fca_gated,fca_ungated,pca\n";
+                           impact(penalty_contact(impact_penalty_stiffness(1.0)), 0.3),
+                           impact(surface_contact(0.0), 0.3)};
+    out << "time,gca_gated,gca_ungated,gca_literal,fca_gated,fca_ungated,pca,surface\n";
     for (std::size_t i = 0; i < runs[0].history.size(); ++i) {
         out << runs[0].history[i].time;
         for (const Impact& run : runs) out << ',' << run.history[i].force;

@@ -17,6 +17,7 @@ plot theory(x) with lines lw 1 dt 2 lc rgb "#222222" title "wave theory", \
     data using 1:2 with lines lw 2 lc rgb "#0072B2" title "GCA k 6, gap gate", \
     data using 1:5 with lines lw 2 dt 3 lc rgb "#56B4E9" title "FCA, gap gate", \
     data using 1:7 with lines lw 2 lc rgb "#009E73" title "PCA", \
+    data using 1:8 with lines lw 2 dt 2 lc rgb "#000000" title "surface", \
     data using 1:3 with lines lw 2 lc rgb "#D55E00" title "GCA k 6, no gate", \
     data using 1:4 with lines lw 2 lc rgb "#E69F00" title "GCA k 6, no gate, s to a centre", \
     data using 1:6 with lines lw 2 lc rgb "#CC79A7" title "FCA, no gate"

@@ -40,6 +40,13 @@ Contact penalty_contact(double stiffness) {
     return contact;
 }
 
+Contact surface_contact(double friction) {
+    Contact contact;
+    contact.method = Method::surface;
+    contact.friction = friction;
+    return contact;
+}
+
 Line::Line(double from, double cell, int nodes)
     : x0(from), h(cell), count(static_cast<std::size_t>(nodes)), surface(count), centre(count),
       distance(count), gap(count) {
@@ -213,6 +220,67 @@ StepReport Line::push(const Bar& a, const Bar& b, const Contact& contact, double
     return report;
 }
 
+// Surface contact of the two end faces, each one facet of unit height, both ends of which move with the line.
+StepReport Line::meet(const Bar& a, const Bar& b, const Contact& contact, double dt) {
+    struct Face {
+        double position[4], weight[8], velocity[4];
+        ptrdiff_t node[8];
+    };
+    static constexpr ptrdiff_t facet[2] = {0, 1};
+    Face faces[2];
+    const auto surface_of = [&](const Bar& bar, double x, bool up, Nodes& nodes, Face& face) {
+        const Weights w = weights(x, 0.0);
+        for (std::size_t end = 0; end < 2; ++end) {
+            face.position[2 * end] = x;
+            face.position[2 * end + 1] = (end == 1) == up ? 1.0 : 0.0;
+            face.velocity[2 * end] = bar.particles.front().v;
+            face.velocity[2 * end + 1] = bar.particles.front().slip_v;
+            for (std::size_t k = 0; k < 4; ++k) {
+                face.weight[4 * end + k] = w.N[k];
+                face.node[4 * end + k] = w.first + static_cast<ptrdiff_t>(k);
+            }
+        }
+        grit_surface s{};
+        s.struct_size = sizeof s;
+        s.rigid = bar.rigid;
+        s.nodes_each = 4;
+        s.vertices = 2;
+        s.facets = 1;
+        s.position = grit_view_of(face.position, 2, 1);
+        s.facet = facet;
+        s.node = face.node;
+        s.weight = face.weight;
+        s.nodes = static_cast<ptrdiff_t>(count);
+        s.mass = grit_view_of(nodes.mass.data(), 1, 1);
+        s.velocity = grit_mutable_view_of(nodes.v[0].data(), 2, 1);
+        s.previous_velocity = grit_view_of(nodes.old_v[0].data(), 2, 1);
+        s.vertex_velocity = grit_view_of(face.velocity, 2, 1);
+        return s;
+    };
+    const grit_surface face_a = surface_of(a, a.right(), true, nodes_a, faces[0]);
+    const grit_surface face_b = surface_of(b, b.left(), false, nodes_b, faces[1]);
+    grit_surface_options options;
+    grit_surface_options_init(&options, sizeof options);
+    options.friction_coefficient = contact.friction;
+    options.time_step = dt;
+    options.spacing = 2.0;  // one pressure on the face
+    options.reach = h;
+    std::vector<double> workspace(grit_surface_workspace_size(&face_a, &face_b) / sizeof(double) +
+                                  1);
+    grit_surface_totals totals{};
+    totals.struct_size = sizeof totals;
+    grit_error error;
+    require(grit_surface_correct(&options, &face_a, &face_b, workspace.data(),
+                                 workspace.size() * sizeof(double), nullptr, nullptr, &totals,
+                                 &error),
+            error);
+    StepReport report;
+    report.force = totals.impulse_on_b[0] / dt;
+    report.slip_force = totals.impulse_on_b[1] / dt;
+    report.dissipation = totals.dissipation_normal + totals.dissipation_tangential;
+    return report;
+}
+
 // Returns the kinetic energy that the change of velocity has on the nodes and not on the particles.
 double Line::scatter(Bar& bar, const Nodes& nodes, double dt) const {
     double lost = 0.0;
@@ -255,6 +323,7 @@ StepReport Line::step(Bar& a, Bar& b, const Contact& contact, double dt) {
     advance(a, nodes_a, dt);
     advance(b, nodes_b, dt);
     if (contact.method == Method::nodal) report = correct(a, b, contact, dt);
+    if (contact.method == Method::surface) report = meet(a, b, contact, dt);
     report.transfer = scatter(a, nodes_a, dt) + scatter(b, nodes_b, dt);
     return report;
 }

@@ -9,12 +9,13 @@
 #include <grit/contact.h>
 #include <grit/contact_distance.h>
 #include <grit/contact_penalty.h>
+#include <grit/contact_surface.h>
 
 #include "bars/bar.hpp"
 
 namespace bars {
 
-enum class Method { nodal, penalty };
+enum class Method { nodal, penalty, surface };
 
 struct Contact {
     Method method = Method::nodal;
@@ -22,11 +23,13 @@ struct Contact {
     bool gated = true;               // nodal: by the gap
     int measure = GRIT_CONTACT_SUPPORT;
     double penalty_stiffness = 0.0;  // penalty: eps_n [Pa/m]
+    double friction = 0.0;           // surface: mu [-]
 };
 
 Contact geo_contact(double k, bool gated);
 Contact frictional_contact(bool gated);
 Contact penalty_contact(double stiffness);
+Contact surface_contact(double friction);
 
 // What contact did in a step.
 struct StepReport {
@@ -60,6 +63,7 @@ class Line {
     void measure(const Bar& a, const Bar& b);
     StepReport correct(const Bar& a, const Bar& b, const Contact& contact, double dt);
     StepReport push(const Bar& a, const Bar& b, const Contact& contact, double dt);
+    StepReport meet(const Bar& a, const Bar& b, const Contact& contact, double dt);
     double scatter(Bar& bar, const Nodes& nodes, double dt) const;
 
     double x0, h;

@@ -7,7 +7,10 @@
 
 #include <tests/mpm/support/cavity_in_sand.hpp>
 #include <tests/mpm/support/cylinders.hpp>
+#include <tests/mpm/support/hertz.hpp>
 #include <tests/mpm/support/pressed_blocks.hpp>
+#include <tests/mpm/support/rolling_disk.hpp>
+#include <tests/mpm/support/sliding_blocks.hpp>
 
 #include "verification/contact/punch_by_elements.hpp"
 
@@ -148,12 +151,65 @@ void punch() {
             }
 }
 
+// An elastic paraboloid on a rigid plane; the plane is on a grid line, or between two.
+void hertz() {
+    std::printf(
+        "Hertz: errors of the contact's radius and of p0 by P [%%].\n\n| contact | cells in a | "
+        "plane above a grid line [h] | radius | pressure | sum |\n|---|---|---|---|---|---|\n");
+    for (const ContactKind kind : all)
+        for (const double beyond : {0.0, 0.25, 0.5, 0.75})
+            for (const int cells : {7, 11, 14}) {
+                Hertz problem;
+                problem.kind = kind;
+                problem.cells = cells;
+                problem.beyond = beyond;
+                const Hertz::Result r = problem.run();
+                std::printf("| %s | %.1f | %.2f | %+.1f | %+.1f | %+.1f |\n", name_of(kind),
+                            r.radius * cells / Hertz::a, beyond, 100.0 * r.radius_error,
+                            100.0 * r.pressure_error, 100.0 * r.sum_error);
+                std::fflush(stdout);
+            }
+}
+
+void rolling() {
+    std::printf(
+        "A disk of R on a slope: error of its way [%%]; friction enough to roll, and not.\n\n"
+        "| contact | R/h | rolling | energy residual | sliding |\n|---|---|---|---|---|\n");
+    for (const ContactKind kind : all)
+        for (const int cells : {4, 8, 16}) {
+            RollingDisk rolls, slides;
+            rolls.kind = slides.kind = kind;
+            slides.friction = 0.1;
+            const RollingDisk::Result r = rolls.run(cells), s = slides.run(cells);
+            std::printf("| %s | %d | %+.2f | %+.2f | %+.2f |\n", name_of(kind), cells,
+                        100.0 * (r.way - 1.0), 100.0 * r.residual, 100.0 * (s.way - 1.0));
+            std::fflush(stdout);
+        }
+}
+
+void sliding() {
+    std::printf(
+        "A cube that slides: largest error of its way [%%], of its height [m]. A block that is "
+        "pushed: creep before it slips at 1 s, when it does, velocity and way at 2 s [%% off].\n\n"
+        "| contact | way | height | crept [m] | velocity [m/s] | slips at [s] | velocity | way "
+        "|\n|---|---|---|---|---|---|---|---|\n");
+    for (const ContactKind kind : all) {
+        const SlidingCube::Result cube = SlidingCube{kind}.run();
+        const LoadedBlock::Result block = LoadedBlock{kind}.run();
+        std::printf("| %s | %.3f | %.1e | %.1e | %.1e | %.4f | %+.2f | %+.2f |\n", name_of(kind),
+                    100.0 * cube.way, cube.height, block.crept, block.creep_velocity,
+                    block.slips_at, 100.0 * (block.velocity - 1.0), 100.0 * (block.way - 1.0));
+        std::fflush(stdout);
+    }
+}
+
 struct Study {
     const char* name;
     void (*print)();
 };
-constexpr Study studies[] = {
-    {"blocks", blocks}, {"cavity", cavity}, {"cylinders", cylinders}, {"punch", punch}};
+constexpr Study studies[] = {{"blocks", blocks},  {"cavity", cavity}, {"cylinders", cylinders},
+                             {"hertz", hertz},    {"punch", punch},   {"rolling", rolling},
+                             {"sliding", sliding}};
 
 }  // namespace
 

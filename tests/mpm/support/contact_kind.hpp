@@ -32,6 +32,10 @@ inline const char* name_of(ContactKind kind) {
     }
 }
 
+inline double p_wave_modulus(double E, double nu) {
+    return E * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu));
+}
+
 // What penalty contact and springs need besides; the others find their surfaces.
 struct PenaltyNeeds {
     double modulus, cell;  // [Pa], [m]

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "support/contact_kind.hpp"
 #include "support/shapes.hpp"
 
 namespace mpm_test {
@@ -22,14 +23,14 @@ struct Hertz {
     int cells = 10;       // in a
     double width = 8.0;   // of the body, in a; as high as wide
     double beyond = 0.0;  // the plane above a grid line [cells]
-    int law = GRIT_CONTACT_GEO;
+    ContactKind kind = ContactKind::geo;
     double rise = 0.05, rest = 0.04;  // [s]
 
     struct Result {
         double force;             // [N], all around
         double radius, pressure;  // fitted a [m], p0 [Pa]
         double radius_error, pressure_error;
-        double sum_error;  // of the nodal forces against the contact's own sum
+        double sum_error;  // of the pressures against the contact's own sum
     };
 
     Result run() const {
@@ -47,9 +48,26 @@ struct Hertz {
             true));
         simulation.add_body(make_body(r, z, surface));
         load(simulation, static_cast<int>(r.size()) - 1, r.back());
-        simulation.add_contact(contact_law(law, 0.0));
-        while (simulation.time() < rise + rest) simulation.step();
-        return evaluate(simulation, r);
+        PenaltyNeeds needs{p_wave_modulus(E, nu), h, {}, underside(r, surface)};
+        needs.line_a.points = {{extent, surface}, {0.0, surface}};
+        add_contact(simulation, kind, 0.0, needs);
+        double dt = 0.0;
+        while (simulation.time() < rise + rest) {
+            const double t = simulation.time();
+            simulation.step();
+            dt = simulation.time() - t;
+        }
+        return evaluate(simulation, kind, r, surface, contact_force(simulation, kind, dt)[1]);
+    }
+
+    // Through the corners of the lowest row of particles.
+    static BoundaryLine underside(const std::vector<double>& r, double tip) {
+        BoundaryLine line;
+        for (std::size_t i = 0; i + 1 < r.size(); ++i)
+            for (const double x : {r[i], 0.5 * (r[i] + r[i + 1])})
+                line.points.push_back({x, tip + x * x / (2.0 * R)});
+        line.points.push_back({r.back(), tip + r.back() * r.back() / (2.0 * R)});
+        return line;
     }
 
     // A pressure on the upper edge that Hertz expects to give a, applied slowly.
@@ -83,8 +101,23 @@ struct Hertz {
         return body;
     }
 
-    // At rest contact balances the inner forces at the nodes that both bodies reach.
-    static Result evaluate(const Simulation& simulation, const std::vector<double>& r) {
+    // At rest contact balances the inner forces at the nodes that both bodies reach. Penalty contact has its force
+    // among these: there pressure is what the springs of its vertices say.
+    static Result evaluate(const Simulation& simulation, ContactKind kind,
+                           const std::vector<double>& r, double surface, double force) {
+        Result out = kind == ContactKind::penalty ? by_springs(simulation, surface)
+                                                  : by_nodes(simulation, r);
+        out.sum_error = out.force / force - 1.0;
+        out.force = 2.0 * std::numbers::pi * force;
+        const double stiffness = E / (1.0 - nu * nu);
+        const double radius = std::cbrt(0.75 * out.force * R / stiffness);
+        out.radius_error = out.radius / radius - 1.0;
+        out.pressure_error =
+            out.pressure / (1.5 * out.force / (std::numbers::pi * radius * radius)) - 1.0;
+        return out;
+    }
+    // Fitted radius and pressure, and the sum of all pressures per radian.
+    static Result by_nodes(const Simulation& simulation, const std::vector<double>& r) {
         const std::size_t n = r.size();
         std::vector<double> pressure(n);
         double sum = 0.0;
@@ -102,15 +135,24 @@ struct Hertz {
                                 6.0;
             pressure[i] /= area;
         }
-        const double force = simulation.contact(0).totals().force_on_b[1];
         Result out = fit(r, pressure);
-        out.force = 2.0 * std::numbers::pi * force;
-        const double stiffness = E / (1.0 - nu * nu);
-        const double radius = std::cbrt(0.75 * out.force * R / stiffness);
-        out.radius_error = out.radius / radius - 1.0;
-        out.pressure_error =
-            out.pressure / (1.5 * out.force / (std::numbers::pi * radius * radius)) - 1.0;
-        out.sum_error = sum / force - 1.0;
+        out.force = sum;
+        return out;
+    }
+    static Result by_springs(const Simulation& simulation, double surface) {
+        const std::vector<double>& x = simulation.penalty_contact(0).vertices(1);
+        const double eps = simulation.penalty_contact(0).law().options.normal_stiffness;
+        std::vector<double> r, pressure;
+        double sum = 0.0;
+        for (std::size_t v = 0; v < x.size(); v += 2) {
+            r.push_back(x[v]);
+            pressure.push_back(std::max(eps * (surface - x[v + 1]), 0.0));
+            const std::size_t i = r.size() - 1;
+            if (i > 0)
+                sum += 0.5 * (r[i] - r[i - 1]) * (pressure[i] * r[i] + pressure[i - 1] * r[i - 1]);
+        }
+        Result out = fit(r, pressure);
+        out.force = sum;
         return out;
     }
 

@@ -45,9 +45,11 @@ struct PressedBlocks {
                      const double x = std::min(t / 0.05, 1.0);
                      return grit::Vector2{0.0, -pressure * x * x * (3.0 - 2.0 * x)};
                  }});
-        const double M = E * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu));
         add_contact(simulation, kind, 0.0,
-                    {M, h, {{{width, middle}, {0.0, middle}}}, {{{0.0, middle}, {width, middle}}}});
+                    {p_wave_modulus(E, nu),
+                     h,
+                     {{{width, middle}, {0.0, middle}}},
+                     {{{0.0, middle}, {width, middle}}}});
         while (simulation.time() < end) simulation.step();
         return evaluate(simulation);
     }

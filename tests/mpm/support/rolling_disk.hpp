@@ -2,15 +2,16 @@
 // An elastic disk that is put on a rigid slope, in plane strain, seen along the slope.
 #pragma once
 
+#include "support/contact_kind.hpp"
 #include "support/shapes.hpp"
 
 namespace mpm_test {
 
 struct RollingDisk {
-    static constexpr double g = 9.81, R = 0.5, rho = 1000.0;
+    static constexpr double g = 9.81, R = 0.5, rho = 1000.0, nu = 0.3;
     double angle = std::numbers::pi / 6.0, friction = 0.5;
     double E = 4e6;  // [Pa]
-    int law = GRIT_CONTACT_GEO;
+    ContactKind kind = ContactKind::geo;
     Scheme scheme = Scheme::usl;
     double cfl = 0.6, run_time = 1.0;  // [-], [s]
 
@@ -37,9 +38,12 @@ struct RollingDisk {
                                .gravity_r = g * std::sin(angle),
                                .gravity_z = -g * std::cos(angle)});
         simulation.add_body(make_floor({0.0, n_r * h, h, 2.0 * h, n_r, 1, rho}, false));
-        simulation.add_body(make_disk({std::ceil(0.6 / h) * h, 2.0 * h + R}, R, 2 * cells, rho,
-                                      std::make_unique<LinearElastic>(E, 0.3)));
-        simulation.add_contact(contact_law(law, friction));
+        const grit::Vector2 middle{std::ceil(0.6 / h) * h, 2.0 * h + R};
+        simulation.add_body(
+            make_disk(middle, R, 2 * cells, rho, std::make_unique<LinearElastic>(E, nu)));
+        PenaltyNeeds needs{p_wave_modulus(E, nu), h, {}, rim_of_disk(middle, R, 2 * cells)};
+        needs.line_a.points = {{n_r * h, 2.0 * h}, {0.0, 2.0 * h}};
+        add_contact(simulation, kind, friction, needs);
         const double start = centre_of_mass(simulation.body(1).particles).r;
         while (simulation.time() < run_time) simulation.step();
         const double t = simulation.time();

@@ -46,6 +46,24 @@ inline void add_sector(Particles& particles, const Sector& s, grit::Vector2 midd
                       axisymmetric);
 }
 
+// Of ring k of a disk, so that its particles are about as wide as thick.
+inline int sectors_of_ring(int k) {
+    return 4 * static_cast<int>(std::lround(0.5 * std::numbers::pi * (k + 0.5)));
+}
+
+// The polygon of the outermost edges of a disk's particles.
+inline BoundaryLine rim_of_disk(grit::Vector2 middle, double radius, int rings) {
+    BoundaryLine line{{}, true};
+    const int sides = sectors_of_ring(rings - 1);
+    const double corner = radius / std::cos(std::numbers::pi / sides);
+    for (int i = 0; i < sides; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / sides;
+        line.points.push_back(
+            {middle[0] + corner * std::cos(angle), middle[1] + corner * std::sin(angle)});
+    }
+    return line;
+}
+
 // A solid disk of rings of particles about as wide as thick, symmetric to both axes.
 inline Body make_disk(grit::Vector2 middle, double radius, int rings, double density,
                       std::unique_ptr<Material> material) {
@@ -56,7 +74,7 @@ inline Body make_disk(grit::Vector2 middle, double radius, int rings, double den
     const double core = 0.5 * std::sqrt(pi) * thick;
     add_parallelogram(body.particles, middle, {core, 0.0}, {0.0, core}, density, false);
     for (int k = 1; k < rings; ++k) {
-        const int sectors = 4 * static_cast<int>(std::lround(0.5 * pi * (k + 0.5)));
+        const int sectors = sectors_of_ring(k);
         for (int i = 0; i < sectors; ++i)
             add_sector(
                 body.particles,
