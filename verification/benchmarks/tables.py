@@ -174,6 +174,22 @@ def contact(report, runs):
                     for r in runs.all if r["family"] not in ("exp", "triad")])
 
 
+def surfaces(report, runs):
+    sizes = sorted({run["vertices"] for run in runs.all if "vertices" in run and run["family"].startswith("surface")})
+    families = [name for name in runs.families() if name != "exp"]
+    report.table("surface contact", "Contact along lines, per vertex [ns]; free edges of 100, 1024 and 10^4 domains",
+                 ["", *(f"{size:.0f} vertices" for size in sizes), "exp"],
+                 [[name, *times, times[0] / runs.exp] for name in families
+                  for times in [[run["best_ns"] for run in runs.find(name)]]])
+
+
+def pushes(report, runs):
+    gated = runs.ns("GCA, gated")
+    report.table("contact in a push", "A step of a pile push with each contact, one thread",
+                 ["", "ms per step", "of gated GCA"],
+                 [[run["family"], 1e-6 * run["best_ns"], run["best_ns"] / gated] for run in runs.all if "steps" in run])
+
+
 def particles(report, runs, folder):
     report.table("particles", "Material points, 6400 particles, per particle and step", ["", "threads", "ns", "exp"],
                  [[r["family"], r["threads_used"], r["best_ns"], r["best_ns"] / runs.exp]
@@ -208,7 +224,7 @@ def machine(report, parts):
 
 def main(folder, document=None):
     report, umats = Report(), []
-    names = [name for name in ("sand_calls", "sand_batches", "contact_cost", "mpm_step")
+    names = [name for name in ("sand_calls", "sand_batches", "contact_cost", "surface_cost", "mpm_step", "contact_push")
              if (folder / f"{name}.json").exists()]
     parts = {name: Runs(folder / f"{name}.json") for name in names}
     if parts:
@@ -219,6 +235,10 @@ def main(folder, document=None):
         batches(report, parts["sand_batches"], folder)
     if "contact_cost" in parts:
         contact(report, parts["contact_cost"])
+    if "surface_cost" in parts:
+        surfaces(report, parts["surface_cost"])
+    if "contact_push" in parts:
+        pushes(report, parts["contact_push"])
     if "mpm_step" in parts:
         particles(report, parts["mpm_step"], folder)
     memory = [json.loads(line) for line in lines_of(folder / "mpm_memory.txt")]
