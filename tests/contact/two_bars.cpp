@@ -35,6 +35,10 @@ TEST(TwoBars, PressAsTheWaveTheorySaysInPenaltyContact) {
     expect_wave_theory(penalty_contact(impact_penalty_stiffness(2.0)), "PCA");
 }
 
+TEST(TwoBars, PressAsTheWaveTheorySaysInSurfaceContact) {
+    expect_wave_theory(surface_contact(0.0), "surface");
+}
+
 TEST(TwoBars, TouchACellTooEarlyAndTooSoftlyWithoutTheGate) {
     for (int i = 0; i < offsets; ++i) {
         const Impact r = impact(frictional_contact(false), 0.1 * i);

@@ -17,4 +17,13 @@ TEST(DiskOnASlope, RollsAsARigidOneWithAnErrorThatFallsWithTheCellSize) {
     EXPECT_NEAR(at_16.residual, 0.0, 0.01);
 }
 
+TEST(DiskOnASlope, RollsAsARigidOneBySurfaceContactOnAFineGrid) {
+    RollingDisk disk;
+    disk.kind = ContactKind::surface;
+    EXPECT_NEAR(disk.run(8).way, 1.0, 0.04);
+    const RollingDisk::Result at_16 = disk.run(16);
+    EXPECT_NEAR(at_16.way, 1.0, 0.01);
+    EXPECT_NEAR(at_16.residual, 0.0, 0.01);
+}
+
 }  // namespace
