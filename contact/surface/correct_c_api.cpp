@@ -84,7 +84,7 @@ template <int C> class Call {
         if (arena.is_overrun()) return false;
         for (std::ptrdiff_t f = 0; f < n_b; ++f) boxes[f] = b.facet[f].box();
         const BoxTree<C> tree(arena, boxes, n_b);
-        Meeting<C> meeting(arena, a, b, o.reach);
+        Meeting<C> meeting(arena, a, b, tree, o.reach);
         if (arena.is_overrun()) return false;
         Growing<MeetingPoint<C>> found(arena);
         for (std::ptrdiff_t f = 0; f < a.given->facets; ++f) {

@@ -26,8 +26,10 @@ template <int C> class Meeting;
 
 template <> class Meeting<2> {
   public:
-    Meeting(Arena& arena, const Skin<2>& of_a, const Skin<2>& of_b, double how_far)
+    Meeting(Arena& arena, const Skin<2>& of_a, const Skin<2>& of_b, const BoxTree<2>&,
+            double how_far)
         : a(of_a), b(of_b), reach(how_far), opposite(arena.take<Opposite>(of_b.given->facets)),
+          active(arena.take<std::ptrdiff_t>(of_b.given->facets)),
           cuts(arena.take<double>(4 * of_b.given->facets)) {}
 
     // take(point) for all points of a facet; candidates: of B, in order.
@@ -38,6 +40,7 @@ template <> class Meeting<2> {
         if (!(facet.size > 0.0)) return;
         find_opposite(facet, candidates, n);
         sort_ascending(cuts, cuts + n_cuts);
+        sort_ascending(opposite, opposite + n_opposite);
         for (std::ptrdiff_t i = 0; i + 1 < n_cuts; ++i) {
             const double from = cuts[i], to = cuts[i + 1];
             if (to - from < least_piece) continue;
@@ -61,12 +64,16 @@ template <> class Meeting<2> {
     struct Opposite {
         std::ptrdiff_t facet;
         double s[2], height[2];
+        double from() const { return std::min(s[0], s[1]); }
+        double to() const { return std::max(s[0], s[1]); }
+        bool operator<(const Opposite& o) const {
+            return from() != o.from() ? from() < o.from() : facet < o.facet;
+        }
         double place(double at) const { return (at - s[0]) / (s[1] - s[0]); }
         double gap(double at) const { return height[0] + place(at) * (height[1] - height[0]); }
     };
     void find_opposite(const Facet<2>& facet, const std::ptrdiff_t* candidates, std::ptrdiff_t n) {
-        n_opposite = 0;
-        n_cuts = 0;
+        n_opposite = n_cuts = n_begun = n_active = 0;
         const Vector2 along = (facet.x[1] - facet.x[0]) / (facet.size * facet.size);
         for (std::ptrdiff_t i = 0; i < n; ++i) {
             const Facet<2>& other = b.facet[candidates[i]];
@@ -90,27 +97,38 @@ template <> class Meeting<2> {
             opposite[n_opposite++] = o;
         }
     }
-    const Opposite* nearest_at(double s) const {
+    // Of those that are nearest the one with the smallest id; for ascending places.
+    const Opposite* nearest_at(double s) {
+        while (n_begun < n_opposite && opposite[n_begun].from() <= s)
+            active[n_active++] = n_begun++;
         const Opposite* best = nullptr;
-        for (std::ptrdiff_t i = 0; i < n_opposite; ++i) {
-            const Opposite& o = opposite[i];
-            if (s < std::min(o.s[0], o.s[1]) || s > std::max(o.s[0], o.s[1])) continue;
-            if (std::fabs(o.gap(s)) <= reach && (!best || o.gap(s) < best->gap(s))) best = &o;
+        std::ptrdiff_t kept = 0;
+        for (std::ptrdiff_t i = 0; i < n_active; ++i) {
+            const Opposite& o = opposite[active[i]];
+            if (o.to() < s) continue;
+            active[kept++] = active[i];
+            const double gap = o.gap(s);
+            if (!(std::fabs(gap) <= reach)) continue;
+            const double least = best ? best->gap(s) : gap;
+            if (!best || gap < least || (gap == least && o.facet < best->facet)) best = &o;
         }
+        n_active = kept;
         return best;
     }
 
     const Skin<2>&a, &b;
     double reach;
     Opposite* opposite;
+    std::ptrdiff_t* active;  // of opposite: begun, and perhaps not ended, where the sweep is
     double* cuts;
-    std::ptrdiff_t n_opposite = 0, n_cuts = 0;
+    std::ptrdiff_t n_opposite = 0, n_cuts = 0, n_begun = 0, n_active = 0;
 };
 
 template <> class Meeting<3> {
   public:
-    Meeting(Arena&, const Skin<3>& of_a, const Skin<3>& of_b, double how_far)
-        : a(of_a), b(of_b), reach(how_far) {}
+    Meeting(Arena&, const Skin<3>& of_a, const Skin<3>& of_b, const BoxTree<3>& tree_of_b,
+            double how_far)
+        : a(of_a), b(of_b), tree(tree_of_b), reach(how_far) {}
 
     template <class Take>
     void each_point(std::ptrdiff_t f, const std::ptrdiff_t* candidates, std::ptrdiff_t n,
@@ -132,8 +150,7 @@ template <> class Meeting<3> {
                     continue;
                 const Place middle = (p[0] + p[1] + p[2]) / 3.0;
                 const double gap = gap_at(facet, other, middle);
-                if (!(std::fabs(gap) <= reach) ||
-                    is_hidden(facet, candidates, n, candidates[i], middle, gap))
+                if (!(std::fabs(gap) <= reach) || is_hidden(facet, candidates[i], middle, gap))
                     continue;
                 for (int m = 0; m < 3; ++m) {
                     const Place at = (p[m] + p[(m + 1) % 3]) / 2.0;
@@ -203,23 +220,23 @@ template <> class Meeting<3> {
         shares[2] = on[1];
         return gap;
     }
-    bool is_hidden(const Facet<3>& facet, const std::ptrdiff_t* candidates, std::ptrdiff_t n,
-                   std::ptrdiff_t self, const Place& at, double gap) const {
-        for (std::ptrdiff_t i = 0; i < n; ++i) {
-            const Facet<3>& other = b.facet[candidates[i]];
-            if (candidates[i] == self || !(other.size > 0.0) || dot(facet.n, other.n) > most_facing)
-                continue;
+    bool is_hidden(const Facet<3>& facet, std::ptrdiff_t self, const Place& at, double gap) const {
+        Box<3> line = Box<3>::empty();
+        for (const double side : {-reach, reach})
+            line.include(point_of(facet, at) + side * facet.n);
+        return tree.any(line.grown(1e-9 * reach), [&](std::ptrdiff_t i) {
+            const Facet<3>& other = b.facet[i];
+            if (i == self || !(other.size > 0.0) || dot(facet.n, other.n) > most_facing)
+                return false;
             double shares[3];
             const double its = find_place(facet, other, at, shares);
             const bool covers = shares[0] >= 0.0 && shares[1] >= 0.0 && shares[2] >= 0.0;
-            if (covers && std::fabs(its) <= reach &&
-                (its < gap || (its == gap && candidates[i] < self)))
-                return true;
-        }
-        return false;
+            return covers && std::fabs(its) <= reach && (its < gap || (its == gap && i < self));
+        });
     }
 
     const Skin<3>&a, &b;
+    const BoxTree<3>& tree;  // of B's facets
     double reach;
 };
 
