@@ -1,0 +1,87 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""self_weight.py [--grit FILE] [--out DIR] [--jobs N] [--runs N] [--cfl X ...] [LAW ...]: how deep a pile has sunk by its
+weight after 0.5 s, with the Geo-contact k = 2 in time (ADR 11) and CFL numbers, on the coarse grid of two_blows.toml. N runs
+each, whose density of the pile differs by 1e-9: mean, and standard error of the mean. What has ended in DIR
+(results/self_weight) is not run again.
+
+LAW: published, rate (a relaxation time), spring (that, and 0.1 M/h); default: all."""
+import argparse
+import concurrent.futures
+import math
+import os
+import pathlib
+import statistics
+import subprocess
+import sys
+
+from results import History
+
+HERE = pathlib.Path(__file__).resolve().parent
+END = 0.5  # [s]
+LAWS = {
+    "published": {},
+    "rate": {"contact.1.relaxation_time_s": 15e-6},
+    "spring": {"contact.1.relaxation_time_s": 15e-6, "contact.1.modulus_kPa": 5e4,
+               "contact.1.contact_stiffness_multiple": 0.1},
+}
+ALL = {"stage.self_weight.until.time_s": END, "stage.drive.until.time_s": 1e-4, "contact.1.gated": "true",
+       "contact.1.penalty_power": 2}
+
+
+def has_ended(file):
+    return file.exists() and "stage drive ended" in file.read_text()
+
+
+def name_of(law, cfl, member):
+    return f"{law}_cfl{1000 * cfl:.0f}_{member}"
+
+
+def run(grit, law, cfl, member, out):
+    name = name_of(law, cfl, member)
+    if has_ended(out / f"{name}.csv"):
+        return
+    keys = ALL | LAWS[law] | {"numerics.cfl": cfl, "body.pile.density_kg_per_m3": 8000 * (1 + member * 1e-9)}
+    case = out / f"{name}.toml"
+    case.write_text(f'base = "{HERE / "two_blows.toml"}"\n[override]\n' +
+                    "".join(f'"{key}" = {value!r}\n'.replace("'", "") for key, value in keys.items()))
+    with (out / f"{name}.log").open("w") as log:
+        subprocess.run([grit, "mpm", str(case), "--out", str(out), "--no-plot"], stdout=log, stderr=subprocess.STDOUT,
+                       check=True)
+
+
+def depth(out, law, cfl, member):
+    """At END [mm]."""
+    history = History(out / f"{name_of(law, cfl, member)}.csv")
+    return 1e3 * next(d for t, d in zip(history["t"], history["depth"]) if t >= END - 1e-3)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--grit", default=str(HERE.parents[1] / "build/run/cli/grit"))
+    parser.add_argument("--out", type=pathlib.Path, default=HERE.parents[1] / "results/self_weight")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--runs", type=int, default=5)
+    parser.add_argument("--cfl", type=float, nargs="+", default=[0.4, 0.2, 0.1])
+    parser.add_argument("laws", nargs="*", metavar="LAW", default=list(LAWS))
+    args = parser.parse_args()
+    for law in args.laws:
+        if law not in LAWS:
+            sys.exit(f"self_weight.py: no law {law}: one of {', '.join(LAWS)}")
+    args.out.mkdir(parents=True, exist_ok=True)
+    with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
+        list(pool.map(lambda job: run(args.grit, *job, args.out),
+                      [(law, cfl, m) for m in range(args.runs) for law in args.laws for cfl in args.cfl]))
+    print("| depth after 0.5 s [mm], CFL | " + " | ".join(f"{cfl:g}" for cfl in args.cfl) + " |")
+    print("|---|" + "---|" * len(args.cfl))
+    for law in args.laws:
+        row = []
+        for cfl in args.cfl:
+            found = [depth(args.out, law, cfl, m) for m in range(args.runs)]
+            error = statistics.stdev(found) / math.sqrt(args.runs) if args.runs > 1 else math.nan
+            row.append(f"{statistics.mean(found):.1f} ± {error:.1f}")
+        print(f"| {law} | " + " | ".join(row) + " |")
+
+
+if __name__ == "__main__":
+    main()
