@@ -1,20 +1,23 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """measures.py RESULTS [NAME ...] [--save DIR]: what the runs of verification/pile show, as Markdown; no names: all that
-are there. Per run: sets, momentum identity, energy balance, cost, and the measures of the claims P1 ... P6 of
+are there but members of ensembles. Per run: sets, momentum identity, energy balance, cost, and the measures of the claims P1 ... P6 of
 docs/pile.md. --save keeps them as DIR/NAME.json, some kilobytes where a run leaves a hundred megabytes; tables.py prints
-the tables from these."""
+the tables from these. --ensemble GROUP: of the members of a group of ensemble.py instead, a row for each and a row for
+each of their blows, as DIR/GROUP.csv and DIR/GROUP_blows.csv, which ensemble_tables.py reads."""
 import argparse
+import csv
 import json
 import math
 import os
 import pathlib
+import re
 import statistics
 import subprocess
 import sys
 
 import tables
-from results import Run, Unusable
+from results import RINGS, Run, Unusable, rings
 from whole_file import whole_file
 
 GRAVITY = 9.81  # [m/s2]
@@ -90,6 +93,26 @@ def energies(history):
             "pile": pile, "sand": last["stored_energy"] - pile, "contact": last["contact_loss"],
             "damping": last["damping_loss"], "transfer": last["transfer_loss"],
             "residual": last["energy_residual"]}
+
+
+def after_hammer(history):
+    """Of each blow, from the end of the hammer's force to that of the blow: the set [m]; the pile's kinetic energy where it
+    begins, and what it and the weight do against the reaction while the pile moves down [J]; and the momentum of the pile
+    where it begins over the hammer's impulse."""
+    out = []
+    for first, last in history.blows():
+        if math.isnan(history.mass):
+            raise Unusable("a rigid pile, which has no mass, stops at no depth of its own")
+        end = next((i for i in range(first + 2, last + 1) if history["hammer_force"][i] <= 0.0), last)
+        impulse = sum(1e3 * history["hammer_force"][i] * (history["t"][i] - history["t"][i - 1]) for i in range(first + 1, end + 1))
+        resisted, speed = 0.0, abs(history["velocity"][end])
+        deepest = max(range(end, last + 1), key=lambda i: history["depth"][i])
+        for i in range(end + 1, deepest + 1):
+            reaction = 1e3 * (history["tip_force"][i] + history["shaft_force"][i])
+            resisted += (reaction - history.mass * GRAVITY) * (history["depth"][i] - history["depth"][i - 1])
+        out.append((history["depth"][last] - history["depth"][end], 0.5 * history.mass * speed**2, resisted,
+                    history.mass * speed / impulse))
+    return out
 
 
 def flattening(each):
@@ -232,6 +255,85 @@ def void_ratio_extents(run, change=VOID_RATIO_CHANGE):
     return dense, loose * BIN / DIAMETER
 
 
+# ---- members of an ensemble
+
+CHANGES = (0.003, 0.01, 0.02, 0.04)  # of void ratio that extents are taken at
+
+
+def beside(run, index):
+    """Rings of the sand beside the shaft that the tip has passed, but half a diameter above it, and the mean level [m]; ()
+    where that is less than a quarter of a diameter high."""
+    low, high = level_of_tip(run, index) + 0.5 * DIAMETER, level_of_tip(run, 0)
+    return (rings(run.frame(index), RADIUS, low, high), 0.5 * (low + high)) if high - low > 0.25 * DIAMETER else ()
+
+
+def by_blow(run):
+    """A row of numbers for each blow of a run, by column."""
+    h, t = run.history, run.history["t"]
+    _, each, rebound = sets(h)
+    peaks, blows, after = peak_frames(run), h.blows(), after_hammer(h)
+    for k, (first, last) in enumerate(blows):
+        total = [tip + shaft for tip, shaft in zip(h["tip_force"], h["shaft_force"])]
+        top = max(range(first, last + 1), key=lambda i: total[i])
+        stress = [max((s for row, s in stress_by_rows(run, peaks[k]).items() if row * BIN > below - 1e-9), default=0.0)
+                  for below in (-math.inf, 0.1, 0.2)]
+        row = {"blow": k + 1, "from_m": h["depth"][first], "set_m": each[k], "rebound_m": rebound[k],
+               "stress_kPa": stress[0], "stress_0.1_m_kPa": stress[1], "stress_0.2_m_kPa": stress[2],
+               "tip_kN": h["tip_force"][top], "shaft_kN": h["shaft_force"][top],
+               "after_m": after[k][0], "kinetic_J": after[k][1], "resisted_J": after[k][2], "momentum_share": after[k][3]}
+        run.forget(peaks[k])
+        rest = max(i for i, time in enumerate(run.times) if time <= t[last] + 1e-9)
+        found = beside(run, rest) if run.times[rest] > t[first] + PEAK + 1e-3 else ()
+        for ring in range(len(RINGS)):
+            for i, what in enumerate(("stress_kPa", "void_ratio", "free_share")):
+                row[f"ring_{ring + 1}_{what}"] = found[0][ring][i] if found else math.nan
+        row["ring_level_m"] = found[1] if found else math.nan
+        run.forget(rest)
+        yield row
+
+
+def at_end(run):
+    """What a run ends with, by column."""
+    h = run.history
+    own, each, _ = sets(h)
+    rest, rest_after_blow, speed = rests(h)
+    worst, peak, _ = momentum_identity(h)
+    e = energies(h)
+    row = {"self_weight_m": own, "blows": len(each), "driven_m": sum(each), "rest_s": rest, "rest_after_blow_s": rest_after_blow,
+           "speed_at_blows": speed, "identity_share": worst / peak, "energy_share": e["residual"] / (e["hammer"] + e["weight"])}
+    for change in CHANGES:
+        row[f"denser_{change:g}_D"], row[f"looser_{change:g}_D"] = void_ratio_extents(run, change)
+    row["inside_pile"], row["inside_pile_loaded"], _ = intruders(run, -1)
+    run.forget()
+    return row
+
+
+def write_rows(target, rows):
+    with whole_file(target) as path, path.open("w", newline="") as file:
+        table = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
+        table.writeheader()
+        table.writerows({key: f"{value:.5g}" if isinstance(value, float) else value for key, value in row.items()} for row in rows)
+
+
+def ensemble(folder, group, to):
+    """group.csv and group_blows.csv of all members in folder that are done."""
+    pattern = re.compile(re.escape(group) + r"_.+-\d+")
+    names = sorted(p.stem for p in folder.glob(f"{group}_*.csv")
+                   if pattern.fullmatch(p.stem) and not p.with_suffix(".checkpoint").exists())
+    if not names:
+        raise Unusable(f"{folder}: no member of {group} is done")
+    ends, blows = [], []
+    for name in names:
+        run = Run(folder, name)
+        case, member = name.rsplit("-", 1)
+        head = {"case": case.removeprefix(group + "_"), "member": int(member)}
+        blows += [head | row for row in by_blow(run)]
+        ends.append(head | at_end(run))
+    to.mkdir(parents=True, exist_ok=True)
+    write_rows(to / f"{group}.csv", ends)
+    write_rows(to / f"{group}_blows.csv", blows)
+
+
 # ---- all of a run
 
 def measured(run):
@@ -277,10 +379,17 @@ def main():
     parser.add_argument("names", nargs="*")
     parser.add_argument("--save", type=pathlib.Path, metavar="DIR")
     parser.add_argument("--commit", help="of the program, where the sources are not those it was built from")
+    parser.add_argument("--ensemble", metavar="GROUP", help="of ensemble.py")
     options = parser.parse_args()
+    if options.ensemble and not options.save:
+        parser.error("--ensemble needs --save")
     names = options.names or sorted(p.stem for p in options.results.glob("*.csv")
-                                    if not p.with_suffix(".checkpoint").exists())
+                                    if not (p.with_suffix(".checkpoint").exists() or
+                                            (options.results / "members" / f"{p.stem}.toml").exists()))
     try:
+        if options.ensemble:
+            ensemble(options.results, options.ensemble, options.save)
+            return
         if not names:
             raise Unusable(f"{options.results}: no results")
         numbers = [measured(Run(options.results, name)) for name in names]

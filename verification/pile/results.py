@@ -101,6 +101,25 @@ class Frame:
         return [area(q) for q in self.corners]
 
 
+RINGS = ((0.0, 0.25), (0.25, 0.5), (0.5, 1.0))  # beside a pile's shaft, from it outwards [diameters]
+
+
+def rings(sand, radius, low, high):
+    """Of the sand beside a shaft between two levels, for each ring: mean -sigma_rr [kPa], mean void ratio, share of it
+    without stress; NaN where there is none."""
+    places, areas = sand.centres(), sand.areas()
+    out = []
+    for inner, outer in RINGS:
+        inside = [i for i, (r, z) in enumerate(places)
+                  if radius * (1 + 2 * inner) <= r < radius * (1 + 2 * outer) and low <= z < high]
+        weights = [areas[i] * places[i][0] for i in inside]
+        volume = sum(weights)
+        columns = ([-sand["stress_rr"][i] for i in inside], [sand["void_ratio"][i] for i in inside],
+                   [float(sand["stress_rr"][i] == 0.0) for i in inside])
+        out.append(tuple(sum(w * x for w, x in zip(weights, column)) / volume if volume else math.nan for column in columns))
+    return out
+
+
 class Run:
     """All that is there of a run called name."""
 

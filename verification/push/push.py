@@ -14,10 +14,10 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "pile"))
 from results import Frame, History  # noqa: E402
+from results import rings as beside_shaft  # noqa: E402
 
 RADIUS = 0.15  # [m]
 DEPTHS = (0.1, 0.2, 0.3, 0.5)  # of the push [m]
-RINGS = ((0.0, 0.5), (0.5, 1.0), (1.0, 2.0))  # from the shaft outwards [RADIUS]
 GAMMA = 2650 / 1.55 * 9.81e-3  # of the sand at the start [kN/m3]
 K0 = 1 - math.sin(math.radians(33))
 
@@ -45,20 +45,10 @@ def rings(out, case):
     last = sorted(out.glob(f"{case}_??????_soil.vtu"))[-1]
     sand, pile = Frame(last), Frame(str(last).replace("_soil", "_pile"))
     tip = min(z for corners in pile.corners for _, z in corners)
-    places, areas = sand.centres(), sand.areas()
-    found = []
-    for inner, outer in RINGS:
-        inside = [i for i, (r, z) in enumerate(places)
-                  if RADIUS * (1 + inner) <= r < RADIUS * (1 + outer) and 1.5 * RADIUS <= z - tip < 2.5 * RADIUS]
-        volume = sum(areas[i] * places[i][0] for i in inside)
-
-        def mean(value):
-            return sum(areas[i] * places[i][0] * value(i) for i in inside) / volume if volume else math.nan
-
-        at_rest = K0 * GAMMA * -(tip + 2 * RADIUS)
-        found.append((mean(lambda i: -sand["stress_rr"][i]), at_rest, mean(lambda i: sand["void_ratio"][i]),
-                      mean(lambda i: float(sand["p"][i] == 0))))
-    within = sum(1 for r, z in places if r < 0.95 * RADIUS and z > tip + RADIUS)
+    at_rest = K0 * GAMMA * -(tip + 2 * RADIUS)
+    found = [(stress, at_rest, void_ratio, free)
+             for stress, void_ratio, free in beside_shaft(sand, RADIUS, tip + 1.5 * RADIUS, tip + 2.5 * RADIUS)]
+    within = sum(1 for r, z in sand.centres() if r < 0.95 * RADIUS and z > tip + RADIUS)
     return found, within
 
 

@@ -1,0 +1,263 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""ensemble_tables.py DIR: the tables of docs/pile.md from the rows that measures.py --ensemble has left in DIR, as Markdown.
+
+mean ± standard deviation between runs that differ by nothing that matters; a difference with its standard error, and
+"no" where Student's t (Welch, 95 %) does not tell it from the scatter of the runs."""
+import argparse
+import csv
+import math
+import pathlib
+import statistics
+import sys
+
+from ensemble import CONTACTS, SANDS
+from measures import CHANGES, DIAMETER, GRAVITY, RADIUS
+from results import RINGS
+from tables import table
+
+# Two-sided 95 % of Student's t by degrees of freedom.
+STUDENT = (math.inf, 12.71, 4.30, 3.18, 2.78, 2.57, 2.45, 2.36, 2.31)
+DEPTHS = {"dense": (0.15, 0.20, 0.25, 0.30), "loose": (0.35, 0.40, 0.45, 0.50, 0.55)}  # that sets are compared at [m]
+NAMES = {"gca": "GCA", "fca": "FCA", "pca": "PCA", "surface": "surface"}
+GRAIN_DENSITY = 2650.0  # [kg/m3]
+
+
+def read(path):
+    with path.open(newline="") as file:
+        return [{key: value if key == "case" else float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+
+
+class Group:
+    """Members of the cases of a group: a row for each, and rows of blows."""
+
+    def __init__(self, folder, name):
+        self.ends, self.blows = {}, {}
+        for row in read(folder / f"{name}.csv"):
+            self.ends.setdefault(row["case"], {})[row["member"]] = row
+        for row in read(folder / f"{name}_blows.csv"):
+            self.blows.setdefault(row["case"], {}).setdefault(row["member"], []).append(row)
+
+    def count(self, case):
+        return len(self.ends.get(case, ()))
+
+    def end(self, case, column, factor=1.0):
+        return [factor * row[column] for row in self.ends.get(case, {}).values()]
+
+    def mean_of_blows(self, case, value, blows=None):
+        """For each member the mean over its blows, or over those given; without what is missing."""
+        out = []
+        for rows in self.blows.get(case, {}).values():
+            found = [value(row) for row in rows if blows is None or row["blow"] in blows]
+            found = [x for x in found if not math.isnan(x)]
+            if found:
+                out.append(statistics.fmean(found))
+        return out
+
+    def set_at(self, case, depth):
+        """For each member that passes it: the set of a blow that begins at this depth, between those that do below and
+        above it [m]."""
+        out = []
+        for rows in self.blows.get(case, {}).values():
+            for low, high in zip(rows, rows[1:]):
+                if low["from_m"] <= depth < high["from_m"]:
+                    share = (depth - low["from_m"]) / (high["from_m"] - low["from_m"])
+                    out.append(low["set_m"] + share * (high["set_m"] - low["set_m"]))
+                    break
+        return out
+
+
+def spread(values, digits):
+    """Mean and standard deviation between runs."""
+    if not values:
+        return ""
+    deviation = f" ± {statistics.stdev(values):.{digits}f}" if len(values) > 1 else ""
+    return f"{statistics.fmean(values):.{digits}f}{deviation}"
+
+
+def difference(a, b, digits):
+    """a less b, its standard error, and whether it is one."""
+    if len(a) < 2 or len(b) < 2:
+        return ""
+    of_a, of_b = (statistics.variance(x) / len(x) for x in (a, b))
+    error = math.sqrt(of_a + of_b)
+    freedom = (of_a + of_b)**2 / (of_a**2 / (len(a) - 1) + of_b**2 / (len(b) - 1)) if error > 0.0 else 1.0
+    found = statistics.fmean(a) - statistics.fmean(b)
+    real = abs(found) > STUDENT[min(int(freedom), len(STUDENT) - 1)] * error
+    return f"{found:+.{digits}f} ± {error:.{digits}f}" + ("" if real else ", no")
+
+
+def cases(group, wanted=None):
+    return [f"{sand}_{contact}" for sand in SANDS for contact in CONTACTS
+            if group.count(f"{sand}_{contact}") and sand in (wanted or SANDS)]
+
+
+def title(case):
+    sand, contact = case.rsplit("_", 1)
+    return f"{sand.replace('_', ' ')}, {NAMES[contact]}"
+
+
+def report_depths(group):
+    table(["case", "runs", "self-weight [mm]", "driven by five blows [mm]", "largest speed when a blow begins [m/s]",
+           "identity, at most", "energy residual, at most"],
+          [[title(case), str(group.count(case)), spread(group.end(case, "self_weight_m", 1e3), 0),
+            spread(group.end(case, "driven_m", 1e3), 0), f"{max(group.end(case, 'speed_at_blows')):.3f}",
+            f"{max(group.end(case, 'identity_share')):.0e}",
+            f"{max(abs(x) for x in group.end(case, 'energy_share')):.0e}"] for case in cases(group)])
+
+
+# Of each blow: what, digits, value.
+CLAIMS = (("P1 σ_rr [kPa]", 0, lambda row: row["stress_kPa"]),
+          ("from 0.1 m below the tip on", 0, lambda row: row["stress_0.1_m_kPa"]),
+          ("from 0.2 m on", 0, lambda row: row["stress_0.2_m_kPa"]),
+          ("P2 rebound [mm]", 2, lambda row: 1e3 * row["rebound_m"]),
+          ("set [mm]", 1, lambda row: 1e3 * row["set_m"]))
+
+
+def report_claims(group):
+    table(["mean of five blows", *(what for what, _, _ in CLAIMS)],
+          [[title(case), *(spread(group.mean_of_blows(case, value), digits) for _, digits, value in CLAIMS)]
+           for case in cases(group)])
+    rows = []
+    for sand in SANDS:
+        for a, b in (("fca", "gca"), ("pca", "gca"), ("surface", "gca"), ("surface", "pca")):
+            if group.count(f"{sand}_{a}") > 1 and group.count(f"{sand}_{b}") > 1:
+                rows.append([f"{sand}, {NAMES[a]} less {NAMES[b]}",
+                             *(difference(group.mean_of_blows(f"{sand}_{a}", value), group.mean_of_blows(f"{sand}_{b}", value),
+                                          digits) for _, digits, value in CLAIMS)])
+    table(["difference, its standard error", *(what for what, _, _ in CLAIMS)], rows)
+
+
+def report_sets(group):
+    for sand in SANDS:
+        found = cases(group, (sand,))
+        if not found:
+            continue
+        depths = DEPTHS[sand]
+        rows = [[title(case), *(spread([1e3 * x for x in group.set_at(case, depth)], 0) for depth in depths)] for case in found]
+        if f"{sand}_gca" in found:
+            for case in found:
+                if not case.endswith("_gca"):
+                    rows.append([f"{title(case)} less GCA",
+                                 *(difference([1e3 * x for x in group.set_at(case, depth)],
+                                              [1e3 * x for x in group.set_at(f"{sand}_gca", depth)], 1) for depth in depths)])
+        table(["P4 set [mm] of a blow from", *(f"{depth:.2f} m" for depth in depths)], rows)
+        ratios = []
+        for case in found:
+            by_member = [[x for x in (row["set_m"] for row in rows_)] for rows_ in group.blows[case].values()]
+            ratios.append([title(case), spread([sets[-1] / sets[0] for sets in by_member], 2)])
+        table(["P4", "last set over the first"], ratios)
+
+
+def report_rings(group):
+    last = max(row["blow"] for rows in group.blows.values() for member in rows.values() for row in member)
+    rows = []
+    for case in cases(group):
+        columns = []
+        for what, digits, factor in (("stress_kPa", 0, 1), ("void_ratio", 3, 1), ("free_share", 0, 100)):
+            for ring in range(len(RINGS)):
+                columns.append(spread([factor * x for x in group.mean_of_blows(
+                    case, lambda row, key=f"ring_{ring + 1}_{what}": row[key], (last,))], digits))
+        rows.append([title(case), *columns])
+    rings = [f"{inner:g}–{outer:g} D" for inner, outer in RINGS]
+    table([f"P3, after blow {last:.0f}", *(f"σ_rr [kPa] {ring}" for ring in rings), *(f"e {ring}" for ring in rings),
+           *(f"stress-free [%] {ring}" for ring in rings)], rows)
+
+
+def report_void_ratio(group):
+    def thresholds(case, side):
+        return " / ".join(spread(group.end(case, f"{side}_{change:g}_D"), 1) for change in CHANGES)
+    table([f"P5, |Δe| {' / '.join(f'{change:g}' for change in CHANGES)}", "denser beside the shaft [D]", "looser at the tip [D]",
+           "sand in the pile (loaded), most"],
+          [[title(case), thresholds(case, "denser"), thresholds(case, "looser"),
+            f"{max(group.end(case, 'inside_pile')):.0f} ({max(group.end(case, 'inside_pile_loaded')):.0f})"]
+           for case in cases(group)])
+
+
+def report_after_hammer(group):
+    table(["after the hammer's force", "of the set [%]", "of the hammer's impulse still in the pile [%]",
+           "kinetic energy there [J]", "R − W takes until the pile stops [J]"],
+          [[title(case), spread(group.mean_of_blows(case, lambda row: 100 * row["after_m"] / row["set_m"]), 0),
+            spread(group.mean_of_blows(case, lambda row: 100 * row["momentum_share"]), 0),
+            spread(group.mean_of_blows(case, lambda row: row["kinetic_J"]), 0),
+            spread(group.mean_of_blows(case, lambda row: row["resisted_J"]), 0)] for case in cases(group)])
+
+
+def design_stress(row, void_ratio):
+    """Radial stress after installation by ICP-05 and UWA-05 [kPa], at the level of the rings: q_c is what the tip meets; of
+    sands, a closed end, the shaft above the tip by at least 8 radii and 2 diameters, as the methods take it."""
+    q = row["tip_kN"] / (math.pi * RADIUS**2)
+    level = -row["ring_level_m"]
+    overburden = GRAIN_DENSITY / (1.0 + void_ratio) * GRAVITY * 1e-3 * level
+    above = max(0.0, 0.5 + row["from_m"] + row["set_m"] - level)
+    icp = 0.029 * q * (overburden / 100.0)**0.13 * max(above / RADIUS, 8.0)**-0.38
+    uwa = 0.03 * q * max(above / DIAMETER, 2.0)**-0.5
+    return icp, uwa
+
+
+def report_shaft(group):
+    last = max(row["blow"] for rows in group.blows.values() for member in rows.values() for row in member)
+    rows = []
+    for case in cases(group):
+        void_ratio = SANDS[case.split("_")[0]]
+        rows.append([title(case), spread(group.mean_of_blows(case, lambda row: row["tip_kN"], (last,)), 0),
+                     spread(group.mean_of_blows(case, lambda row: row["shaft_kN"], (last,)), 1),
+                     spread(group.mean_of_blows(case, lambda row: row["ring_1_stress_kPa"], (last,)), 0),
+                     *(spread(group.mean_of_blows(case, lambda row: design_stress(row, void_ratio)[k], (last,)), 0)
+                       for k in range(2))])
+    table([f"blow {last:.0f}", "tip at the largest R [kN]", "shaft then [kN]", "σ_rr, 0–0.25 D [kPa]", "ICP-05 [kPa]",
+           "UWA-05 [kPa]"], rows)
+
+
+def report_grids(groups):
+    """What the cells change, of dense sand."""
+    coarse, base = (groups[name] for name in ("coarse", "base"))
+    values = (("self-weight [mm]", 0, lambda g, c: g.end(c, "self_weight_m", 1e3)),
+              ("driven [mm]", 0, lambda g, c: g.end(c, "driven_m", 1e3)),
+              *((what, digits, lambda g, c, value=value: g.mean_of_blows(c, value)) for what, digits, value in CLAIMS[:4]))
+    rows = []
+    for case in cases(base):
+        if base.count(case) > 1 and coarse.count(case) > 1:
+            rows.append([f"{title(case)}, {base.count(case)} runs", *(spread(of(base, case), digits) for _, digits, of in values)])
+            rows.append(["less those with 1.4 h", *(difference(of(base, case), of(coarse, case), digits) for _, digits, of in values)])
+    if rows:
+        table(["cells of the base case", *(what for what, _, _ in values)], rows)
+
+
+def report_rapid(group):
+    kinds = list(dict.fromkeys(case.rsplit("_", 1)[0] if "_" in case else "" for case in group.ends))
+    rows = []
+    for kind in kinds:
+        pair = [f"{kind}_{contact}".removeprefix("_") for contact in ("fca", "gca")]
+        for what, value, digits in (("σ_rr [kPa]", lambda row: row["stress_kPa"], 0),
+                                    ("from 0.1 m on", lambda row: row["stress_0.1_m_kPa"], 0),
+                                    ("rebound [mm]", lambda row: 1e3 * row["rebound_m"], 2),
+                                    ("set [mm]", lambda row: 1e3 * row["set_m"], 1)):
+            found = [group.mean_of_blows(case, value) for case in pair]
+            rows.append([kind or "as two_blows", what, "/".join(str(len(x)) for x in found), *(spread(x, digits) for x in found),
+                         difference(*found, digits)])
+    table(["blows every 0.1 s", "mean of the blows", "runs", "FCA", "GCA", "difference"], rows)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", type=pathlib.Path)
+    options = parser.parse_args()
+    groups = {name: Group(options.folder, name) for name in ("coarse", "base", "rapid") if (options.folder / f"{name}.csv").exists()}
+    if not groups:
+        sys.exit(f"ensemble_tables.py: {options.folder}: no group of ensemble.py, as measures.py --ensemble leaves them")
+    for name in ("coarse", "base"):
+        if name in groups:
+            print(f"### {name}\n")
+            for report in (report_depths, report_claims, report_sets, report_rings, report_void_ratio, report_shaft,
+                           report_after_hammer):
+                report(groups[name])
+    if "coarse" in groups and "base" in groups:
+        report_grids(groups)
+    if "rapid" in groups:
+        print("### rapid\n")
+        report_rapid(groups["rapid"])
+
+
+if __name__ == "__main__":
+    main()
