@@ -6,7 +6,8 @@ DIR/CASE-K.toml and prints their names, in the order in which they are worth run
 Groups:
   base     the cells of dense_gca.toml, dense and loose sand, each contact
   coarse   the same on those of sensitivity/grid_coarse.toml, at a third of the time
-  rapid    blows one after the other, FCA and GCA, on the grid of two_blows.toml and with 1.5, 2 and 3 cells in the radius
+  rapid    20 blows one after the other, FCA and GCA, on the grid of two_blows.toml; ten without cell mean, without PIC, and
+           with 1.5, 2 and 3 cells in the radius
 """
 import argparse
 import json
@@ -30,6 +31,7 @@ COARSEST = load("two_blows.toml")["override"]
 # Self-weight ends when the pile rests; what comes after it is five blows.
 SHORT = {"stage.self_weight.until.time_s": 0.55, "stage.drive.until.blows": 5}
 RAPID = {**COARSEST, "traction.1.pulses.interval_s": 0.1, "stage.drive.until.blows": 20, "fields.interval_s": 0.05}
+TEN = {"stage.drive.until.blows": 10}
 
 
 def phase(overrides, share):
@@ -66,10 +68,10 @@ def cases(group):
             yield f"rapid_{contact}", f"dense_{contact}.toml", RAPID
         for what, numerics in (("no_mean", {"numerics.cell_averaged_volume": False}), ("no_pic", {"numerics.pic_rate_per_s": 0})):
             for contact in ("fca", "gca"):
-                yield f"rapid_{what}_{contact}", f"dense_{contact}.toml", RAPID | numerics
+                yield f"rapid_{what}_{contact}", f"dense_{contact}.toml", RAPID | TEN | numerics
         for ratio in (1.5, 2, 3):
             for contact in ("fca", "gca"):
-                yield f"rapid_{10 * ratio:.0f}_{contact}", f"dense_{contact}.toml", RAPID | cells_in_radius(ratio)
+                yield f"rapid_{10 * ratio:.0f}_{contact}", f"dense_{contact}.toml", RAPID | TEN | cells_in_radius(ratio)
         return
     for sand, void_ratio in SANDS.items():
         for contact in CONTACTS:

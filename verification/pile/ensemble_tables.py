@@ -11,16 +11,21 @@ import pathlib
 import statistics
 import sys
 
-from ensemble import CONTACTS, SANDS
+from ensemble import BASE, CONTACTS, SANDS
 from measures import CHANGES, DIAMETER, GRAVITY, RADIUS
-from results import RINGS
+from results import K0, RINGS
 from tables import table
 
 # Two-sided 95 % of Student's t by degrees of freedom.
 STUDENT = (math.inf, 12.71, 4.30, 3.18, 2.78, 2.57, 2.45, 2.36, 2.31)
 DEPTHS = {"dense": (0.15, 0.20, 0.25, 0.30), "loose": (0.35, 0.40, 0.45, 0.50, 0.55)}  # that sets are compared at [m]
 NAMES = {"gca": "GCA", "fca": "FCA", "pca": "PCA", "surface": "surface"}
-GRAIN_DENSITY = 2650.0  # [kg/m3]
+GRAIN_DENSITY = BASE["body"][1]["grain_density_kg_per_m3"]
+
+
+def unit_weight(void_ratio):
+    """[kN/m3]"""
+    return GRAIN_DENSITY / (1.0 + void_ratio) * GRAVITY * 1e-3
 
 
 def read(path):
@@ -110,6 +115,7 @@ def report_depths(group):
 CLAIMS = (("P1 σ_rr [kPa]", 0, lambda row: row["stress_kPa"]),
           ("from 0.1 m below the tip on", 0, lambda row: row["stress_0.1_m_kPa"]),
           ("from 0.2 m on", 0, lambda row: row["stress_0.2_m_kPa"]),
+          ("mean below the tip", 0, lambda row: row["disc_rr_kPa"]),
           ("P2 rebound [mm]", 2, lambda row: 1e3 * row["rebound_m"]),
           ("set [mm]", 1, lambda row: 1e3 * row["set_m"]))
 
@@ -158,10 +164,13 @@ def report_rings(group):
             for ring in range(len(RINGS)):
                 columns.append(spread([factor * x for x in group.mean_of_blows(
                     case, lambda row, key=f"ring_{ring + 1}_{what}": row[key], (last,))], digits))
-        rows.append([title(case), *columns])
+        void_ratio = SANDS[case.split("_")[0]]
+        rows.append([title(case), *columns, spread(group.mean_of_blows(
+            case, lambda row: K0 * unit_weight(void_ratio) * -row["ring_level_m"], (last,)), 1)])
     rings = [f"{inner:g}–{outer:g} D" for inner, outer in RINGS]
     table([f"P3, after blow {last:.0f}", *(f"σ_rr [kPa] {ring}" for ring in rings), *(f"e {ring}" for ring in rings),
-           *(f"stress-free [%] {ring}" for ring in rings)], rows)
+           *(f"stress-free [%] {ring}" for ring in rings), "K0 γ z [kPa]"],
+          rows)
 
 
 def report_void_ratio(group):
@@ -188,7 +197,7 @@ def design_stress(row, void_ratio):
     sands, a closed end, the shaft above the tip by at least 8 radii and 2 diameters, as the methods take it."""
     q = row["tip_kN"] / (math.pi * RADIUS**2)
     level = -row["ring_level_m"]
-    overburden = GRAIN_DENSITY / (1.0 + void_ratio) * GRAVITY * 1e-3 * level
+    overburden = unit_weight(void_ratio) * level
     above = max(0.0, 0.5 + row["from_m"] + row["set_m"] - level)
     icp = 0.029 * q * (overburden / 100.0)**0.13 * max(above / RADIUS, 8.0)**-0.38
     uwa = 0.03 * q * max(above / DIAMETER, 2.0)**-0.5
@@ -214,7 +223,7 @@ def report_grids(groups):
     coarse, base = (groups[name] for name in ("coarse", "base"))
     values = (("self-weight [mm]", 0, lambda g, c: g.end(c, "self_weight_m", 1e3)),
               ("driven [mm]", 0, lambda g, c: g.end(c, "driven_m", 1e3)),
-              *((what, digits, lambda g, c, value=value: g.mean_of_blows(c, value)) for what, digits, value in CLAIMS[:4]))
+              *((what, digits, lambda g, c, value=value: g.mean_of_blows(c, value)) for what, digits, value in CLAIMS[:5]))
     rows = []
     for case in cases(base):
         if base.count(case) > 1 and coarse.count(case) > 1:
@@ -224,19 +233,36 @@ def report_grids(groups):
         table(["cells of the base case", *(what for what, _, _ in values)], rows)
 
 
+# Of each blow one after the other: what, digits, value.
+RAPID = (("σ_rr, largest cell mean [kPa]", 0, lambda row: row["stress_kPa"]),
+         ("from 0.1 m below the tip on [kPa]", 0, lambda row: row["stress_0.1_m_kPa"]),
+         ("σ_rr, mean below the tip [kPa]", 0, lambda row: row["disc_rr_kPa"]),
+         ("σ_zz, mean below the tip [kPa]", 0, lambda row: row["disc_zz_kPa"]),
+         ("tip at the largest R [kN]", 1, lambda row: row["tip_kN"]),
+         ("largest on the axis, r < 50 mm [% of blows]", 0, lambda row: 100.0 * (row["largest_r_m"] < 0.05)),
+         ("... how far below the tip [mm]", 0, lambda row: 1e3 * row["largest_below_m"]),
+         ("... particles in its square", 1, lambda row: row["largest_particles"]),
+         ("set [mm]", 1, lambda row: 1e3 * row["set_m"]))
+
+
 def report_rapid(group):
     kinds = list(dict.fromkeys(case.rsplit("_", 1)[0] if "_" in case else "" for case in group.ends))
-    rows = []
     for kind in kinds:
         pair = [f"{kind}_{contact}".removeprefix("_") for contact in ("fca", "gca")]
-        for what, value, digits in (("σ_rr [kPa]", lambda row: row["stress_kPa"], 0),
-                                    ("from 0.1 m on", lambda row: row["stress_0.1_m_kPa"], 0),
-                                    ("rebound [mm]", lambda row: 1e3 * row["rebound_m"], 2),
-                                    ("set [mm]", lambda row: 1e3 * row["set_m"], 1)):
-            found = [group.mean_of_blows(case, value) for case in pair]
-            rows.append([kind or "as two_blows", what, "/".join(str(len(x)) for x in found), *(spread(x, digits) for x in found),
-                         difference(*found, digits)])
-    table(["blows every 0.1 s", "mean of the blows", "runs", "FCA", "GCA", "difference"], rows)
+        rows = []
+        for what, digits, value in RAPID:
+            found = [group.mean_of_blows(case, value, range(1, 11)) for case in pair]
+            rows.append([what, *(spread(x, digits) for x in found), difference(*found, digits)])
+        counts = " and ".join(str(group.count(case)) for case in pair)
+        table([f"{kind or 'as two_blows'}, ten blows: {counts} runs", "FCA", "GCA", "difference"], rows)
+    rows = []
+    for case in group.ends:
+        for first, last in ((1, 5), (6, 10), (11, 20)):
+            found = group.mean_of_blows(case, RAPID[0][2], range(first, last + 1))
+            if not found:
+                continue
+            rows.append([case, f"{first}–{last}", spread(found, 0), f"{min(found):.0f} to {max(found):.0f}"])
+    table(["largest cell mean of σ_rr [kPa]", "blows", "mean ± deviation of runs", "runs from, to"], rows)
 
 
 def main():

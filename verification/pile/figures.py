@@ -128,10 +128,10 @@ def fields(members, target, title, index_of, values_of, window, contours, colour
             script += f"""set lmargin at screen {left}; set rmargin at screen {left + 0.19}
 set tmargin at screen {top}; set bmargin at screen {top - height + 0.06}
 set xrange [{r0}:{r1}]; set yrange [{z0}:{z1}]
-set title "{title}{sand}, {NAMES[contact]}, {len(runs)} runs" offset 0,-0.7
+set title "{title}{sand}, {NAMES[contact]}, {len(runs)} run{'s' * (len(runs) > 1)}" offset 0,-0.7
 set xlabel "{'r [m]' if row == len(sands) - 1 else ''}" offset 0,0.6
 set ylabel "{'z − tip [m]' if column == 0 else ''}" offset 1,0
-set format y '{'%g' if column == 0 else ''}'; set xtics 0.3 offset 0,0.3; set ytics 0.3
+set format y '{'%g' if column == 0 else ''}'; set xtics 0,0.3,{r1 - 0.1} offset 0,0.3; set ytics 0.3
 set object 1 rectangle from 0,0 to {RADIUS},{z1} fillcolor rgb '#b8b8b8' fillstyle solid noborder behind
 {marks}
 {'unset colorbox' if row or column < 3 else f'set colorbox user origin screen 0.9,{0.94 - 0.86:.3f} size screen 0.014,0.84'}
@@ -162,9 +162,9 @@ def draw_void_ratio(members, to):
            f"{PALETTES['change']}\nset cbrange [-0.1:0.1]\nset cbtics ('≤ −0.1' -0.1, '−0.05' -0.05, '−0.01' -0.01, '0.01' 0.01, "
            "'0.05' 0.05, '≥ 0.1' 0.1)\nset cblabel 'change of void ratio at the end [-]' offset 0.5,0\n",
            f"set arrow 1 from {reach},-0.9 to {reach},0.9 nohead dt 2 lw 1 lc rgb '#444444' front\n"
-           f"set arrow 2 from 0,{-0.5 * DIAMETER} to {RADIUS},{-0.5 * DIAMETER} nohead dt 2 lw 1 lc rgb '#444444' front\n"
+           f"set arrow 2 from 0,{-0.5 * DIAMETER} to 0.5,{-0.5 * DIAMETER} nohead dt 2 lw 1 lc rgb '#444444' front\n"
            f"set label 1 '3 D' at {reach + 0.03},-0.8 textcolor rgb '#444444' front\n"
-           f"set label 2 '½ D' at {RADIUS + 0.03},{-0.5 * DIAMETER} textcolor rgb '#444444' front")
+           f"set label 2 '½ D' at 0.52,{-0.5 * DIAMETER} textcolor rgb '#444444' front")
 
 
 def outlines(frame, window):

@@ -103,7 +103,8 @@ def after_hammer(history):
     for first, last in history.blows():
         if math.isnan(history.mass):
             raise Unusable("a rigid pile, which has no mass, stops at no depth of its own")
-        end = next((i for i in range(first + 2, last + 1) if history["hammer_force"][i] <= 0.0), last)
+        # Forces are means since the row before: that of the first row may still be of the stage before.
+        end = next((i for i in range(first + 2, last + 1) if history["hammer_force"][i] <= 0.0), last + 1) - 1
         impulse = sum(1e3 * history["hammer_force"][i] * (history["t"][i] - history["t"][i - 1]) for i in range(first + 1, end + 1))
         resisted, speed = 0.0, abs(history["velocity"][end])
         deepest = max(range(end, last + 1), key=lambda i: history["depth"][i])
@@ -267,18 +268,37 @@ def beside(run, index):
     return (rings(run.frame(index), RADIUS, low, high), 0.5 * (low + high)) if high - low > 0.25 * DIAMETER else ()
 
 
+def largest_stress(run, index):
+    """The largest cell mean of -sigma_rr beyond that of the start [kPa]; the centre of its square, from the axis and below
+    the tip [m]; how many particles have their centres in it; and the mean -sigma_rr and -sigma_zz of the sand below the tip,
+    a third of a diameter high [kPa]."""
+    cells, tip = radial_stress(run, index)
+    at, (stress, r, z) = max(cells.items(), key=lambda item: item[1][0])
+    frame = run.frame(index)
+    places = frame.centres()
+    count = sum((math.floor(x / BIN), math.floor(y / BIN)) == at for x, y in places)
+    below = [i for i, (x, y) in enumerate(places) if x < RADIUS and tip - DIAMETER / 3 <= y < tip]
+    areas = frame.areas()
+    weights = [areas[i] * places[i][0] for i in below]
+    disc = [-sum(w * frame[name][i] for w, i in zip(weights, below)) / sum(weights) for name in ("stress_rr", "stress_zz")]
+    return stress, r, tip - z, count, *disc
+
+
 def by_blow(run):
     """A row of numbers for each blow of a run, by column."""
     h, t = run.history, run.history["t"]
+    total = [tip + shaft for tip, shaft in zip(h["tip_force"], h["shaft_force"])]
     _, each, rebound = sets(h)
     peaks, blows, after = peak_frames(run), h.blows(), after_hammer(h)
     for k, (first, last) in enumerate(blows):
-        total = [tip + shaft for tip, shaft in zip(h["tip_force"], h["shaft_force"])]
         top = max(range(first, last + 1), key=lambda i: total[i])
         stress = [max((s for row, s in stress_by_rows(run, peaks[k]).items() if row * BIN > below - 1e-9), default=0.0)
                   for below in (-math.inf, 0.1, 0.2)]
+        _, r, below, count, disc_rr, disc_zz = largest_stress(run, peaks[k])
         row = {"blow": k + 1, "from_m": h["depth"][first], "set_m": each[k], "rebound_m": rebound[k],
                "stress_kPa": stress[0], "stress_0.1_m_kPa": stress[1], "stress_0.2_m_kPa": stress[2],
+               "largest_r_m": r, "largest_below_m": below, "largest_particles": count, "disc_rr_kPa": disc_rr,
+               "disc_zz_kPa": disc_zz,
                "tip_kN": h["tip_force"][top], "shaft_kN": h["shaft_force"][top],
                "after_m": after[k][0], "kinetic_J": after[k][1], "resisted_J": after[k][2], "momentum_share": after[k][3]}
         run.forget(peaks[k])

@@ -101,6 +101,7 @@ class Frame:
         return [area(q) for q in self.corners]
 
 
+K0 = 1.0 - math.sin(math.radians(33.0))  # of Lausitz sand at rest
 RINGS = ((0.0, 0.25), (0.25, 0.5), (0.5, 1.0))  # beside a pile's shaft, from it outwards [diameters]
 
 

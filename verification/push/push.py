@@ -13,13 +13,12 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "pile"))
-from results import Frame, History  # noqa: E402
+from results import K0, Frame, History  # noqa: E402
 from results import rings as beside_shaft  # noqa: E402
 
 RADIUS = 0.15  # [m]
 DEPTHS = (0.1, 0.2, 0.3, 0.5)  # of the push [m]
 GAMMA = 2650 / 1.55 * 9.81e-3  # of the sand at the start [kN/m3]
-K0 = 1 - math.sin(math.radians(33))
 
 
 def run(grit, case, out):
