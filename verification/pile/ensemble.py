@@ -16,7 +16,7 @@ import tomllib
 
 HERE = pathlib.Path(__file__).resolve().parent
 CONTACTS = ("gca", "fca", "pca", "surface")
-SANDS = {"dense": 0.55, "loose": 0.68}  # void ratios
+SANDS = {"dense": 0.55, "loose": 0.65}  # void ratios; e_c is 0.66 at 350 kPa
 MEMBERS = 5
 
 

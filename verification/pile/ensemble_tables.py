@@ -18,7 +18,7 @@ from tables import table
 
 # Two-sided 95 % of Student's t by degrees of freedom.
 STUDENT = (math.inf, 12.71, 4.30, 3.18, 2.78, 2.57, 2.45, 2.36, 2.31)
-DEPTHS = {"dense": (0.15, 0.20, 0.25, 0.30), "loose": (0.35, 0.40, 0.45, 0.50, 0.55)}  # that sets are compared at [m]
+DEPTHS = {"dense": (0.15, 0.20, 0.25, 0.30), "loose": (0.30, 0.35, 0.40, 0.45, 0.50)}  # that sets are compared at [m]
 NAMES = {"gca": "GCA", "fca": "FCA", "pca": "PCA", "surface": "surface"}
 GRAIN_DENSITY = BASE["body"][1]["grain_density_kg_per_m3"]
 
