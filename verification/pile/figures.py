@@ -233,8 +233,8 @@ def two_panels(members, sands, target, x_label, y_label, lines, extra=""):
             plots += [part.replace("$D", f"${sand}_{contact}") for part in how]
         script += f"set title '{sand}, e = {SANDS[sand]:g}'; set xlabel '{x_label}'; set ylabel '{y_label if k == 0 else ''}'\n{extra}"
         script += "plot " + ", ".join(plots) + "\n"
-    gnuplot(data + f"set multiplot layout 1,{len(sands)} margins 0.1,0.97,0.14,0.9 spacing 0.1\nset grid lc rgb '#dddddd'\n"
-            "set key top right samplen 2\n" + script + "unset multiplot", target, 450 * len(sands), 440)
+    gnuplot(data + f"set multiplot layout 1,{len(sands)} margins {0.18 / len(sands):.3f},0.97,0.14,0.9 spacing 0.1\n"
+            "set grid lc rgb '#dddddd'\nset key top right samplen 2\n" + script + "unset multiplot", target, 450 * len(sands), 440)
 
 
 def mean_and_deviation(values):
@@ -299,7 +299,7 @@ def draw_reaction(members, to, blow=3):
         script += (f"set title '{NAMES[contact]}'; set xlabel 't since the blow began [s]'\n"
                    f"set ylabel '{'R, hammer - -, weight ··· [kN]' if k == 0 else ''}'\nplot " + ", ".join(plots) + "\n")
     gnuplot(data + "set multiplot layout 1,4 margins 0.07,0.98,0.17,0.89 spacing 0.045\nset grid lc rgb '#dddddd'\nunset key\n"
-            "set xrange [0:0.4]; set xtics 0.1; set yrange [-5:150]\n" + script + "unset multiplot", to / "reaction.svg", 1100, 330)
+            "set xrange [0:0.4]; set xtics 0.1; set yrange [-5:110]; set ytics 20\n" + script + "unset multiplot", to / "reaction.svg", 1100, 330)
 
 
 def main():

@@ -7,6 +7,7 @@ import unittest
 import ensemble
 from ensemble_tables import Group, difference
 from measures import GRAVITY, after_hammer
+from results import Frame, rings
 
 
 class Histories(dict):
@@ -61,6 +62,29 @@ class Ensembles(unittest.TestCase):
         for ratio in (1.5, 2, 3):
             found = ensemble.cells_in_radius(ratio)
             self.assertAlmostEqual(found["grid.r.1.to_m"] / found["grid.r.1.cells"], 0.15 / ratio)
+
+
+def squares(edge, particles, **values):
+    """A frame of squares with these centres."""
+    frame = Frame.__new__(Frame)
+    half = 0.5 * edge
+    frame.corners = [tuple((r + half * s, z + half * t) for s, t in ((-1, -1), (1, -1), (1, 1), (-1, 1))) for r, z in particles]
+    frame.values, frame.count = values, len(particles)
+    return frame
+
+
+class Rings(unittest.TestCase):
+    def test_each_ring_has_the_sand_of_its_height_by_volume(self):
+        # Beside a shaft of radius 1: rings from 1 to 1.5, 2 and 3.
+        sand = squares(0.1, [(1.1, -1.0), (1.4, -1.0), (1.6, -1.0), (2.9, -1.0), (1.2, -3.0), (3.1, -1.0), (0.9, -1.0)],
+                       stress_rr=[-10.0, 0.0, -30.0, -40.0, -99.0, -99.0, -99.0],
+                       void_ratio=[0.5, 0.6, 0.7, 0.8, 9.0, 9.0, 9.0])
+        near, middle, far = rings(sand, 1.0, -2.0, 0.0)
+        for found, wanted in zip(near, (10.0 * 1.1 / 2.5, (0.5 * 1.1 + 0.6 * 1.4) / 2.5, 1.4 / 2.5)):
+            self.assertAlmostEqual(found, wanted)
+        self.assertAlmostEqual(middle[0], 30.0)
+        self.assertAlmostEqual(far[0], 40.0)
+        self.assertEqual((middle[2], far[2]), (0.0, 0.0))
 
 
 class Conclusions(unittest.TestCase):
