@@ -12,7 +12,7 @@ import statistics
 import sys
 
 from ensemble import BASE, CONTACTS, SANDS
-from measures import CHANGES, DIAMETER, GRAVITY, RADIUS
+from measures import BIN, CHANGES, DIAMETER, GRAVITY, RADIUS
 from results import K0, RINGS
 from tables import table
 
@@ -59,11 +59,13 @@ class Group:
                 out.append(statistics.fmean(found))
         return out
 
-    def set_at(self, case, depth):
-        """For each member that passes it: the set of a blow that begins at this depth, between those that do below and
+    def set_at(self, case, depth, member=None):
+        """For each member, or one, that passes it: the set of a blow that begins at this depth, between those that do below and
         above it [m]."""
         out = []
-        for rows in self.blows.get(case, {}).values():
+        for number, rows in self.blows.get(case, {}).items():
+            if member is not None and number != member:
+                continue
             for low, high in zip(rows, rows[1:]):
                 if low["from_m"] <= depth < high["from_m"]:
                     share = (depth - low["from_m"]) / (high["from_m"] - low["from_m"])
@@ -148,11 +150,16 @@ def report_sets(group):
                                  *(difference([1e3 * x for x in group.set_at(case, depth)],
                                               [1e3 * x for x in group.set_at(f"{sand}_gca", depth)], 1) for depth in depths)])
         table(["P4 set [mm] of a blow from", *(f"{depth:.2f} m" for depth in depths)], rows)
-        ratios = []
+        first, last = depths[0], depths[2]
+        ratios = {}
         for case in found:
-            by_member = [[x for x in (row["set_m"] for row in rows_)] for rows_ in group.blows[case].values()]
-            ratios.append([title(case), spread([sets[-1] / sets[0] for sets in by_member], 2)])
-        table(["P4", "last set over the first"], ratios)
+            at_depths = [(group.set_at(case, first, member), group.set_at(case, last, member)) for member in group.blows[case]]
+            ratios[case] = ([rows_[-1]["set_m"] / rows_[0]["set_m"] for rows_ in group.blows[case].values()],
+                            [b[0] / a[0] for a, b in at_depths if a and b])
+        table(["P4", "last set over the first", f"set at {last:.2f} m over that at {first:.2f} m"],
+              [[title(case), *(spread(values, 2) for values in ratios[case])] for case in found] +
+              [[f"{title(case)} less GCA", *(difference(a, b, 2) for a, b in zip(ratios[case], ratios[f"{sand}_gca"]))]
+               for case in found if not case.endswith("_gca") and f"{sand}_gca" in ratios])
 
 
 def report_rings(group):
@@ -233,13 +240,20 @@ def report_grids(groups):
         table(["cells of the base case", *(what for what, _, _ in values)], rows)
 
 
+def on_axis(row):
+    """Whether the largest cell mean is that of the innermost squares."""
+    return row["largest_r_m"] < BIN
+
+
 # Of each blow one after the other: what, digits, value.
 RAPID = (("σ_rr, largest cell mean [kPa]", 0, lambda row: row["stress_kPa"]),
          ("from 0.1 m below the tip on [kPa]", 0, lambda row: row["stress_0.1_m_kPa"]),
          ("σ_rr, mean below the tip [kPa]", 0, lambda row: row["disc_rr_kPa"]),
          ("σ_zz, mean below the tip [kPa]", 0, lambda row: row["disc_zz_kPa"]),
          ("tip at the largest R [kN]", 1, lambda row: row["tip_kN"]),
-         ("largest on the axis, r < 50 mm [% of blows]", 0, lambda row: 100.0 * (row["largest_r_m"] < 0.05)),
+         ("largest on the axis, r < 50 mm [% of blows]", 0, lambda row: 100.0 * on_axis(row)),
+         ("... σ_rr then [kPa]", 0, lambda row: row["stress_kPa"] if on_axis(row) else math.nan),
+         ("... σ_rr where it is elsewhere [kPa]", 0, lambda row: math.nan if on_axis(row) else row["stress_kPa"]),
          ("... how far below the tip [mm]", 0, lambda row: 1e3 * row["largest_below_m"]),
          ("... particles in its square", 1, lambda row: row["largest_particles"]),
          ("set [mm]", 1, lambda row: 1e3 * row["set_m"]))

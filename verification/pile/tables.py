@@ -102,7 +102,7 @@ def report_claims(runs, by_name):
                        f"{run['inside_pile']} ({run['inside_pile_loaded']})", f"{1e3 * run['inside_pile_m']:.0f}",
                        f"{run['flattening']:.2f}", f"{run['denser_D']:.1f}", f"{run['looser_D']:.1f}",
                        f"{run['parts_percent'].get('contact', math.nan):.0f}", str(run["line_vertices"])])
-    table(["mean of the blows and its standard error", *(what for what, _, _ in CLAIMS)], rows)
+    table(["single runs: mean of the blows, standard error between them", *(what for what, _, _ in CLAIMS)], rows)
     if differences:
         table(["blow by blow", *(what for what, _, _ in CLAIMS)], differences)
     table(["run", "P1 largest [kPa]", "reach below tip [m]", "sand inside the pile (loaded)", "deepest [mm]",
