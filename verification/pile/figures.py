@@ -231,6 +231,8 @@ def two_panels(members, sands, target, x_label, y_label, lines, extra=""):
             rows, how = lines(sand, contact)
             data += block(f"{sand}_{contact}", rows)
             plots += [part.replace("$D", f"${sand}_{contact}") for part in how]
+        deepest = max(run.history["depth"][-1] for contact in ORDER for run in members(f"{sand}_{contact}"))
+        script += f"set yrange [{1.05 * deepest:.3f}:0]\n"
         script += f"set title '{sand}, e = {SANDS[sand]:g}'; set xlabel '{x_label}'; set ylabel '{y_label if k == 0 else ''}'\n{extra}"
         script += "plot " + ", ".join(plots) + "\n"
     gnuplot(data + f"set multiplot layout 1,{len(sands)} margins {0.18 / len(sands):.3f},0.97,0.14,0.9 spacing 0.1\n"
@@ -256,7 +258,7 @@ def draw_penetration(members, to):
         return rows, [f"$D using 1:3:4 with filledcurves fillcolor rgb '{colour}' fillstyle transparent solid 0.25 notitle",
                       f"$D using 1:2 with linespoints pt 7 ps 0.4 lw 1.5 lc rgb '{colour}' title '{NAMES[contact]}'"]
     two_panels(members, members.sands(), to / "penetration.svg", "blows", "penetration since the start [m]", lines,
-               "set yrange [0:*] reverse; set xtics 1\n")
+               "set xtics 1\n")
 
 
 def draw_forces(members, to):
@@ -278,8 +280,8 @@ def draw_forces(members, to):
                       f"$D using 2:1 with lines lw 1.5 lc rgb '{colour}' title '{NAMES[contact]}'",
                       f"$D using 4:1:5 with xerrorbars pt 6 ps 0.4 lc rgb '{colour}' notitle",
                       f"$D using 4:1 with lines dt 2 lw 1.5 lc rgb '{colour}' notitle"]
-    two_panels(members, members.sands(), to / "forces.svg", "force at the largest reaction of a blow [kN]: shaft - -, tip —",
-               "penetration since the start [m]", lines, "set yrange [0:*] reverse; set xrange [*:*]\n")
+    two_panels(members, members.sands(), to / "forces.svg", "at the largest R of a blow [kN]: shaft - -, tip —",
+               "penetration since the start [m]", lines, "set key top center\n")
 
 
 def draw_reaction(members, to, blow=3):
