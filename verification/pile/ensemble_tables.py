@@ -164,20 +164,26 @@ def report_sets(group):
 
 def report_rings(group):
     last = max(row["blow"] for rows in group.blows.values() for member in rows.values() for row in member)
+    columns = [(f"ring_{ring + 1}_{what}", digits, factor) for what, digits, factor in
+               (("stress_kPa", 1, 1), ("void_ratio", 3, 1), ("free_share", 0, 100)) for ring in range(len(RINGS))]
+
+    def values(case, column, factor=1):
+        return group.mean_of_blows(case, lambda row: factor * row[column], (last,))
+
     rows = []
     for case in cases(group):
-        columns = []
-        for what, digits, factor in (("stress_kPa", 0, 1), ("void_ratio", 3, 1), ("free_share", 0, 100)):
-            for ring in range(len(RINGS)):
-                columns.append(spread([factor * x for x in group.mean_of_blows(
-                    case, lambda row, key=f"ring_{ring + 1}_{what}": row[key], (last,))], digits))
-        void_ratio = SANDS[case.split("_")[0]]
-        rows.append([title(case), *columns, spread(group.mean_of_blows(
-            case, lambda row: K0 * unit_weight(void_ratio) * -row["ring_level_m"], (last,)), 1)])
+        at_rest = K0 * unit_weight(SANDS[case.split("_")[0]])
+        rows.append([title(case), *(spread(values(case, column, factor), digits) for column, digits, factor in columns),
+                     spread(values(case, "ring_level_m", -at_rest), 1)])
+    for sand in SANDS:
+        for contact in ("fca", "surface"):
+            if group.count(f"{sand}_{contact}") > 1 and group.count(f"{sand}_gca") > 1:
+                rows.append([f"{sand}, {NAMES[contact]} less GCA",
+                             *(difference(values(f"{sand}_{contact}", column, factor), values(f"{sand}_gca", column, factor), digits)
+                               for column, digits, factor in columns), ""])
     rings = [f"{inner:g}–{outer:g} D" for inner, outer in RINGS]
     table([f"P3, after blow {last:.0f}", *(f"σ_rr [kPa] {ring}" for ring in rings), *(f"e {ring}" for ring in rings),
-           *(f"stress-free [%] {ring}" for ring in rings), "K0 γ z [kPa]"],
-          rows)
+           *(f"stress-free [%] {ring}" for ring in rings), "K0 γ z [kPa]"], rows)
 
 
 def report_void_ratio(group):
