@@ -189,20 +189,28 @@ def report_rings(group):
 def report_void_ratio(group):
     def thresholds(case, side):
         return " / ".join(spread(group.end(case, f"{side}_{change:g}_D"), 1) for change in CHANGES)
-    table([f"P5, |Δe| {' / '.join(f'{change:g}' for change in CHANGES)}", "denser beside the shaft [D]", "looser at the tip [D]",
+    table([f"P5, Δe of {' / '.join(f'{change:g}' for change in CHANGES)}", "denser beside the shaft [D]", "looser at the tip [D]",
            "sand in the pile (loaded), most"],
           [[title(case), thresholds(case, "denser"), thresholds(case, "looser"),
             f"{max(group.end(case, 'inside_pile')):.0f} ({max(group.end(case, 'inside_pile_loaded')):.0f})"]
            for case in cases(group)])
 
 
+# Of each blow from the end of the hammer's force on: what, digits, value.
+AFTER = (("of the set [%]", 0, lambda row: 100 * (row["on_m"] - row["back_m"] + row["again_m"]) / row["set_m"]),
+         ("on until it stops [mm]", 1, lambda row: 1e3 * row["on_m"]),
+         ("back [mm]", 1, lambda row: 1e3 * row["back_m"]),
+         ("down again [mm]", 1, lambda row: 1e3 * row["again_m"]),
+         ("smallest R [kN]", 0, lambda row: row["least_kN"]),
+         ("of the hammer's impulse in the pile at first [%]", 0, lambda row: 100 * row["momentum_share"]),
+         ("its kinetic energy then [J]", 0, lambda row: row["kinetic_J"]),
+         ("R − W takes until it stops [J]", 0, lambda row: row["resisted_J"]))
+
+
 def report_after_hammer(group):
-    table(["after the hammer's force", "of the set [%]", "of the hammer's impulse still in the pile [%]",
-           "kinetic energy there [J]", "R − W takes until the pile stops [J]"],
-          [[title(case), spread(group.mean_of_blows(case, lambda row: 100 * row["after_m"] / row["set_m"]), 0),
-            spread(group.mean_of_blows(case, lambda row: 100 * row["momentum_share"]), 0),
-            spread(group.mean_of_blows(case, lambda row: row["kinetic_J"]), 0),
-            spread(group.mean_of_blows(case, lambda row: row["resisted_J"]), 0)] for case in cases(group)])
+    table(["after the hammer's force", *(what for what, _, _ in AFTER)],
+          [[title(case), *(spread(group.mean_of_blows(case, value), digits) for _, digits, value in AFTER)]
+           for case in cases(group)])
 
 
 def design_stress(row, void_ratio):
@@ -224,10 +232,11 @@ def report_shaft(group):
         void_ratio = SANDS[case.split("_")[0]]
         rows.append([title(case), spread(group.mean_of_blows(case, lambda row: row["tip_kN"], (last,)), 0),
                      spread(group.mean_of_blows(case, lambda row: row["shaft_kN"], (last,)), 1),
+                     spread(group.mean_of_blows(case, lambda row: row["shaft_kN"], (1,)), 1),
                      spread(group.mean_of_blows(case, lambda row: row["ring_1_stress_kPa"], (last,)), 0),
                      *(spread(group.mean_of_blows(case, lambda row: design_stress(row, void_ratio)[k], (last,)), 0)
                        for k in range(2))])
-    table([f"blow {last:.0f}", "tip at the largest R [kN]", "shaft then [kN]", "σ_rr, 0–0.25 D [kPa]", "ICP-05 [kPa]",
+    table([f"blow {last:.0f}", "tip at the largest R [kN]", "shaft then [kN]", "in blow 1", "σ_rr, 0–0.25 D [kPa]", "ICP-05 [kPa]",
            "UWA-05 [kPa]"], rows)
 
 
@@ -276,13 +285,14 @@ def report_rapid(group):
         counts = " and ".join(str(group.count(case)) for case in pair)
         table([f"{kind or 'as two_blows'}, ten blows: {counts} runs", "FCA", "GCA", "difference"], rows)
     rows = []
-    for case in group.ends:
+    for kind in kinds:
         for first, last in ((1, 5), (6, 10), (11, 20)):
-            found = group.mean_of_blows(case, RAPID[0][2], range(first, last + 1))
-            if not found:
-                continue
-            rows.append([case, f"{first}–{last}", spread(found, 0), f"{min(found):.0f} to {max(found):.0f}"])
-    table(["largest cell mean of σ_rr [kPa]", "blows", "mean ± deviation of runs", "runs from, to"], rows)
+            found = [group.mean_of_blows(f"{kind}_{contact}".removeprefix("_"), RAPID[0][2], range(first, last + 1))
+                     for contact in ("fca", "gca")]
+            if all(found):
+                rows.append([f"{kind or 'as two_blows'}, {first}–{last}", *(spread(values, 0) for values in found),
+                             difference(*found, 0)])
+    table(["largest cell mean of σ_rr [kPa], blows", "FCA", "GCA", "difference"], rows)
 
 
 def main():

@@ -96,9 +96,10 @@ def energies(history):
 
 
 def after_hammer(history):
-    """Of each blow, from the end of the hammer's force to that of the blow: the set [m]; the pile's kinetic energy where it
-    begins, and what it and the weight do against the reaction while the pile moves down [J]; and the momentum of the pile
-    where it begins over the hammer's impulse."""
+    """Of each blow, from the end of the hammer's force to that of the blow: how far the pile goes down until it stops, back
+    up until it stops again, and how much deeper it is at the end of the blow than there [m]; its kinetic energy where the
+    force ends, and what R - W takes until it stops [J]; its momentum where the force ends over the hammer's impulse; and the
+    smallest R [kN]."""
     out = []
     for first, last in history.blows():
         if math.isnan(history.mass):
@@ -106,13 +107,14 @@ def after_hammer(history):
         # Forces are means since the row before: that of the first row may still be of the stage before.
         end = next((i for i in range(first + 2, last + 1) if history["hammer_force"][i] <= 0.0), last + 1) - 1
         impulse = sum(1e3 * history["hammer_force"][i] * (history["t"][i] - history["t"][i - 1]) for i in range(first + 1, end + 1))
-        resisted, speed = 0.0, abs(history["velocity"][end])
-        deepest = max(range(end, last + 1), key=lambda i: history["depth"][i])
-        for i in range(end + 1, deepest + 1):
-            reaction = 1e3 * (history["tip_force"][i] + history["shaft_force"][i])
-            resisted += (reaction - history.mass * GRAVITY) * (history["depth"][i] - history["depth"][i - 1])
-        out.append((history["depth"][last] - history["depth"][end], 0.5 * history.mass * speed**2, resisted,
-                    history.mass * speed / impulse))
+        depth, speed = history["depth"], history["velocity"][end]
+        stop = next((i for i in range(end, last + 1) if history["velocity"][i] <= 0.0), last)
+        back = next((i for i in range(stop, last + 1) if history["velocity"][i] > 0.0), last)
+        reaction = [tip + shaft for tip, shaft in zip(history["tip_force"][end:last + 1], history["shaft_force"][end:last + 1])]
+        resisted = sum((1e3 * reaction[i - end] - history.mass * GRAVITY) * (depth[i] - depth[i - 1])
+                       for i in range(end + 1, stop + 1))
+        out.append((depth[stop] - depth[end], depth[stop] - depth[back], depth[last] - depth[back],
+                    0.5 * history.mass * speed**2, resisted, history.mass * speed / impulse, min(reaction)))
     return out
 
 
@@ -300,7 +302,7 @@ def by_blow(run):
                "largest_r_m": r, "largest_below_m": below, "largest_particles": count, "disc_rr_kPa": disc_rr,
                "disc_zz_kPa": disc_zz,
                "tip_kN": h["tip_force"][top], "shaft_kN": h["shaft_force"][top],
-               "after_m": after[k][0], "kinetic_J": after[k][1], "resisted_J": after[k][2], "momentum_share": after[k][3]}
+               **dict(zip(("on_m", "back_m", "again_m", "kinetic_J", "resisted_J", "momentum_share", "least_kN"), after[k]))}
         run.forget(peaks[k])
         rest = max(i for i, time in enumerate(run.times) if time <= t[last] + 1e-9)
         found = beside(run, rest) if run.times[rest] > t[first] + PEAK + 1e-3 else ()

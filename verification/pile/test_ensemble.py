@@ -108,10 +108,11 @@ class Conclusions(unittest.TestCase):
         self.assertAlmostEqual(group.set_at("a", 0.175)[0], 0.025)
 
     def test_what_is_left_of_the_hammers_impulse_goes_into_the_ground(self):
-        (after, kinetic, resisted, share), = after_hammer(stopped_by(20.0, 0.5))
+        (after, back, again, kinetic, resisted, share, least), = after_hammer(stopped_by(20.0, 0.5))
         self.assertAlmostEqual(kinetic, 125.0, delta=1.5)
         self.assertAlmostEqual(resisted, kinetic, delta=3.0)
         self.assertAlmostEqual(after, 0.5**2 / 2 / (20.0 - GRAVITY), delta=4e-4)
+        self.assertEqual((back, again, least), (0.0, 0.0, 20.0))
         self.assertAlmostEqual(share, 1000 * 0.5 / 1e3, delta=0.02)
 
 
