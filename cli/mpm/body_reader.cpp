@@ -141,6 +141,26 @@ Geostatic read_stress_at_rest(TomlTable table) {
     return out;
 }
 
+WaterPlan read_water(TomlTable table, const Case& plan, const MaterialPlan& material) {
+    WaterPlan out;
+    if (const auto drainage = choice_if(table, case_word("body.water", "drainage")))
+        out.drainage = static_cast<Drainage>(*drainage);
+    out.porosity = number_if(table, case_word("body.water", "porosity")).value_or(0.0);
+    out.bulk_modulus = number_or_default(table, case_word("body.water", "bulk_modulus_kPa"));
+    out.density = number_or_default(table, case_word("body.water", "density_kg_per_m3"));
+    out.largest_tension = number_or_default(table, case_word("body.water", "cavitation_kPa"));
+    out.table = number_if(table, case_word("body.water", "water_table_m"));
+    out.conductivity =
+        number_if(table, case_word("body.water", "conductivity_m_per_s")).value_or(0.0);
+    out.kozeny_carman =
+        choice_if(table, case_word("body.water", "conductivity_law")).value_or(0) != 0;
+    refuse(table, objection_to(plan, material, out, [&table](std::string_view key) {
+               return table.has(std::string(key));
+           }));
+    table.finish();
+    return out;
+}
+
 void read_material(TomlTable& table, BodyPlan& body) {
     const std::string kind = table.one_of({"elastic", "neo_hooke", "rigid", "sand"});
     TomlTable inner = table.table(kind);
@@ -151,6 +171,15 @@ void read_material(TomlTable& table, BodyPlan& body) {
 
 void read_density(TomlTable& table, BodyPlan& body) {
     const auto* sand = std::get_if<SandPlan>(&body.material);
+    if (body.water) {
+        if (table.has("density_kg_per_m3"))
+            table.fail("density_kg_per_m3",
+                       fmt::format("{}: a body with water needs grain_density_kg_per_m3 instead",
+                                   table.full("density_kg_per_m3")));
+        body.density = body.water->grain_density =
+            number(table, case_word("body", "grain_density_kg_per_m3"));
+        return;
+    }
     const std::optional<std::string> key =
         table.one_of_if({"density_kg_per_m3", "grain_density_kg_per_m3"});
     if (!key) {
@@ -196,6 +225,8 @@ BodyPlan read_body(TomlTable table, const Case& plan) {
     out.particles_r = integer_or_default(table, case_word("body", "particles_per_cell_r"));
     out.particles_z = integer_or_default(table, case_word("body", "particles_per_cell_z"));
     read_material(table, out);
+    if (auto water = table.table_if("water"))
+        out.water = read_water(std::move(*water), plan, out.material);
     read_density(table, out);
     if (auto rest = table.table_if("stress_at_rest"))
         out.geostatic = read_stress_at_rest(std::move(*rest));

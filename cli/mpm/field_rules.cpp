@@ -18,6 +18,20 @@ double displacement(const ShownParticle& x, int k) {
     return k == 0 ? x(c::r) - x.start[0] : x(c::z) - x.start[1];
 }
 
+double pore_pressure(const ShownParticle& x) { return x.body.water->pressure(x.view(), x.p); }
+
+double total_stress(const ShownParticle& x, int column) {
+    return kilo * (x(column) - pore_pressure(x));
+}
+
+// Of the water against the sand that is at rest, by the volume of both.
+double seepage(const ShownParticle& x, int k) {
+    const grit::mpm::PoreWater& water = *x.body.water;
+    if (!water.flows) return 0.0;
+    return grit::mpm::PoreWater::porosity_of(water.void_ratio(x.view(), x.p)) *
+           x(water.velocity_column() + k);
+}
+
 double work_density(const ShownParticle& x, int) {
     return x.body.material->energy(x.view(), x.p) / (x(c::V0) * x.view().J(x.p));
 }
@@ -35,7 +49,8 @@ const std::vector<MpmFieldRule>& mpm_field_rules() {
          [](P x, int k) { return x(c::v_r + k); }},
         {{"displacement", "m", "since the start, along r and z", 2, ShownOf::every_body},
          displacement},
-        {{"mass", "kg", "of the ring, in plane strain of a metre", 1, ShownOf::every_body},
+        {{"mass", "kg", "of the ring, in plane strain of a metre; without water that flows", 1,
+          ShownOf::every_body},
          [](P x, int) { return whole(x) * x(c::mass); }},
         {{"density", "kg/m3", "mass by current volume", 1, ShownOf::every_body},
          [](P x, int) { return x(c::mass) / (x(c::V0) * x.view().J(x.p)); }},
@@ -47,7 +62,8 @@ const std::vector<MpmFieldRule>& mpm_field_rules() {
         {{"F_zr", "-", "", 1, ShownOf::every_body}, [](P x, int) { return x(c::F_zr); }},
         {{"F_zz", "-", "", 1, ShownOf::every_body}, [](P x, int) { return x(c::F_zz); }},
         {{"F_tt", "-", "", 1, ShownOf::every_body}, [](P x, int) { return x(c::F_tt); }},
-        {{"stress_rr", "kPa", "Cauchy stress, tension positive", 1, ShownOf::stressed},
+        {{"stress_rr", "kPa", "Cauchy stress, tension positive; with water effective", 1,
+          ShownOf::stressed},
          [](P x, int) { return kilo * x(c::S_rr); }},
         {{"stress_zz", "kPa", "", 1, ShownOf::stressed},
          [](P x, int) { return kilo * x(c::S_zz); }},
@@ -80,6 +96,20 @@ const std::vector<MpmFieldRule>& mpm_field_rules() {
         {{"rho", "-", "|h|/R", 1, ShownOf::sand}, [](P x, int) { return x.invariants.rho; }},
         {{"separation", "-", "opening to be closed before stress returns", 1, ShownOf::sand},
          [](P x, int) { return x.of_state(GRIT_SAND_SEPARATION); }},
+        {{"pore_pressure", "kPa", "compression positive", 1, ShownOf::water},
+         [](P x, int) { return kilo * pore_pressure(x); }},
+        {{"total_rr", "kPa", "total stress, effective - pore pressure; rz has none", 1,
+          ShownOf::water},
+         [](P x, int) { return total_stress(x, c::S_rr); }},
+        {{"total_zz", "kPa", "", 1, ShownOf::water},
+         [](P x, int) { return total_stress(x, c::S_zz); }},
+        {{"total_tt", "kPa", "", 1, ShownOf::water},
+         [](P x, int) { return total_stress(x, c::S_tt); }},
+        {{"porosity", "-", "n", 1, ShownOf::water},
+         [](P x, int) {
+             return mpm::PoreWater::porosity_of(x.body.water->void_ratio(x.view(), x.p));
+         }},
+        {{"seepage", "m/s", "n (v_w - v_s), along r and z", 2, ShownOf::water}, seepage},
     };
     return all;
 }

@@ -69,7 +69,8 @@ std::string mpm_field_table() {
     for (const MpmField& field : mpm_fields()) {
         const char* const of = field.of == ShownOf::every_body ? "all"
                                : field.of == ShownOf::stressed ? "all but rigid"
-                                                               : "sand";
+                               : field.of == ShownOf::sand     ? "sand"
+                                                               : "with water";
         std::string meaning;
         for (const char c : std::string_view(field.meaning))
             meaning += c == '|' ? std::string("\\|") : std::string(1, c);
@@ -101,6 +102,7 @@ bool MpmFields::has(std::size_t body, const MpmField& field) const {
     switch (field.of) {
         case ShownOf::stressed: return !of.rigid();
         case ShownOf::sand: return !of.rigid() && sand_of(of);
+        case ShownOf::water: return of.water.has_value();
         default: return true;
     }
 }

@@ -10,7 +10,7 @@
 namespace cli {
 
 // Bodies that have a variable: rigid ones have no stress.
-enum class ShownOf { every_body, stressed, sand };
+enum class ShownOf { every_body, stressed, sand, water };
 
 struct MpmField {
     const char* name;

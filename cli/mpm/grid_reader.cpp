@@ -80,6 +80,15 @@ void read_boundary(TomlTable table, Case& plan) {
         plan.boundary[side.value] = static_cast<Boundary>(*kind);
         refuse(table, objection_to(plan, static_cast<Side>(side.value)));
     }
+    for (const std::string& name : table.strings_or_none("drained")) {
+        const Spelling* found = nullptr;
+        for (const Spelling& side : words::sides)
+            if (side.word == name) found = &side;
+        if (!found)
+            table.fail("drained", fmt::format("{} must be left, right, bottom or top, got \"{}\"",
+                                              table.full("drained"), name));
+        plan.drained[found->value] = true;
+    }
     const bool absorbs =
         std::find(plan.boundary, plan.boundary + 4, Boundary::absorbing) != plan.boundary + 4;
     const auto speed = [&](const CaseWord& word) {

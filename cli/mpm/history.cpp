@@ -63,11 +63,14 @@ std::vector<std::string> history_comments(const grit::mpm::Runner& runner) {
             "what the driven body holds now; external_work includes traction_work; losses count "
             "down from the "
             "work done; energy_residual = kinetic (less that of the start) + stored + contact + "
-            "damping + viscosity + absorbed + transfer - external - rigid; transfer includes pic; "
+            "damping + viscosity + absorbed + transfer + pore water + drag - external - rigid; "
+            "transfer includes pic; "
             "residual_share: "
             "of the largest of them",
             "unbalanced_share: largest |m dv/dt| at a node / largest nodal force of its body; "
-            "largest_gap: nan where no distance is measured",
+            "largest_gap: nan where no distance is measured; pore_water_work: that the compression of "
+            "pore water took, drag_loss: that the grains took from water that flows; pore pressures: "
+            "nan where no body has water",
             "how the run ended stands below the last row"};
 }
 

@@ -107,6 +107,7 @@ std::string of_sand(const SandPlan& plan) {
 void add_bodies(const Case& plan, const std::string& stem, FixWords& fix) {
     for (std::size_t i = 0; i < plan.bodies.size(); ++i) {
         const BodyPlan& body = plan.bodies[i];
+        if (body.water) throw BadInput("fix grit/mpm of LAMMPS has no pore water");
         std::string material = "rigid";
         if (const auto* elastic = std::get_if<ElasticPlan>(&body.material))
             material = fmt::format("{} {} {}", elastic->neo_hooke ? "neo_hooke" : "elastic",

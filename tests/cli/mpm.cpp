@@ -277,4 +277,30 @@ TEST_F(LammpsFiles, AreWrittenByOneAtATime) {
     EXPECT_TRUE(answer.says("another run of grit is writing this file")) << answer.text;
 }
 
+constexpr const char* saturated =
+    "base = '" GRIT_SATURATED_CASES "/terzaghi.toml'\n[override]\n"
+    "'stage.consolidate.until.time_s' = 1e-3\n'fields.interval_s' = 0\n";
+
+TEST(SaturatedCase, ShowsPorePressuresAndTotalStresses) {
+    const Workplace here;
+    here.write("short.toml", saturated);
+    const Answer answer = here.grit("mpm short.toml --out out --no-plot");
+    ASSERT_EQ(answer.status, 0) << answer.text;
+    const std::map<std::string, Values> history = here.result("short");
+    EXPECT_GT(history.at("largest_pore_pressure").back(), 100.0);
+    EXPECT_GT(history.at("drag_loss").back(), 0.0);
+    EXPECT_GT(history.at("pore_water_work").back(), 0.0);
+    const std::string fields = here.text("out/short_000001_sand.vtu");
+    for (const char* name : {"pore_pressure", "total_zz", "stress_zz", "porosity", "seepage"})
+        EXPECT_NE(fields.find("\"" + std::string(name) + " ["), std::string::npos) << name;
+}
+
+TEST(SaturatedCase, IsRefusedByTheWriterOfScriptsForLammps) {
+    const Workplace here;
+    here.write("short.toml", saturated);
+    const Answer answer = here.grit("mpm --quiet --to-lammps out short.toml");
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_TRUE(answer.says("fix grit/mpm of LAMMPS has no pore water")) << answer.text;
+}
+
 }  // namespace

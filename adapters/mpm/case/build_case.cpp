@@ -50,9 +50,12 @@ void add_bodies(const Case& plan, const Axis& r, const Axis& z, const BuiltCase&
         Body body;
         body.name = body_plan.name;
         body.material = make_material(body_plan);
+        if (body_plan.water) body.water = make_water(body_plan, *body.material);
         body.particles = fill(body_plan, r, z, plan.settings.axisymmetric,
-                              body.material ? body.material->own_columns() : 0);
+                              (body.material ? body.material->own_columns() : 0) +
+                                  (body.water ? body.water->columns() : 0));
         set_initial_state(body_plan, plan.gravity, body.particles);
+        if (body.water) fill_pores(body_plan, plan.gravity, *body.water, body.particles);
         if (body_plan.rigid())
             body.prescribed_velocity = rigid_velocity(plan, body_plan, built.clock);
         for (std::size_t i = 0; i < built.simulation->bodies(); ++i) {
@@ -192,6 +195,11 @@ void add_contacts(const Case& plan, Simulation& simulation) {
 
 void add_boundary(const Case& plan, Simulation& simulation) {
     for (const Side side : {Side::left, Side::right, Side::bottom, Side::top}) {
+        if (plan.drained[static_cast<int>(side)]) {
+            const SideOfGrid edge = place_of(plan, side);
+            if (edge.first) simulation.drain_below(edge.direction, edge.at);
+            else simulation.drain_above(edge.direction, edge.at);
+        }
         const Boundary boundary = plan.boundary[static_cast<int>(side)];
         if (boundary == Boundary::free) continue;
         const SideOfGrid edge = place_of(plan, side);

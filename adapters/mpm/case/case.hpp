@@ -58,13 +58,30 @@ struct Geostatic {
     std::optional<double> K0 = {};  // sand: 1 - sin phi_c, elastic: nu / (1 - nu)
 };
 
+enum class Drainage {
+    undrained,  // (W1)
+    flow        // (W2)
+};
+
+// Water that fills the pores.
+struct WaterPlan {
+    Drainage drainage = Drainage::undrained;
+    double bulk_modulus = 2.2e9, density = 1000.0, largest_tension = 1e5;  // [Pa], [kg/m3]
+    double grain_density = 0.0;                                            // of the body [kg/m3]
+    double porosity = 0.0;      // at the start, of elastic bodies; sand has its void ratio
+    double conductivity = 0.0;  // of flow [m/s]
+    bool kozeny_carman = false;
+    std::optional<double> table = {};  // level of p_w = 0 at the start [m]; none: p_w = 0
+};
+
 struct BodyPlan {
     std::string name;
     std::vector<Outline> outlines;
     int particles_r = 2, particles_z = 2;  // per cell along r and z
     double density;                        // [kg/m3]
     MaterialPlan material;
-    std::optional<Geostatic> geostatic;
+    std::optional<Geostatic> geostatic = {};
+    std::optional<WaterPlan> water = {};
     Vector2 velocity{0.0, 0.0};  // at the start [m/s]
     bool rigid() const { return std::holds_alternative<RigidPlan>(material); }
 };
@@ -149,6 +166,7 @@ struct Case {
     double gravity = 9.81;         // downwards [m/s2]
     double residual_limit = 0.05;  // share of the energy turned over
     Boundary boundary[4] = {};     // by Side
+    bool drained[4] = {};          // by Side: water may leave
     WaveSpeeds absorbing;          // of sides that are
     std::vector<BodyPlan> bodies;
     std::vector<TractionPlan> tractions;

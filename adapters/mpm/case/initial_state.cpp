@@ -2,7 +2,9 @@
 #include "adapters/mpm/case/initial_state.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include <grit/sand_operators.h>
 
@@ -60,21 +62,86 @@ double K0_of(const BodyPlan& body, const Geostatic& rest) {
     return elastic.poissons_ratio / (1.0 - elastic.poissons_ratio);
 }
 
+double void_ratio_of(const BodyPlan& body) {
+    const auto* sand = std::get_if<SandPlan>(&body.material);
+    return sand ? sand->void_ratio : body.water->porosity / (1.0 - body.water->porosity);
+}
+
+// Effective vertical stresses of a body whose pores are full, compression positive, by depth below its surface:
+// the weight above less the pore pressure, where void ratios follow the stress.
+class BuoyantWeight {
+  public:
+    BuoyantWeight(const BodyPlan& of, double gravity_down, double deepest)
+        : body(of), gravity(gravity_down), spacing(deepest / levels) {
+        const Geostatic& rest = *body.geostatic;
+        const WaterPlan& water = *body.water;
+        // Free water above the surface presses on grains and pores alike; suction on the grains.
+        const double suction =
+            water.table ? std::max(0.0, rest.surface - *water.table) * water.density * gravity
+                        : 0.0;
+        stress.push_back(rest.surcharge + suction);
+        for (int i = 0; i < levels; ++i) {
+            const double half = stress.back() + 0.5 * spacing * unit_weight(stress.back());
+            stress.push_back(stress.back() + spacing * unit_weight(half));
+        }
+    }
+    double operator()(double depth) const {
+        if (!(spacing > 0.0)) return stress.front();
+        const double at = depth / spacing;
+        const auto i = std::min(static_cast<std::size_t>(at), stress.size() - 2);
+        return stress[i] + (at - static_cast<double>(i)) * (stress[i + 1] - stress[i]);
+    }
+
+  private:
+    static constexpr int levels = 256;
+    double unit_weight(double vertical) const {
+        const double e = void_ratio(vertical);
+        return (body.water->grain_density - body.water->density) * gravity / (1.0 + e);
+    }
+    double void_ratio(double vertical) const {
+        const auto* plan = std::get_if<SandPlan>(&body.material);
+        if (!plan || !plan->at_zero_pressure) return void_ratio_of(body);
+        const grit_sand sand = prepared(body, *plan);
+        double at_rest[6] = {}, e = plan->void_ratio;
+        grit_sand_stress_at_rest(&sand, 0.0, 0.0, vertical, body.geostatic->K0.value_or(-1.0), 1,
+                                 at_rest);
+        const double p = -(at_rest[0] + at_rest[1] + at_rest[2]) / 3.0;
+        grit_sand_void_ratio_at_pressure(&sand, plan->void_ratio,
+                                         p + plan->parameters.pressure_shift, &e);
+        return e;
+    }
+
+    const BodyPlan& body;
+    double gravity, spacing;
+    std::vector<double> stress;
+};
+
 void set_geostatic(const BodyPlan& body, double gravity, Particles& particles) {
     const Geostatic& rest = *body.geostatic;
     const ParticleView q = particles.view();
     const double unit_weight = body.density * gravity;
     const auto* plan = std::get_if<SandPlan>(&body.material);
     const grit_sand sand = plan ? prepared(body, *plan) : grit_sand{};
+    const auto depth_of = [&](std::ptrdiff_t p) {
+        return std::max(0.0, rest.surface - q[c::z][p]);
+    };
+    std::optional<BuoyantWeight> buoyant;
+    if (body.water) {
+        double deepest = 0.0;
+        for (std::ptrdiff_t p = 0; p < particles.size(); ++p)
+            deepest = std::max(deepest, depth_of(p));
+        buoyant.emplace(body, gravity, deepest);
+    }
     for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
-        const double depth = std::max(0.0, rest.surface - q[c::z][p]);
+        const double weight = buoyant ? 0.0 : unit_weight;
+        const double surcharge = buoyant ? (*buoyant)(depth_of(p)) : rest.surcharge;
         double stress[6] = {};
         if (plan) {
-            if (grit_sand_stress_at_rest(&sand, unit_weight, depth, rest.surcharge,
+            if (grit_sand_stress_at_rest(&sand, weight, depth_of(p), surcharge,
                                          rest.K0.value_or(-1.0), 1, stress) != GRIT_OK)
                 refuse(body, "no stress at rest for this unit weight, surcharge and K0");
         } else {
-            stress[1] = -(unit_weight * depth + rest.surcharge);
+            stress[1] = -(weight * depth_of(p) + surcharge);
             stress[0] = stress[2] = K0_of(body, rest) * stress[1];
         }
         for (int k = 0; k < 4; ++k) q[c::S_rr + k][p] = stress[k];
@@ -91,6 +158,34 @@ std::unique_ptr<Material> make_material(const BodyPlan& body) {
     if (elastic->neo_hooke)
         return std::make_unique<NeoHooke>(elastic->youngs_modulus, elastic->poissons_ratio);
     return std::make_unique<LinearElastic>(elastic->youngs_modulus, elastic->poissons_ratio);
+}
+
+PoreWater make_water(const BodyPlan& body, const Material& material) {
+    const WaterPlan& plan = *body.water;
+    PoreWater out;
+    out.flows = plan.drainage == Drainage::flow;
+    out.bulk_modulus = plan.bulk_modulus;
+    out.density = plan.density;
+    out.largest_tension = plan.largest_tension;
+    out.porosity = plan.porosity;
+    out.conductivity = plan.conductivity;
+    out.conductivity_at = plan.kozeny_carman ? void_ratio_of(body) : 0.0;
+    out.first = column::own + material.own_columns();
+    out.void_ratio_column = material.separation().void_ratio;
+    return out;
+}
+
+void fill_pores(const BodyPlan& body, double gravity, const PoreWater& water,
+                Particles& particles) {
+    const WaterPlan& plan = *body.water;
+    const ParticleView q = particles.view();
+    for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
+        const double n = PoreWater::porosity_of(water.void_ratio(q, p));
+        const double density =
+            (1.0 - n) * plan.grain_density + (water.flows ? 0.0 : n * plan.density);
+        q[c::mass][p] = density * q[c::V0][p];
+        if (plan.table) q[water.first][p] = plan.density * gravity * (*plan.table - q[c::z][p]);
+    }
 }
 
 void set_initial_state(const BodyPlan& body, double gravity, Particles& particles) {

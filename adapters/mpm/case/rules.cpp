@@ -79,6 +79,29 @@ Objections objection_to(const Case& plan, const TractionPlan& traction) {
     return {};
 }
 
+Objections objection_to(const Case& plan, const MaterialPlan& material, const WaterPlan& water,
+                        const IsGiven& given) {
+    if (std::holds_alternative<RigidPlan>(material))
+        return Objection{"", ": a rigid body has no pores"};
+    if (plan.settings.scheme != Scheme::usl)
+        return Objection{"", ": pore water needs the scheme usl"};
+    if (plan.settings.fixed_point)
+        return Objection{"", ": pore water has no sums in fixed point yet"};
+    const bool is_sand = std::holds_alternative<SandPlan>(material);
+    if (is_sand && given("porosity"))
+        return Objection{"porosity", ": sand has a void ratio instead"};
+    if (!is_sand && !given("porosity")) return Objection{"porosity", " is missing"};
+    if (water.drainage == Drainage::undrained) {
+        for (const char* key : {"conductivity_m_per_s", "conductivity_law"})
+            if (given(key)) return Objection{key, " belongs to drainage = \"flow\""};
+        return {};
+    }
+    if (!given("conductivity_m_per_s")) return Objection{"conductivity_m_per_s", " is missing"};
+    if (std::find(plan.boundary, plan.boundary + 4, Boundary::absorbing) != plan.boundary + 4)
+        return Objection{"drainage", ": absorbing sides know no water that flows yet"};
+    return {};
+}
+
 Objections objection_to_contact(const Case& plan, std::size_t contact, const KeyName& name) {
     const ContactPlan& c = plan.contacts[contact];
     if (c.stiff == c.soft) return Objection{"soft", " must be another body than " + name("stiff")};

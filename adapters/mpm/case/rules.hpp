@@ -33,6 +33,9 @@ Objections objection_to(const Case& plan, Side side);
 Objections objection_to(const TimeTable& table);
 Objections objection_to(const PulseTrain& pulses, const KeyName& name);
 Objections objection_to(const Case& plan, const TractionPlan& traction);
+// Of pore water, as a body of this material has it.
+Objections objection_to(const Case& plan, const MaterialPlan& material, const WaterPlan& water,
+                        const IsGiven& given);
 // Of the contact and of those before it.
 Objections objection_to_contact(const Case& plan, std::size_t contact, const KeyName& name);
 // Of the law and of what is given for it.

@@ -25,6 +25,12 @@ inline constexpr Spelling boundaries[] = {
     spelling("fixed", Boundary::fixed, "no velocity at all"),
     only_in_files(spelling("absorbing", Boundary::absorbing,
                            "dashpots, besides what holds the bodies at the first step"))};
+inline constexpr Spelling drainages[] = {
+    spelling("undrained", Drainage::undrained, "it moves with the grains"),
+    spelling("flow", Drainage::flow, "it moves through them, with a velocity of its own")};
+inline constexpr Spelling conductivity_laws[] = {
+    spelling("constant", false, ""),
+    spelling("kozeny_carman", true, "k ~ e³/(1 + e), as given at the void ratio of the plan")};
 inline constexpr Spelling edges[] = {
     spelling("bottom", Edge::bottom, ""), spelling("right", Edge::right, ""),
     spelling("top", Edge::top, ""), spelling("left", Edge::left, "")};

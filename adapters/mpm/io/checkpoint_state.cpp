@@ -31,6 +31,9 @@ void grid_words(const Simulation& s, std::ostream& out) {
         << "fixed nodes: "
         << std::count_if(nodes.begin(), nodes.end(), [](int bits) { return bits != fixed::none; })
         << ", checksum " << checksum(nodes.data(), nodes.size()) << '\n'
+        << "drained nodes: checksum "
+        << checksum(s.pore_water().drained_nodes().data(), s.pore_water().drained_nodes().size())
+        << '\n'
         << "absorbing nodes: " << rates.size() / 3 << ", checksum "
         << checksum(rates.data(), rates.size() * sizeof(double)) << '\n'
         << "shape functions: " << word_of(words::shapes, settings.shape) << '\n'
@@ -58,6 +61,9 @@ void body_words(const Simulation& s, std::ostream& out) {
             << (body.rigid() ? ", rigid" : "") << ", " << body.particles.size() << " particles of "
             << body.particles.column_count() << " columns, checksum of their masses "
             << checksum(mass.data(), mass.size() * sizeof(double)) << '\n';
+        if (body.water)
+            for (const std::string& word : body.water->words())
+                out << "body " << i << ": " << word << '\n';
         if (!body.material) continue;
         for (const std::string& word : body.material->words())
             out << "body " << i << ": " << word << '\n';

@@ -74,6 +74,9 @@ struct Gradient {
 struct CellIntegers {
     static constexpr double scale = 0x1p50;  // of volumes, to reference; a cell has room for 2^13
     std::int64_t volume, weighted;
+    GRIT_INLINE double mean() const {
+        return static_cast<double>(weighted) / static_cast<double>(volume);
+    }
 };
 
 // Deformation of a particle that waits for the mean of its cell; cell -1: it wants none.
@@ -170,6 +173,10 @@ struct GatherSums {
     int outside = 0;       // ... or outside of the grid
 };
 
+struct WaterScatterCall;
+struct WaterGatherCall;
+struct WaterSums;
+
 // The kernels of one instruction set: bitwise the same results, for nothing is contracted.
 struct Kernels {
     void (*scatter)(Shape, bool axisymmetric, const ScatterCall&);
@@ -177,6 +184,9 @@ struct Kernels {
     void (*deform)(bool axisymmetric, const DeformCall&, Increments&);
     // Returns the largest mean stress [Pa].
     double (*add_mean_stresses)(bool axisymmetric, const MeanStressCall&);
+    // Of pore_water.hpp.
+    void (*scatter_water)(Shape, bool axisymmetric, const WaterScatterCall&);
+    void (*gather_water)(Shape, bool axisymmetric, const WaterGatherCall&, WaterSums&);
 };
 
 // The best that this processor has, and those of any.

@@ -25,10 +25,6 @@ GRIT_INLINE void defer(const GatherCall& call, const Place& place, std::ptrdiff_
     call.mean.cells[cell].weighted += cell_share(0.125 * V * L.trace());
 }
 
-GRIT_INLINE double mean_of(const CellIntegers& cell) {
-    return static_cast<double>(cell.weighted) / static_cast<double>(cell.volume);
-}
-
 // Of the directions that may strain, bulk viscosity included; tension positive [Pa].
 template <bool axisymmetric>
 GRIT_INLINE double mean_stress(const ParticleView& q, std::ptrdiff_t p) {
@@ -64,7 +60,7 @@ template <bool axisymmetric>
 GRIT_INLINE double to_mean_stress(const ScatterCall& call, const Place& place, std::ptrdiff_t p) {
     const CellIntegers& cell = call.mean.cells[place.cell_z * call.grid.r.cells + place.cell_r];
     if (cell.volume <= 0 || is_separated(call.particles, p, call.separation)) return 0.0;
-    return mean_of(cell) / call.mean.per_stress - mean_stress<axisymmetric>(call.particles, p);
+    return cell.mean() / call.mean.per_stress - mean_stress<axisymmetric>(call.particles, p);
 }
 
 // Each particle with the mean of its cell: its volumetric strain is replaced, along all directions that
@@ -75,7 +71,7 @@ void deform_by_mean(bool axisymmetric, const DeformCall& call, Increments& incre
         Gradient L = call.deferred[p].L;
         const int cell = call.deferred[p].cell;
         if (cell >= 0 && call.cells[cell].volume > 0) {
-            const double change = share * (mean_of(call.cells[cell]) - L.trace());
+            const double change = share * (call.cells[cell].mean() - L.trace());
             L.rr += change;
             L.zz += change;
             if (axisymmetric) L.tt += change;

@@ -22,6 +22,16 @@ GRIT_INLINE bool opens_too_far(const ParticleView& q, std::ptrdiff_t p, const Gr
            q[separation.void_ratio][p] >= separation.cap;
 }
 
+// M = L (I + L/2)^-1, the gradient against the middle of the step.
+GRIT_INLINE Gradient midpoint_gradient(const Gradient& L) {
+    const double a = 1.0 + 0.5 * L.rr, d = 1.0 + 0.5 * L.zz;
+    const double b = 0.5 * L.rz, e = 0.5 * L.zr;
+    const double per_det = 1.0 / (a * d - b * e);
+    return {(L.rr * d - L.rz * e) * per_det, (L.rz * a - L.rr * b) * per_det,
+            (L.zr * d - L.zz * e) * per_det, (L.zz * a - L.zr * b) * per_det,
+            L.tt / (1.0 + 0.5 * L.tt)};
+}
+
 GRIT_INLINE void deform(const ParticleView& q, std::ptrdiff_t p, const Gradient& given,
                         const Separation& separation, bool reduces, Increments& out,
                         std::ptrdiff_t i) {
@@ -38,19 +48,14 @@ GRIT_INLINE void deform(const ParticleView& q, std::ptrdiff_t p, const Gradient&
     q[c::F_tt][p] += q[c::F_tt][p] * L.tt;
     if (reduces) reduce_domain(q, p);
 
-    // M = L (I + L/2)^-1, the gradient against the middle of the step.
-    const double a = 1.0 + 0.5 * L.rr, d = 1.0 + 0.5 * L.zz;
-    const double b = 0.5 * L.rz, e = 0.5 * L.zr;
-    const double per_det = 1.0 / (a * d - b * e);
-    const double M_rr = (L.rr * d - L.rz * e) * per_det, M_rz = (L.rz * a - L.rr * b) * per_det;
-    const double M_zr = (L.zr * d - L.zz * e) * per_det, M_zz = (L.zz * a - L.zr * b) * per_det;
-    out.strain[0][i] = M_rr;
-    out.strain[1][i] = M_zz;
-    out.strain[2][i] = L.tt / (1.0 + 0.5 * L.tt);
-    out.strain[3][i] = M_rz + M_zr;
+    const Gradient M = midpoint_gradient(L);
+    out.strain[0][i] = M.rr;
+    out.strain[1][i] = M.zz;
+    out.strain[2][i] = M.tt;
+    out.strain[3][i] = M.rz + M.zr;
 
     // Q = (I - W/2)^-1 (I + W/2), W_rz = -W_zr = 2w.
-    const double w = 0.25 * (M_rz - M_zr), per = 1.0 / (1.0 + w * w);
+    const double w = 0.25 * (M.rz - M.zr), per = 1.0 / (1.0 + w * w);
     const double cosine = (1.0 - w * w) * per, sine = 2.0 * w * per;
     out.rotation[0][i] = cosine;
     out.rotation[1][i] = sine;

@@ -2,9 +2,11 @@
 #define GRIT_TARGET baseline
 #include "adapters/mpm/kernel/gather.hpp"
 #include "adapters/mpm/kernel/scatter.hpp"
+#include "adapters/mpm/kernel/water_transfer.hpp"
 
 namespace grit::mpm {
 extern const Kernels baseline_kernels;
-const Kernels baseline_kernels{baseline::scatter, baseline::gather, baseline::deform_by_mean,
-                               baseline::add_mean_stresses};
+const Kernels baseline_kernels{baseline::scatter,        baseline::gather,
+                               baseline::deform_by_mean, baseline::add_mean_stresses,
+                               baseline::scatter_water,  baseline::gather_water};
 }  // namespace grit::mpm

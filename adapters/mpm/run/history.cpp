@@ -33,6 +33,10 @@ constexpr HistoryColumn columns[] = {
     {"largest_gap", "m", [](const HistoryRow& r) { return r.largest_gap; }},
     {"unbalanced_share", "-", [](const HistoryRow& r) { return r.unbalanced_share; }},
     {"damping_force", "N", [](const HistoryRow& r) { return r.damping_force; }},
+    {"pore_water_work", "J", [](const HistoryRow& r) { return r.energy.pore_water; }},
+    {"drag_loss", "J", [](const HistoryRow& r) { return r.energy.drag; }},
+    {"least_pore_pressure", "Pa", [](const HistoryRow& r) { return r.least_pore_pressure; }},
+    {"largest_pore_pressure", "Pa", [](const HistoryRow& r) { return r.largest_pore_pressure; }},
 };
 
 }  // namespace

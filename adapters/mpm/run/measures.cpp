@@ -61,7 +61,8 @@ double base_reaction(const Simulation& simulation) {
         const auto count = static_cast<std::size_t>(simulation.axis_r().nodes());
         for (std::size_t i = 0; i < count; ++i)
             if ((simulation.constraints()[i] & fixed::z) && (!mine || mine[i]))
-                sum[0].add(-(nodes[i][record::f_z] + settings.gravity_z * nodes[i][record::m]),
+                sum[0].add(-(nodes[i][record::f_z] + settings.gravity_z * nodes[i][record::m] +
+                             simulation.pore_water().force_z(body, i)),
                            settings.fixed_point);
         simulation.absorbing().each_force(body, [&](std::size_t node, const Vector2& force) {
             if (node < count && (!mine || mine[node])) sum[0].add(force[1], settings.fixed_point);
@@ -122,19 +123,32 @@ ContactForces contact_forces(const Simulation& simulation, std::size_t body) {
     return out;
 }
 
+Extremes pore_pressures(Simulation& simulation) {
+    Extremes out{NAN, NAN};
+    for (std::size_t i = 0; i < simulation.bodies(); ++i) {
+        Body& body = simulation.body(i);
+        if (!body.water) continue;
+        for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p) {
+            const double pressure = body.water->pressure(body.particles.view(), p);
+            out = {std::fmin(out.least, pressure), std::fmax(out.largest, pressure)};
+        }
+    }
+    return out;
+}
+
 Energy times(const Energy& e, double factor) {
     return {factor * e.kinetic,    factor * e.stored,        factor * e.kinetic_0,
             factor * e.stored_0,   factor * e.external_work, factor * e.traction_work,
             factor * e.rigid_work, factor * e.contact,       factor * e.damping,
             factor * e.viscosity,  factor * e.absorbed,      factor * e.transfer,
-            factor * e.pic};
+            factor * e.pic,        factor * e.pore_water,    factor * e.drag};
 }
 
 double turned_over(const Energy& e, double least) {
     return std::max({least, e.kinetic, e.kinetic_0, std::abs(e.stored - e.stored_0),
                      std::abs(e.external_work), std::abs(e.rigid_work), std::abs(e.contact),
                      std::abs(e.damping), std::abs(e.viscosity), std::abs(e.absorbed),
-                     std::abs(e.transfer)});
+                     std::abs(e.transfer), std::abs(e.pore_water), std::abs(e.drag)});
 }
 
 // Positive conditions, so that NaN fails them.
@@ -149,11 +163,9 @@ std::string imbalance(const Energy& e, double least, double limit) {
     const struct {
         const char* name;
         double loss;
-    } losses[] = {{"contact loss", e.contact},
-                  {"damping loss", e.damping},
-                  {"viscosity loss", e.viscosity},
-                  {"energy absorbed by sides", e.absorbed},
-                  {"loss to the PIC share", e.pic}};
+    } losses[] = {{"contact loss", e.contact},      {"damping loss", e.damping},
+                  {"viscosity loss", e.viscosity},  {"energy absorbed by sides", e.absorbed},
+                  {"loss to the PIC share", e.pic}, {"loss to drag of pore water", e.drag}};
     for (const auto& term : losses)
         if (!(term.loss >= -limit * supplied))
             return std::string("its ") + term.name + " is " + text(term.loss) + " J, a gain of " +

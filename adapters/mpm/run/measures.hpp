@@ -34,6 +34,12 @@ struct ContactForces {
 };
 ContactForces contact_forces(const Simulation& simulation, std::size_t body);
 
+// Of all bodies with pore water [Pa]; NaN: there are none.
+struct Extremes {
+    double least, largest;
+};
+Extremes pore_pressures(Simulation& simulation);
+
 // Each of its terms times a factor.
 Energy times(const Energy& energy, double factor);
 // The largest term of the balance so far, no less than least [J].

@@ -280,6 +280,9 @@ HistoryRow Runner::row_so_far() {
     out.residual_share = turned > 0.0 ? energy.residual() / turned : 0.0;
     out.dt = state_now.last_dt;
     out.largest_gap = contact_forces(simulation, driven).largest_gap;
+    const Extremes pore = pore_pressures(simulation);
+    out.least_pore_pressure = pore.least;
+    out.largest_pore_pressure = pore.largest;
     out.unbalanced_share =
         state_now.last_dt > 0.0 ? unbalanced_share(simulation, state_now.last_dt) : 0.0;
     return out;

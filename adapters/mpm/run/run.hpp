@@ -28,6 +28,8 @@ struct HistoryRow {
     double dt = 0.0;              // of the last step [s]
     double largest_gap = 0.0;     // between bodies at a node of both [m]; NaN: not measured
     double unbalanced_share = 0.0;
+    // Of particles with pore water [Pa]; NaN: there are none.
+    double least_pore_pressure = 0.0, largest_pore_pressure = 0.0;
 };
 
 // All that a run knows besides its simulation.

@@ -29,7 +29,7 @@ void Account::report_lost(long count) const {
 
 // Sums of all strips in their order.
 void Account::add_step(const Gather& gather, const Momentum& momentum, const Loads& loads,
-                       const AbsorbingSides& sides) {
+                       const AbsorbingSides& sides, const Water& water) {
     enum {
         lost,
         external_work,
@@ -39,6 +39,8 @@ void Account::add_step(const Gather& gather, const Momentum& momentum, const Loa
         absorption,
         pic,
         transfer,
+        pore_water,
+        drag,
         count
     };
     const bool fixed_point = model.settings.fixed_point;
@@ -55,6 +57,13 @@ void Account::add_step(const Gather& gather, const Momentum& momentum, const Loa
             step[pic] += g.pic_loss;
             (((step[transfer] += n.change) -= g.kept) += g.pic_loss) += n.mapped_away;
         }
+    for (std::size_t body = 0; body < model.parts.size(); ++body)
+        for (const WaterSums& w : water.sums(body)) {
+            step[external_work] += w.gravity_work;
+            ((step[transfer] += w.change) -= w.kept) += w.mapped_away;
+            step[pore_water] += w.work;
+            step[drag] += w.drag;
+        }
     (step[external_work] += loads.work()) += sides.held_work();
     step[traction_work] += loads.work();
     step[absorption] += sides.absorbed();
@@ -66,6 +75,8 @@ void Account::add_step(const Gather& gather, const Momentum& momentum, const Loa
     energies.absorbed += step[absorption].value();
     energies.pic += step[pic].value();
     energies.transfer += step[transfer].value();
+    energies.pore_water += step[pore_water].value();
+    energies.drag += step[drag].value();
     const double count_lost = step[lost].value();
     if (count_lost > 0.0) report_lost(static_cast<long>(count_lost));
 }
@@ -79,6 +90,7 @@ void Account::measure() {
         for (std::ptrdiff_t p = 0; p < part.body.particles.size(); ++p) {
             const double v_r = q[column::v_r][p], v_z = q[column::v_z][p];
             sums[0].add(0.5 * q[column::mass][p] * (v_r * v_r + v_z * v_z), fixed_point);
+            if (part.body.water) sums[0].add(part.body.water->kinetic_energy(q, p), fixed_point);
             sums[1].add(part.body.material->energy(q, p), fixed_point);
         }
     }

@@ -7,6 +7,7 @@
 #include "adapters/mpm/step/loads.hpp"
 #include "adapters/mpm/step/model.hpp"
 #include "adapters/mpm/step/momentum.hpp"
+#include "adapters/mpm/step/water.hpp"
 
 namespace grit::mpm {
 
@@ -15,7 +16,7 @@ class Account {
     explicit Account(Model& of) : model(of) {}
     // What a step has cost. Throws std::runtime_error if particles have left the grid.
     void add_step(const Gather& gather, const Momentum& momentum, const Loads& loads,
-                  const AbsorbingSides& sides);
+                  const AbsorbingSides& sides, const Water& water);
     // Kinetic and stored energy as they are; at the start.
     void measure();
     void start();

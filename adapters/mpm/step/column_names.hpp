@@ -9,7 +9,7 @@
 
 namespace grit::mpm {
 
-// As many as the particles of a body of this material have; null: rigid.
-std::vector<std::string> column_names(const Material* material);
+// As many as the particles of a body of this material, and with this water, have; null: rigid, without it.
+std::vector<std::string> column_names(const Material* material, const PoreWater* water = nullptr);
 
 }  // namespace grit::mpm

@@ -159,7 +159,10 @@ double Gather::update(std::size_t body, int strip, const Range& range) {
         fastest = update_viscosity(sums, increments, range, moduli);
     if (sums.sums.reflected > 0)
         for (std::ptrdiff_t p = range.begin; p < range.end; ++p)
-            if (q[column::r][p] < 0.0) reflect(material, q, p);
+            if (q[column::r][p] < 0.0) {
+                reflect(material, q, p);
+                if (model.parts[body].body.water) reflect(*model.parts[body].body.water, q, p);
+            }
     return fastest;
 }
 

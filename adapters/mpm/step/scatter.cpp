@@ -54,7 +54,8 @@ const char* name_of(unsigned of_part) {
 
 // The first number of a body that is none; another process may have it.
 std::string place_of_failure(Body& body) {
-    const std::vector<std::string> names = column_names(body.material.get());
+    const std::vector<std::string> names =
+        column_names(body.material.get(), body.water ? &*body.water : nullptr);
     const ParticleView q = body.particles.view();
     for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p)
         for (int c = 0; c < body.particles.column_count(); ++c)

@@ -4,9 +4,10 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 
-#include "adapters/mpm/kernel/material.hpp"
+#include "adapters/mpm/kernel/pore_water.hpp"
 
 namespace grit::mpm {
 
@@ -38,6 +39,7 @@ struct Body {
     std::string name;
     Particles particles;
     std::unique_ptr<Material> material;
+    std::optional<PoreWater> water = {};
     // A rigid body moves as this says, over time [s]; empty: free.
     std::function<Vector2(double)> prescribed_velocity;
     bool rigid() const { return static_cast<bool>(prescribed_velocity); }
@@ -56,10 +58,12 @@ struct Energy {
     double absorbed = 0.0;       // taken by absorbing sides
     double transfer = 0.0;       // lost between nodes and particles, PIC share included
     double pic = 0.0;            // that share alone
+    double pore_water = 0.0;     // taken by the compression of pore water
+    double drag = 0.0;           // of pore water against grains
 
     double residual() const {
         return kinetic - kinetic_0 + stored - stored_0 + contact + damping + viscosity + absorbed +
-               transfer - external_work - rigid_work;
+               transfer + pore_water + drag - external_work - rigid_work;
     }
 };
 

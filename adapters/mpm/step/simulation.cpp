@@ -19,12 +19,14 @@ void Simulation::step() {
     } else {
         scatter(part::all);
     }
+    water.push();
     watch.lap(spent.scatter);
     penalties.push(account.sums());
     watch.lap(spent.contact);
     momentum.keep_internal_forces();
     loads.push();
     momentum.advance();
+    water.drag();
     sides.push(model, momentum);
     watch.lap(spent.nodes);
     contacts.correct(account.sums());
@@ -36,6 +38,7 @@ void Simulation::step() {
     watch.lap(spent.nodes);
     penalties.move(account.sums());
     watch.lap(spent.contact);
+    water.update();
     if (scheme == Scheme::musl) {
         gather(task::velocity);
         momentum.forget();
@@ -58,13 +61,14 @@ void Simulation::start() {
     started = true;
     model.sort();
     gather.measure();
+    water.measure();
     finish();
     account.start();
 }
 
 // Sums of the step that is done, and the size of the next one.
 void Simulation::finish() {
-    account.add_step(gather, momentum, loads, sides);
+    account.add_step(gather, momentum, loads, sides, water);
     step_size.measure(gather);
     model.dt_before = model.dt;
     penalties.find_forces();
@@ -81,6 +85,7 @@ std::size_t Simulation::add_body(Body body) {
     means.add_body();
     scatter.add_body();
     momentum.add_body();
+    water.add_body();
     loads.add_body();
     sides.add_body();
     gather.add_body();
@@ -107,6 +112,14 @@ void fix(Model& model, int direction, Hold hold, const std::function<bool(double
             if (where(direction == 0 ? model.r[i] : model.z[j])) model.fixed_nodes[node] |= bits;
 }
 
+void drain(const Model& model, Water& water, int direction,
+           const std::function<bool(double)>& where) {
+    std::size_t node = 0;
+    for (int j = 0; j < model.z.nodes(); ++j)
+        for (int i = 0; i < model.r.nodes(); ++i, ++node)
+            if (where(direction == 0 ? model.r[i] : model.z[j])) water.drain(direction, node);
+}
+
 // Nodes of a line across a direction, at the end of a cell.
 void absorb(const Model& model, AbsorbingSides& sides, int direction, int line, double cell,
             const WaveSpeeds& speeds) {
@@ -124,6 +137,14 @@ void Simulation::fix_below(int direction, double at, Hold hold) {
 
 void Simulation::fix_above(int direction, double at, Hold hold) {
     fix(model, direction, hold, [at](double x) { return x >= at; });
+}
+
+void Simulation::drain_below(int direction, double at) {
+    drain(model, water, direction, [at](double x) { return x <= at; });
+}
+
+void Simulation::drain_above(int direction, double at) {
+    drain(model, water, direction, [at](double x) { return x >= at; });
 }
 
 void Simulation::absorb_first(int direction, const WaveSpeeds& speeds) {

@@ -20,6 +20,7 @@
 #include "adapters/mpm/step/step_size.hpp"
 #include "adapters/mpm/step/stopwatch.hpp"
 #include "adapters/mpm/step/surface_contacts.hpp"
+#include "adapters/mpm/step/water.hpp"
 
 namespace grit::mpm {
 
@@ -39,6 +40,9 @@ class Simulation {
     // No velocity across nodes at r or z = at, and beyond; or none at all.
     void fix_below(int direction, double at, Hold hold = Hold::across);
     void fix_above(int direction, double at, Hold hold = Hold::across);
+    // Water may leave there, at p_w = 0, though the grains are fixed.
+    void drain_below(int direction, double at);
+    void drain_above(int direction, double at);
     // The first or the last nodes along a direction take up waves; the first step finds balance there.
     void absorb_first(int direction, const WaveSpeeds& speeds);
     void absorb_last(int direction, const WaveSpeeds& speeds);
@@ -87,6 +91,7 @@ class Simulation {
     double least_mass(std::size_t body) const { return model.parts[body].least_mass; }
     const std::vector<std::uint8_t>& constraints() const { return model.fixed_nodes; }
     const AbsorbingSides& absorbing() const { return sides; }
+    const Water& pore_water() const { return water; }
     const Axis& axis_r() const { return model.r; }
     const Axis& axis_z() const { return model.z; }
     // Edge of a cell, of all processes [m].
@@ -108,6 +113,7 @@ class Simulation {
         archive.value(simulation.started);
         Scatter::visit(simulation.scatter, archive);
         Momentum::visit(simulation.momentum, archive);
+        Water::visit(simulation.water, archive);
         Loads::visit(simulation.loads, archive);
         AbsorbingSides::visit(simulation.sides, archive);
         NodalContacts::visit(simulation.contacts, archive);
@@ -127,13 +133,14 @@ class Simulation {
     CellMeans means{model};
     Scatter scatter{model, means};
     Momentum momentum{model};
+    Water water{model, momentum};
     Loads loads{model};
     AbsorbingSides sides;
     NodalContacts contacts{model};
     PenaltyContacts penalties{model, scatter};
     SurfaceContacts surfaces{model};
     Gather gather{model, means};
-    StepSize step_size{model, penalties};
+    StepSize step_size{model, penalties, water};
     Account account{model};
     bool started = false;
     Seconds spent;  // but what the materials took

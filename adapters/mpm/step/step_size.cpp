@@ -21,6 +21,9 @@ void StepSize::measure(const Gather& gather) {
             of_body[1] = std::max(of_body[1], strip.sums.most_v2);
             of_body[2] = std::max(of_body[2], strip.sums.most_dz);
         }
+    for (std::size_t i = 0; i < bodies; ++i)
+        if (const double more = water.speed2(i); more > 0.0)
+            maxima[each * i] = std::sqrt(maxima[each * i] * maxima[each * i] + more);
     model.exchange.max(maxima.data(), static_cast<int>(maxima.size()));
     largest_speed = 0.0;
     double way = 0.0;

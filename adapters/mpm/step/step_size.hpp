@@ -9,12 +9,14 @@
 #include "adapters/mpm/step/gather.hpp"
 #include "adapters/mpm/step/model.hpp"
 #include "adapters/mpm/step/penalty_contacts.hpp"
+#include "adapters/mpm/step/water.hpp"
 
 namespace grit::mpm {
 
 class StepSize {
   public:
-    StepSize(Model& of, const PenaltyContacts& springs) : model(of), penalties(springs) {}
+    StepSize(Model& of, const PenaltyContacts& springs, const Water& in_pores)
+        : model(of), penalties(springs), water(in_pores) {}
     // Of what a gather has left: the largest speeds, and how far particles have drifted.
     void measure(const Gather& gather);
     // Throws std::runtime_error where nothing limits it, or a rigid body's velocity is no number.
@@ -37,6 +39,7 @@ class StepSize {
 
     Model& model;
     const PenaltyContacts& penalties;
+    const Water& water;
     std::vector<double> maxima;  // of each body
     double largest_speed = 0.0;  // v + c [m/s]
 };

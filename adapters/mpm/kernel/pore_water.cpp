@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/mpm/kernel/pore_water.hpp"
+
+#include <cstdio>
+#include <stdexcept>
+
+namespace grit::mpm {
+namespace {
+
+// A component of a node: of the grains, of the water, and whether they may move.
+struct Component {
+    int k;  // 0: r, 1: z
+    bool grains_free, water_free;
+};
+
+Component component(const WaterNodeCall& call, std::ptrdiff_t i, int k) {
+    const int bit = k == 0 ? fixed::r : fixed::z;
+    const bool is_free = !(call.grains.fixed[i] & bit);
+    return {k, is_free, is_free || (call.drained && (call.drained[i] & bit))};
+}
+
+bool has_water(const WaterNodeCall& call, std::ptrdiff_t i) {
+    return call.grains.records[i][record::m] > call.grains.least_mass &&
+           call.water_records[i][water_record::m] > 0.0;
+}
+
+// Half a step's work of the pressure on the volume that mapping took away, see NodeSums: what is not counted there,
+// where the grains' share of its force is one of their forces.
+double mapped_away(const WaterNodeCall& call, std::ptrdiff_t i, double n, const NodeMotion& water) {
+    const NodeMotion &before = call.volume[i], &grains = call.grains.motions[i];
+    if (before[0] == 0.0 && before[1] == 0.0) return 0.0;
+    double work = 0.0;
+    for (int k = 0; k < 2; ++k)
+        work += call.water_records[i][water_record::f_r + k] *
+                (call.grains.dt_before * (before[k] - (1.0 - n) * grains[motion::v_r + k]) -
+                 call.grains.dt * n * water[motion::other_r + k]);
+    return 0.5 * work;
+}
+
+}  // namespace
+
+std::vector<std::string> PoreWater::words() const {
+    char text[240];
+    std::snprintf(text, sizeof text,
+                  "water: bulk modulus %.17g Pa, density %.17g kg/m3, largest tension %.17g Pa, "
+                  "porosity %.17g",
+                  bulk_modulus, density, largest_tension, porosity);
+    std::vector<std::string> out{text};
+    if (!flows) return out;
+    std::snprintf(text, sizeof text, "water flows: conductivity %.17g m/s at void ratio %.17g",
+                  conductivity, conductivity_at);
+    out.emplace_back(text);
+    return out;
+}
+
+void reflect(const PoreWater& water, const ParticleView& q, std::ptrdiff_t p) {
+    if (water.flows) q[water.velocity_column()][p] = -q[water.velocity_column()][p];
+}
+
+void add_pressures(const GridView& grid, const ParticleView& q, std::ptrdiff_t begin,
+                   std::ptrdiff_t end, const PoreWater& water, double per_volume,
+                   CellIntegers* cells) {
+    for (std::ptrdiff_t p = begin; p < end; ++p) {
+        CellIntegers& cell =
+            cells[grid.z.cell_of(q[column::z][p]) * static_cast<std::ptrdiff_t>(grid.r.cells) +
+                  grid.r.cell_of(q[column::r][p])];
+        const double V = q[column::V0][p] * q.J(p) * per_volume;
+        cell.volume += cell_share_rounded(0.125 * V);
+        cell.weighted +=
+            cell_share_rounded(0.125 * V * (water.pressure(q, p) / water.bulk_modulus));
+    }
+}
+
+// Of undrained water the strain is that of the pores too, whose middle is taken.
+void update_pressures(const ParticleView& q, std::ptrdiff_t begin, std::ptrdiff_t end,
+                      const PoreWater& water, const CellIntegers* cells, const int* cell,
+                      WaterSums& sums) {
+    for (std::ptrdiff_t p = begin; p < end; ++p) {
+        const CellIntegers& mean = cells[cell[p]];
+        const double strain = mean.volume > 0 ? mean.mean() : 0.0, e = water.void_ratio(q, p);
+        const double e_middle = water.flows ? e : e + 0.5 * (1.0 + e) * strain;
+        if (!(e_middle > 0.0))
+            throw std::runtime_error(
+                "pore water: a particle at r = " + std::to_string(q[column::r][p]) +
+                " m, z = " + std::to_string(q[column::z][p]) +
+                " m has no pores left, its void ratio is " + std::to_string(e_middle));
+        const double before = water.pressure(q, p);
+        q[water.first][p] -= water.bulk_modulus / PoreWater::porosity_of(e_middle) * strain;
+        sums.work.add(-0.5 * (before + water.pressure(q, p)) * strain * (q[column::V0][p] * q.J(p)),
+                      false);
+    }
+}
+
+void push_water(const WaterNodeCall& call, WaterSums& sums) {
+    for (std::ptrdiff_t i = call.grains.begin; i < call.grains.end; ++i) {
+        const NodeRecord& w = call.water_records[i];
+        NodeRecord& grains = call.records[i];
+        const bool flows = call.water->flows && has_water(call, i);
+        const double n = flows ? call.porosity(i) : 0.0;
+        if (flows) {
+            NodeMotion now{};
+            const double m = w[water_record::m];
+            for (int k = 0; k < 2; ++k) {
+                if (!component(call, i, k).water_free) continue;
+                const double old = w[water_record::p_r + k] / m;
+                now[motion::other_r + k] = old;
+                now[motion::v_r + k] =
+                    old + call.grains.dt * (n * w[water_record::f_r + k] / m +
+                                            call.grains.gravity[static_cast<std::size_t>(k)]);
+            }
+            call.grains.add(sums.mapped_away, i, mapped_away(call, i, n, now));
+            call.flowing[i] = now;
+        }
+        for (int k = 0; k < 2; ++k) grains[record::f_r + k] += (1.0 - n) * w[water_record::f_r + k];
+    }
+}
+
+void drag_water(const WaterNodeCall& call, WaterSums& sums) {
+    for (std::ptrdiff_t i = call.grains.begin; i < call.grains.end; ++i) {
+        if (!has_water(call, i)) continue;
+        const NodeRecord& w = call.water_records[i];
+        NodeMotion &grains = call.grains.motions[i], &water = call.flowing[i];
+        const double C = call.grains.dt * w[water_record::drag];
+        for (const Component& c : {component(call, i, 0), component(call, i, 1)}) {
+            const double per_grains = c.grains_free ? 1.0 / call.grains.records[i][record::m] : 0.0;
+            const double per_water = c.water_free ? 1.0 / w[water_record::m] : 0.0;
+            const int now = motion::v_r + c.k, old = motion::other_r + c.k;
+            const double against =
+                (water[now] - grains[now]) / (1.0 + C * (per_grains + per_water));
+            const double impulse = C * against;
+            grains[now] += impulse * per_grains;
+            water[now] -= impulse * per_water;
+            call.grains.add(sums.drag, i,
+                            0.5 * impulse * (water[now] - grains[now] + water[old] - grains[old]));
+        }
+    }
+}
+
+void close_water(const WaterNodeCall& call, WaterSums& sums) {
+    for (std::ptrdiff_t i = call.grains.begin; i < call.grains.end; ++i) {
+        const NodeMotion& grains = call.grains.motions[i];
+        NodeMotion &water = call.flowing[i], &volume = call.volume[i];
+        volume = NodeMotion{};
+        if (!has_water(call, i)) {
+            water = grains;
+            volume = grains;
+            continue;
+        }
+        const double n = call.porosity(i), m = call.water_records[i][water_record::m];
+        double change = 0.0, gravity = 0.0;
+        for (int k = 0; k < 2; ++k) {
+            const double now = water[motion::v_r + k], old = water[motion::other_r + k];
+            volume[k] = (1.0 - n) * grains[motion::v_r + k] + n * now;
+            change += (now - old) * (now - old);
+            gravity += call.grains.gravity[static_cast<std::size_t>(k)] * (now + old);
+        }
+        call.grains.add(sums.change, i, 0.5 * m * change);
+        call.grains.add(sums.gravity_work, i, 0.5 * call.grains.dt * m * gravity);
+    }
+}
+
+}  // namespace grit::mpm

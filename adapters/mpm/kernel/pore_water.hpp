@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Water in the pores of a body (W1, W2): it moves with the grains, or through them. Grains do not change their
+// volume. Stresses of the columns S are effective, the total ones are S - p_w 1.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "adapters/mpm/kernel/material.hpp"
+#include "adapters/mpm/kernel/nodes.hpp"
+
+namespace grit::mpm {
+
+// Of water, whose weight conductivities are measured with [m/s2].
+inline constexpr double standard_gravity = 9.81;
+
+struct PoreWater {
+    bool flows = false;  // through the grains; the mass of particles is then that of grains alone
+    double bulk_modulus = 2.2e9;   // K_w [Pa]
+    double density = 1000.0;       // rho_w [kg/m3]
+    double largest_tension = 1e5;  // beyond which it cavitates [Pa]
+    double porosity = 0.0;         // at F = 1, of materials without a void ratio [-]
+    double conductivity = 0.0;     // k of water that flows [m/s] ...
+    double conductivity_at = 0.0;  // ... at this void ratio (Kozeny-Carman); 0: at any
+    int first = 0;                 // of its columns
+    int void_ratio_column = -1;    // of the material; -1: it has none
+
+    // Columns beside those of the material. The pressure is p_w >= -largest_tension; below, it says how
+    // far a cavity must close before the water bears again. The velocity is that against the grains.
+    int columns() const { return flows ? 3 : 1; }
+    GRIT_INLINE int velocity_column() const { return first + 1; }
+    std::vector<const char*> column_names() const {
+        return flows ? std::vector<const char*>{"p_w", "w_r", "w_z"}
+                     : std::vector<const char*>{"p_w"};
+    }
+    // Its law and each of its numbers, exactly.
+    std::vector<std::string> words() const;
+
+    GRIT_INLINE double void_ratio(const ParticleView& q, std::ptrdiff_t p) const {
+        return void_ratio_column >= 0 ? q[void_ratio_column][p] : q.J(p) / (1.0 - porosity) - 1.0;
+    }
+    static GRIT_INLINE double porosity_of(double e) { return e / (1.0 + e); }
+    // What bears, compression positive [Pa].
+    GRIT_INLINE double pressure(const ParticleView& q, std::ptrdiff_t p) const {
+        const double p_w = q[first][p];
+        return p_w > -largest_tension ? p_w : -largest_tension;
+    }
+    // In the pores of a particle, per radian or per metre [kg].
+    GRIT_INLINE double mass(const ParticleView& q, std::ptrdiff_t p) const {
+        return porosity_of(void_ratio(q, p)) * density * (q[column::V0][p] * q.J(p));
+    }
+    // Of the seepage [m/s]: Kozeny (1927), Carman (1937), k ~ e^3/(1 + e).
+    GRIT_INLINE double conductivity_of(double e) const {
+        if (!(conductivity_at > 0.0)) return conductivity;
+        const double share = e / conductivity_at;
+        return conductivity * share * share * share * ((1.0 + conductivity_at) / (1.0 + e));
+    }
+    // n^2 rho_w g/k: force on a volume for a velocity against the grains [N s/m4].
+    GRIT_INLINE double drag(double e) const {
+        const double n = porosity_of(e);
+        return n * n * density * standard_gravity / conductivity_of(e);
+    }
+    // Of water that flows; that of the grains is not in it [J].
+    double kinetic_energy(const ParticleView& q, std::ptrdiff_t p) const {
+        if (!flows) return 0.0;
+        const double v_r = q[column::v_r][p] + q[velocity_column()][p];
+        const double v_z = q[column::v_z][p] + q[velocity_column() + 1][p];
+        return 0.5 * mass(q, p) * (v_r * v_r + v_z * v_z);
+    }
+    // What it adds to M/rho, the square of the speed of waves of a skeleton whose particle has this mass by
+    // volume (W3): an upper bound, c_1^2 + c_2^2, of water that flows.
+    double speed2(double e, double skeleton_density) const {
+        const double n = porosity_of(e);
+        if (!flows) return bulk_modulus / (n * skeleton_density);
+        return (1.0 - n) * (1.0 - n) * bulk_modulus / (n * skeleton_density) +
+               bulk_modulus / density;
+    }
+};
+
+// Of a cell's integers, as close as they are; what is no number stays out.
+GRIT_INLINE std::int64_t cell_share_rounded(double x) {
+    return x > -1.0 && x < 1.0
+               ? static_cast<std::int64_t>(x * CellIntegers::scale + (x < 0.0 ? -0.5 : 0.5))
+               : 0;
+}
+
+// Lanes of a node's record of water.
+namespace water_record {
+enum : int {
+    m,  // of water that flows [kg]
+    p_r,
+    p_z,  // ... its momentum [kg m/s]
+    f_r,
+    f_z,     // of the pore pressure, on grains and water together [N]
+    volume,  // of the body [m3]
+    drag     // [N s/m]
+};
+}  // namespace water_record
+
+// In the mirror r -> -r, besides the material.
+void reflect(const PoreWater& water, const ParticleView& particles, std::ptrdiff_t p);
+
+// Sums over a strip of particles or nodes, of a step.
+struct WaterSums {
+    Total work;          // taken by the water's compression [J]
+    Total drag;          // taken by drag, at nodes and within particles [J]
+    Total gravity_work;  // [J]
+    Total change;        // as those of NodeSums and GatherSums, of water that flows [J]
+    Total mapped_away;
+    Total kept;
+};
+
+struct WaterScatterCall {
+    GridView grid;
+    ParticleView particles;
+    std::ptrdiff_t begin, end;
+    const PoreWater* water;
+    const CellIntegers* cells;  // mean pressures, of add_pressures
+    NodeRecord* nodes;          // added to
+};
+
+struct WaterGatherCall {
+    GridView grid;
+    ParticleView particles;
+    std::ptrdiff_t begin, end;
+    const PoreWater* water;
+    const NodeMotion* volume;   // its divergence takes water: of undrained bodies their velocity
+    const NodeMotion* grains;   // v and other, of water that flows ...
+    const NodeMotion* flowing;  // ... and of the water itself
+    double dt, pic;
+    CellIntegers* cells;  // volumetric strains, added to
+    int* cell;            // [particles] out
+    double per_volume;
+};
+
+// The mean pressures of cells, as shares of K_w.
+void add_pressures(const GridView& grid, const ParticleView& particles, std::ptrdiff_t begin,
+                   std::ptrdiff_t end, const PoreWater& water, double per_volume,
+                   CellIntegers* cells);
+// (W1), (W2) of a range, each particle with the mean strain of its cell.
+void update_pressures(const ParticleView& particles, std::ptrdiff_t begin, std::ptrdiff_t end,
+                      const PoreWater& water, const CellIntegers* cells, const int* cell,
+                      WaterSums& sums);
+
+struct WaterNodeCall {
+    NodeCall grains;      // of the body
+    NodeRecord* records;  // ... which get the force of the pore pressure
+    const PoreWater* water;
+    const NodeRecord* water_records;
+    NodeMotion* flowing;  // of the water: v and other, the velocity before the step's forces
+    NodeMotion* volume;   // (1 - n) v_s + n v_w
+    const std::uint8_t* drained;  // bits of components that are free though the grains are fixed
+
+    double porosity(std::ptrdiff_t i) const {
+        const NodeRecord& w = water_records[i];
+        return w[water_record::m] / (water->density * w[water_record::volume]);
+    }
+};
+
+// Motions and volume are those of the step before. The grains' share of the pressure's force goes to their
+// records; flowing becomes v = v_old + dt (f/m + g).
+void push_water(const WaterNodeCall& call, WaterSums& sums);
+// Drag (W2), implicit: of grains and water as they are after the forces.
+void drag_water(const WaterNodeCall& call, WaterSums& sums);
+// Once the grains have their velocity: volume, and the energies of water.
+void close_water(const WaterNodeCall& call, WaterSums& sums);
+
+}  // namespace grit::mpm

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pore water from particles to nodes and back. The force of its pressure and the strain that changes it are
+// conjugate: the force is that of the mean pressure of cells, the strain the mean of cells.
+#pragma once
+
+#include "adapters/mpm/kernel/gather.hpp"
+#include "adapters/mpm/kernel/pore_water.hpp"
+
+GRIT_KERNEL_BEGIN_OF(mpm)
+
+template <Shape shape, bool axisymmetric> void scatter_water_by(const WaterScatterCall& call) {
+    using Stencil = typename StencilOf<shape, axisymmetric>::type;
+    namespace c = column;
+    const ParticleView& q = call.particles;
+    const PoreWater& water = *call.water;
+    DoubleSums sums{call.nodes};
+    for (std::ptrdiff_t p = call.begin; p < call.end; ++p) {
+        const Place place = place_of<axisymmetric>(call.grid, q, p);
+        const Stencil w(call.grid, place);
+        const CellIntegers& cell = call.cells[place.cell_z * call.grid.r.cells + place.cell_r];
+        const double V = q[c::V0][p] * q.J(p);
+        const double force =
+            cell.volume > 0 ? V * (water.bulk_modulus * cell.mean()) : V * water.pressure(q, p);
+        double mass = 0.0, drag = 0.0, m_v_r = 0.0, m_v_z = 0.0;
+        if (water.flows) {
+            const double e = water.void_ratio(q, p);
+            mass = water.mass(q, p);
+            drag = V * water.drag(e);
+            m_v_r = mass * (q[c::v_r][p] + q[water.velocity_column()][p]);
+            m_v_z = mass * (q[c::v_z][p] + q[water.velocity_column() + 1][p]);
+        }
+        for (int k = 0; k < Stencil::points; ++k) {
+            const double S = w.S[k];
+            double f_r = force * w.G_r[k];
+            if constexpr (axisymmetric) f_r += force * w.hoop(k);
+            w.add(k,
+                  Vec8{S * mass, S * m_v_r, S * m_v_z, f_r, force * w.G_z[k], S * V, S * drag, 0.0},
+                  sums);
+        }
+    }
+}
+
+// Velocities at a particle: v of the lanes v_r, v_z and of the other ones.
+struct TwoVelocities {
+    double now[2], before[2];
+};
+
+template <class Stencil>
+GRIT_INLINE TwoVelocities velocities_at(const Stencil& w, const NodeMotion* nodes) {
+    Vec4 sum{};
+    for (int k = 0; k < Stencil::points; ++k) sum += w.S[k] * w.value(k, nodes);
+    return {{sum[0], sum[1]}, {sum[2], sum[3]}};
+}
+
+// What a velocity against the grains keeps of what no node sees, as drag takes it there in a step.
+GRIT_INLINE double kept_by_drag(const WaterGatherCall& call, std::ptrdiff_t p) {
+    const ParticleView& q = call.particles;
+    const PoreWater& water = *call.water;
+    const double e = water.void_ratio(q, p), V = q[column::V0][p] * q.J(p);
+    const double mass = water.mass(q, p);
+    return 1.0 / (1.0 + call.dt * V * water.drag(e) * (1.0 / q[column::mass][p] + 1.0 / mass));
+}
+
+template <class Stencil>
+GRIT_INLINE void move_water(const WaterGatherCall& call, const Stencil& w, std::ptrdiff_t p,
+                            WaterSums& sums) {
+    namespace c = column;
+    const ParticleView& q = call.particles;
+    const PoreWater& water = *call.water;
+    const TwoVelocities grains = velocities_at(w, call.grains);
+    const TwoVelocities flowing = velocities_at(w, call.flowing);
+    const double unseen = (1.0 - call.pic) * kept_by_drag(call, p);
+    const double mass = water.mass(q, p);
+    double kept = 0.0, lost = 0.0;
+    for (int k = 0; k < 2; ++k) {
+        const double of_grains = q[c::v_r + k][p], against = q[water.velocity_column() + k][p];
+        const double moved = of_grains + (grains.now[k] - grains.before[k]);
+        const double end = moved + call.pic * (grains.now[k] - moved);
+        const double now = flowing.now[k] - grains.now[k];
+        const double before = flowing.before[k] - grains.before[k];
+        const double end_against = now + unseen * (against - before);
+        const double change = flowing.now[k] - flowing.before[k];
+        const double all_kept = of_grains + against + change, end_water = end + end_against;
+        q[water.velocity_column() + k][p] = end_against;
+        kept += change * change;
+        lost += all_kept * all_kept - end_water * end_water;
+    }
+    sums.kept.add(0.5 * mass * kept, false);
+    sums.drag.add(0.5 * mass * lost, false);
+}
+
+template <Shape shape, bool axisymmetric>
+void gather_water_by(const WaterGatherCall& call, WaterSums& sums) {
+    using Stencil = typename StencilOf<shape, axisymmetric>::type;
+    const ParticleView& q = call.particles;
+    for (std::ptrdiff_t p = call.begin; p < call.end; ++p) {
+        const Place place = place_of<axisymmetric>(call.grid, q, p);
+        const Stencil w(call.grid, place);
+        const Gathered g = gather_point_values<Stencil, axisymmetric>(w, call.volume);
+        const Gradient L = {call.dt * g.G_r[0], call.dt * g.G_z[0], call.dt * g.G_r[1],
+                            call.dt * g.G_z[1], axisymmetric ? call.dt * g.T[0] : 0.0};
+        const double strain = midpoint_gradient(L).trace();
+        const int cell = place.cell_z * call.grid.r.cells + place.cell_r;
+        const double V = q[column::V0][p] * q.J(p) * call.per_volume;
+        call.cell[p] = cell;
+        call.cells[cell].volume += cell_share_rounded(0.125 * V);
+        call.cells[cell].weighted += cell_share_rounded(0.125 * V * strain);
+        if (call.water->flows) move_water(call, w, p, sums);
+    }
+}
+
+template <bool axisymmetric> void scatter_water_in(Shape shape, const WaterScatterCall& call) {
+    switch (shape) {
+        case Shape::cpdi: return scatter_water_by<Shape::cpdi, axisymmetric>(call);
+        case Shape::cpdi_published:
+            return scatter_water_by<Shape::cpdi_published, axisymmetric>(call);
+        case Shape::ugimp: return scatter_water_by<Shape::ugimp, axisymmetric>(call);
+        case Shape::point: return scatter_water_by<Shape::point, axisymmetric>(call);
+    }
+}
+
+void scatter_water(Shape shape, bool axisymmetric, const WaterScatterCall& call) {
+    axisymmetric ? scatter_water_in<true>(shape, call) : scatter_water_in<false>(shape, call);
+}
+
+template <bool axisymmetric>
+void gather_water_in(Shape shape, const WaterGatherCall& call, WaterSums& sums) {
+    switch (shape) {
+        case Shape::cpdi: return gather_water_by<Shape::cpdi, axisymmetric>(call, sums);
+        case Shape::cpdi_published:
+            return gather_water_by<Shape::cpdi_published, axisymmetric>(call, sums);
+        case Shape::ugimp: return gather_water_by<Shape::ugimp, axisymmetric>(call, sums);
+        case Shape::point: return gather_water_by<Shape::point, axisymmetric>(call, sums);
+    }
+}
+
+void gather_water(Shape shape, bool axisymmetric, const WaterGatherCall& call, WaterSums& sums) {
+    axisymmetric ? gather_water_in<true>(shape, call, sums)
+                 : gather_water_in<false>(shape, call, sums);
+}
+
+GRIT_KERNEL_END

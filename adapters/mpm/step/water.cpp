@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/mpm/step/water.hpp"
+
+#include <algorithm>
+
+namespace grit::mpm {
+
+void Water::add_body() {
+    const std::size_t i = bodies.size();
+    OfBody& body = bodies.emplace_back();
+    if (!has(i)) return;
+    const auto strips = static_cast<std::size_t>(model.strips());
+    body.cells.resize(static_cast<std::size_t>(model.r.cells()) *
+                      static_cast<std::size_t>(model.z.cells()));
+    body.records.resize(model.fixed_nodes.size());
+    body.sums.resize(strips);
+    body.speed2.resize(strips);
+    if (!flows(i)) return;
+    body.flowing.resize(model.fixed_nodes.size());
+    body.volume.resize(model.fixed_nodes.size());
+}
+
+void Water::drain(int direction, std::size_t node) {
+    drained.resize(model.fixed_nodes.size());
+    drained[node] |= direction == 0 ? fixed::r : fixed::z;
+}
+
+bool Water::is_anywhere() const {
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        if (has(i)) return true;
+    return false;
+}
+
+WaterNodeCall Water::nodes(std::size_t i, int strip) {
+    OfBody& body = bodies[i];
+    Part& part = model.parts[i];
+    return {momentum.call(i, strip),
+            part.records.data(),
+            &*part.body.water,
+            body.records.data(),
+            body.flowing.data(),
+            body.volume.data(),
+            drained.empty() ? nullptr : drained.data()};
+}
+
+void Water::scatter() {
+    for (OfBody& body : bodies) std::fill(body.cells.begin(), body.cells.end(), CellIntegers{});
+    model.for_strips_apart([this](std::size_t i, int strip) {
+        if (!has(i)) return;
+        Part& part = model.parts[i];
+        add_pressures(model.grid(), part.body.particles.view(), part.strips.begin(strip),
+                      part.strips.begin(strip + 1), *part.body.water, 1.0 / part.largest_volume,
+                      bodies[i].cells.data());
+    });
+    model.for_strips([this](std::size_t i, int strip) {
+        if (!has(i)) return;
+        const Model::Rows rows = model.nodes_of(strip);
+        const auto begin = bodies[i].records.begin();
+        std::fill(begin + rows.begin, begin + rows.end, NodeRecord{});
+    });
+    model.for_strips_apart([this](std::size_t i, int strip) {
+        if (!has(i)) return;
+        Part& part = model.parts[i];
+        kernels().scatter_water(model.settings.shape, model.settings.axisymmetric,
+                                {model.grid(), part.body.particles.view(), part.strips.begin(strip),
+                                 part.strips.begin(strip + 1), &*part.body.water,
+                                 bodies[i].cells.data(), bodies[i].records.data()});
+    });
+}
+
+void Water::push() {
+    if (!is_anywhere()) return;
+    scatter();
+    model.for_strips([this](std::size_t i, int strip) {
+        if (!has(i)) return;
+        WaterSums& sums = bodies[i].sums[static_cast<std::size_t>(strip)];
+        sums = {};
+        push_water(nodes(i, strip), sums);
+    });
+}
+
+void Water::drag() {
+    if (!is_anywhere()) return;
+    model.for_strips([this](std::size_t i, int strip) {
+        if (flows(i)) drag_water(nodes(i, strip), bodies[i].sums[static_cast<std::size_t>(strip)]);
+    });
+}
+
+void Water::gather(std::size_t i, int strip) {
+    OfBody& body = bodies[i];
+    Part& part = model.parts[i];
+    const std::vector<NodeMotion>& volume = flows(i) ? body.volume : part.motions;
+    kernels().gather_water(model.settings.shape, model.settings.axisymmetric,
+                           {model.grid(), part.body.particles.view(), part.strips.begin(strip),
+                            part.strips.begin(strip + 1), &*part.body.water, volume.data(),
+                            part.motions.data(), body.flowing.data(), model.dt,
+                            std::min(model.settings.pic_rate * model.dt, 1.0), body.cells.data(),
+                            body.cell.data(), 1.0 / part.largest_volume},
+                           body.sums[static_cast<std::size_t>(strip)]);
+}
+
+void Water::update() {
+    if (!is_anywhere()) return;
+    model.for_strips([this](std::size_t i, int strip) {
+        if (flows(i)) close_water(nodes(i, strip), bodies[i].sums[static_cast<std::size_t>(strip)]);
+    });
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        OfBody& body = bodies[i];
+        std::fill(body.cells.begin(), body.cells.end(), CellIntegers{});
+        if (has(i))
+            body.cell.resize(static_cast<std::size_t>(model.parts[i].body.particles.size()));
+    }
+    model.for_strips_apart([this](std::size_t i, int strip) {
+        if (has(i)) gather(i, strip);
+    });
+    model.for_strips([this](std::size_t i, int strip) {
+        if (!has(i)) return;
+        Part& part = model.parts[i];
+        update_pressures(part.body.particles.view(), part.strips.begin(strip),
+                         part.strips.begin(strip + 1), *part.body.water, bodies[i].cells.data(),
+                         bodies[i].cell.data(), bodies[i].sums[static_cast<std::size_t>(strip)]);
+        measure(i, strip);
+    });
+}
+
+void Water::measure() {
+    model.for_strips([this](std::size_t i, int strip) {
+        if (has(i)) measure(i, strip);
+    });
+}
+
+void Water::measure(std::size_t i, int strip) {
+    Part& part = model.parts[i];
+    const ParticleView q = part.body.particles.view();
+    const PoreWater& water = *part.body.water;
+    double fastest = 0.0;
+    for (std::ptrdiff_t p = part.strips.begin(strip); p < part.strips.begin(strip + 1); ++p)
+        fastest = std::max(fastest, water.speed2(water.void_ratio(q, p),
+                                                 q[column::mass][p] / (q[column::V0][p] * q.J(p))));
+    bodies[i].speed2[static_cast<std::size_t>(strip)] = fastest;
+}
+
+double Water::speed2(std::size_t body) const {
+    const std::vector<double>& strips = bodies[body].speed2;
+    return strips.empty() ? 0.0 : *std::max_element(strips.begin(), strips.end());
+}
+
+double Water::force_z(std::size_t body, std::size_t node) const {
+    if (!flows(body)) return 0.0;
+    const NodeRecord& w = bodies[body].records[node];
+    const double m = w[water_record::m];
+    if (!(m > 0.0)) return 0.0;
+    const double n = m / (model.parts[body].body.water->density * w[water_record::volume]);
+    return n * w[water_record::f_z] + m * model.settings.gravity_z;
+}
+
+}  // namespace grit::mpm

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pore water of bodies that have it, beside the passes of a step. The pressure is explicit, drag implicit node by node:
+// neither the other passes nor particles know how.
+#pragma once
+
+#include <vector>
+
+#include "adapters/mpm/kernel/pore_water.hpp"
+#include "adapters/mpm/step/momentum.hpp"
+
+namespace grit::mpm {
+
+class Water {
+  public:
+    Water(Model& of, Momentum& of_nodes) : model(of), momentum(of_nodes) {}
+    void add_body();
+    // Water may leave across these nodes, at p_w = 0.
+    void drain(int direction, std::size_t node);
+
+    // Once the stresses are scattered: the force of the pressure.
+    void push();
+    // After the forces: grains and water drag each other.
+    void drag();
+    // After contact, before the particles move: pressures and velocities of water.
+    void update();
+    // Speeds of particles as they are, before the first step.
+    void measure();
+
+    const std::vector<WaterSums>& sums(std::size_t body) const { return bodies[body].sums; }
+    // What it adds to the square of the speed of waves, at the most [m2/s2].
+    double speed2(std::size_t body) const;
+    // Of water that flows, along z on a node in the last step: of its pressure and its weight [N].
+    double force_z(std::size_t body, std::size_t node) const;
+    const std::vector<std::uint8_t>& drained_nodes() const { return drained; }
+
+    template <class Self, class Archive> static void visit(Self& water, Archive& archive) {
+        for (auto& body : water.bodies) {
+            archive.nodes(body.records);
+            archive.nodes(body.volume);
+        }
+    }
+
+  private:
+    struct OfBody {
+        std::vector<CellIntegers> cells = {};
+        std::vector<int> cell = {};  // of each particle
+        std::vector<NodeRecord> records = {};
+        std::vector<NodeMotion> flowing = {}, volume = {};  // of water that flows
+        std::vector<WaterSums> sums = {};                   // of each strip
+        std::vector<double> speed2 = {};
+    };
+    bool has(std::size_t body) const { return model.parts[body].body.water.has_value(); }
+    bool flows(std::size_t body) const { return has(body) && model.parts[body].body.water->flows; }
+    bool is_anywhere() const;
+    WaterNodeCall nodes(std::size_t body, int strip);
+    void scatter();
+    void gather(std::size_t body, int strip);
+    void measure(std::size_t body, int strip);
+
+    Model& model;
+    Momentum& momentum;
+    std::vector<OfBody> bodies;
+    std::vector<std::uint8_t> drained;  // bits of nodes; empty: none
+};
+
+}  // namespace grit::mpm

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sand whose pores are full of water (W1-W4).
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <sstream>
+#include <string>
+
+#include <adapters/mpm/case/initial_state.hpp>
+#include <adapters/mpm/io/checkpoint.hpp>
+#include <grit/sand_operators.h>
+
+#include "support/lausitz.hpp"
+#include "support/plans.hpp"
+#include "support/saturated_column.hpp"
+
+namespace {
+
+using namespace mpm_test;
+
+using Column = SaturatedColumn;
+
+TEST(UndrainedSand, CarriesWavesAtTheSpeedOfSkeletonAndWater) {
+    for (const bool axisymmetric : {false, true}) {
+        const Wave wave = standing_wave({.cells = 64, .axisymmetric = axisymmetric}, 1.0);
+        EXPECT_NEAR(wave.speed, 1664.0, 0.005 * 1664.0);
+        EXPECT_NEAR(wave.residual, 0.0, 1e-3);
+        EXPECT_NEAR(wave.dt, 0.4 * Column::height / 64 / Column::c_u(), 1e-3 * wave.dt);
+    }
+}
+
+TEST(FlowingWater, CarriesTwoWavesWhereNothingDragsIt) {
+    for (const double c : {Column::c_1(), Column::c_2()}) {
+        const double ratio =
+            Column::K_w * (1.0 - Column::n) / Column::n / (c * c * Column::rho_w - Column::K_w);
+        const Wave wave = standing_wave({.cells = 64, .conductivity = 1e5}, ratio);
+        EXPECT_NEAR(wave.speed, c, 0.005 * c);
+        EXPECT_NEAR(wave.residual, 0.0, 1e-3);
+    }
+    EXPECT_NEAR(Column::c_1(), 1857.0, 0.5);
+    EXPECT_NEAR(Column::c_2(), 63.35, 0.005);
+}
+
+TEST(FlowingWater, IsUndrainedWhereDragHoldsIt) {
+    for (const double k : {1e-7, 1e-9}) {
+        const Wave wave = standing_wave({.cells = 64, .conductivity = k}, 1.0);
+        EXPECT_NEAR(wave.speed, Column::c_u(), 0.005 * Column::c_u());
+    }
+}
+
+TEST(FlowingWater, TakesTheSameStepWhateverItsConductivity) {
+    const auto step = [](double conductivity) {
+        Column column{.cells = 16, .conductivity = conductivity, .load = 1e4, .ramp = 1e-3};
+        BuiltCase built = build_case(column.plan());
+        for (int i = 0; i < 2000; ++i) built.simulation->step();
+        EXPECT_LT(built.simulation->energy().kinetic, 1.0);
+        return built.simulation->next_step();
+    };
+    const double coarse = step(1e-2);
+    for (const double k : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9})
+        EXPECT_NEAR(step(k), coarse, 1e-3 * coarse) << k;
+}
+
+TEST(FlowingWater, ConsolidatesAsTerzaghiSays) {
+    for (const Consolidation& now :
+         consolidate({.cells = 16, .conductivity = 1e-3}, {0.1, 0.2, 0.5})) {
+        EXPECT_NEAR(now.pressure, now.exact_pressure, 0.005 * now.exact_pressure) << now.T;
+        EXPECT_NEAR(now.settlement, now.exact_settlement, 0.005 * now.exact_settlement) << now.T;
+        EXPECT_LT(now.alternating, 0.001);
+        EXPECT_NEAR(now.residual, 0.0, 1e-3);
+    }
+}
+
+// Over a whole number of periods, after a load that comes slowly.
+TEST(UndrainedSand, SharesALoadWithItsWater) {
+    constexpr double load = 1e4, ramp = 0.02;
+    Column column{.load = load, .ramp = ramp};
+    BuiltCase built = build_case(column.plan());
+    Simulation& simulation = *built.simulation;
+    while (simulation.time() < ramp) simulation.step();
+    double sum = 0.0;
+    int count = 0;
+    while (simulation.time() < ramp + 0.01) {
+        simulation.step();
+        for (const double p : pore_pressures(simulation, column.cells)) sum += p;
+        count += column.cells;
+    }
+    EXPECT_NEAR(sum / count, Column::p_0(load), 0.005 * Column::p_0(load));
+}
+
+TEST(SaturatedColumn, UnderItsWaterTableStaysAtRest) {
+    for (const double k : {0.0, 1e-3, 1e-6})
+        for (const bool axisymmetric : {false, true}) {
+            Column column{.conductivity = k, .axisymmetric = axisymmetric, .gravity = 9.81};
+            const Case plan = column.plan();
+            BuiltCase built = build_case(plan);
+            apply_stage(plan, plan.stages[0], *built.simulation);
+            Simulation& simulation = *built.simulation;
+            for (int i = 0; i < 2000; ++i) simulation.step();
+            const std::vector<double> p = pore_pressures(simulation, column.cells);
+            for (int i = 0; i < column.cells; ++i)
+                EXPECT_NEAR(p[static_cast<std::size_t>(i)],
+                            Column::rho_w * 9.81 * (1.0 - (i + 0.5) / column.cells), 0.01);
+            const Particles& q = simulation.body(0).particles;
+            for (std::ptrdiff_t i = 0; i < q.size(); ++i)
+                EXPECT_NEAR(q(column::S_zz, i),
+                            -(Column::rho - Column::rho_w) * 9.81 * (1.0 - q(column::z, i)), 1.0);
+            EXPECT_LT(simulation.energy().kinetic, 1e-15);
+        }
+}
+
+// Sand that is looser at the top: its effective stress is the buoyant weight of what lies above.
+TEST(SaturatedSand, StartsWithItsBuoyantWeight) {
+    Case plan = column_case();
+    BodyPlan& body = plan.bodies[0];
+    SandPlan sand = lausitz_plan(0.75);
+    sand.at_zero_pressure = true;
+    body.material = sand;
+    body.geostatic = Geostatic{.surface = 1.0, .surcharge = 1000.0};
+    body.water = WaterPlan{.grain_density = 2650.0, .table = 1.0};
+    plan.tractions = {{.body = "column", .edge = Edge::top, .stress = TimeTable{{0.0}, {1000.0}}}};
+    BuiltCase built = build_case(plan);
+    Simulation& simulation = *built.simulation;
+    const Particles& q = simulation.body(0).particles;
+    // Sums over the particles above, row by row from the top.
+    double weight = 0.0;
+    int row = 0;
+    for (int j = 39; j >= 0; --j, ++row) {
+        const std::ptrdiff_t p = simulation.find(0, 8 * j);
+        const double e = q(Sand::state + GRIT_SAND_VOID_RATIO, p);
+        const double density = (2650.0 + e * 1000.0) / (1.0 + e);
+        EXPECT_NEAR(q(column::mass, p), density * q(column::V0, p), 1e-12 * q(column::mass, p));
+        const double half = 0.5 * (density - 1000.0) * 9.81 * 2.0 * q(column::l_z, p);
+        weight += half;
+        EXPECT_NEAR(q(column::S_zz, p), -(1000.0 + weight), 0.5);
+        weight += half;
+    }
+    EXPECT_EQ(row, 40);
+    apply_stage(plan, plan.stages[0], simulation);
+    for (int i = 0; i < 500; ++i) simulation.step();
+    for (std::ptrdiff_t p = 0; p < q.size(); ++p)
+        EXPECT_NEAR(q(Sand::work + 1, p), 1000.0 * 9.81 * (1.0 - q(column::z, p)), 20.0);
+}
+
+// One particle that has a cell to itself, so heavy that nothing stops it.
+struct Cell {
+    std::unique_ptr<Simulation> simulation;
+    explicit Cell(double v_r, double v_z, double mean_pressure, double p_w) {
+        Case plan = column_case();
+        plan.settings.axisymmetric = false;
+        plan.settings.largest_step = 1e-4;
+        plan.r = {-1.0, {{1.0, 2, 1.0}}};
+        plan.z = {-1.0, {{1.0, 2, 1.0}}};
+        for (Boundary& boundary : plan.boundary) boundary = Boundary::free;
+        BodyPlan& body = plan.bodies[0];
+        body.outlines = {Outline{{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}}};
+        body.particles_r = body.particles_z = 2;
+        body.material = lausitz_plan(0.85);
+        body.water = WaterPlan{.grain_density = 1e9};
+        simulation = std::move(build_case(plan).simulation);
+        simulation->fix_below(0, 0.0);
+        simulation->fix_below(1, 0.0);
+        const ParticleView q = particles();
+        for (std::ptrdiff_t p = 0; p < 4; ++p) {
+            for (const int c : {column::S_rr, column::S_zz, column::S_tt}) q[c][p] = -mean_pressure;
+            q[simulation->body(0).water->first][p] = p_w;
+        }
+        set_rates(v_r, v_z);
+    }
+    ParticleView particles() { return simulation->body(0).particles.view(); }
+    void set_rates(double v_r, double v_z) {
+        const ParticleView q = particles();
+        for (std::ptrdiff_t p = 0; p < 4; ++p) {
+            q[column::v_r][p] = v_r * q[column::r][p];
+            q[column::v_z][p] = v_z * q[column::z][p];
+        }
+    }
+};
+
+TEST(UndrainedSand, OfACellFollowsTheUndrainedPathToLiquefactionAndBack) {
+    const grit_sand sand = lausitz();
+    const grit_sand_options options = sand_options();
+    Cell cell(-1.0, 1.0, 1e5, 5e4);
+    const PoreWater& water = *cell.simulation->body(0).water;
+    ParticleView q = cell.particles();
+    const double K_w = water.bulk_modulus;
+    // The same strains, given to the library alone.
+    double stress[4] = {-1e5, -1e5, -1e5, 0.0}, state[GRIT_SAND_STATE_SIZE], F[2] = {1.0, 1.0};
+    for (int k = 0; k < GRIT_SAND_STATE_SIZE; ++k) state[k] = q[Sand::state + k][0];
+    double p_w = 5e4, least_pressure = 1e5, most_p_w = 0.0;
+    for (int i = 0; i < 600; ++i) {
+        if (i == 300) cell.set_rates(1.0, -1.0);
+        cell.simulation->step();
+        q = cell.particles();
+        double strain[4] = {}, trace = 0.0;
+        for (const int k : {0, 1}) {
+            const double now = q[k == 0 ? column::F_rr : column::F_zz][0], L = now / F[k] - 1.0;
+            strain[k] = L / (1.0 + 0.5 * L);
+            trace += strain[k];
+            F[k] = now;
+        }
+        const double e = state[GRIT_SAND_VOID_RATIO];
+        grit_sand_points points{};
+        points.struct_size = sizeof points;
+        points.components = 4;
+        points.stress = grit_mutable_view_of(stress, 1, 1);
+        points.state = grit_mutable_view_of(state, 1, 1);
+        points.strain_increment = grit_view_of(strain, 1, 1);
+        ASSERT_EQ(grit_sand_update(&sand, &options, 1, &points, nullptr, nullptr), GRIT_OK);
+        p_w -= K_w * std::log(state[GRIT_SAND_VOID_RATIO] / e);  // grains keep their volume
+        ASSERT_NEAR(q[water.first][0], p_w, 1e-6 * std::fabs(p_w)) << i;
+        for (int k = 0; k < 4; ++k) ASSERT_NEAR(q[column::S_rr + k][0], stress[k], 1e-6 * 1e5) << i;
+        least_pressure = std::min(least_pressure, -(stress[0] + stress[1] + stress[2]) / 3.0);
+        most_p_w = std::max(most_p_w, p_w);
+    }
+    EXPECT_LT(least_pressure, 1e4);
+    EXPECT_GT(most_p_w, 1e6);
+}
+
+TEST(UndrainedSand, CavitatesAndBearsAgainOnceTheCavityHasClosed) {
+    Cell cell(1.0, 1.0, 1e5, 0.0);
+    Simulation& simulation = *cell.simulation;
+    const PoreWater& water = *simulation.body(0).water;
+    double J = 0.0;
+    for (int i = 0; i < 50; ++i) simulation.step();
+    EXPECT_EQ(water.pressure(cell.particles(), 0), -1e5);
+    cell.set_rates(-1.0, -1.0);
+    while (water.pressure(cell.particles(), 0) < 0.0) {
+        simulation.step();
+        J = cell.particles().J(0);
+    }
+    EXPECT_NEAR(J, 1.0, 3e-4);  // of one step
+}
+
+std::string saved(const Simulation& simulation) {
+    std::ostringstream out;
+    save(simulation, out);
+    return out.str();
+}
+
+Case loaded(double conductivity, int threads) {
+    Column column{.cells = 40,
+                  .conductivity = conductivity,
+                  .threads = threads,
+                  .axisymmetric = true,
+                  .load = 1e4,
+                  .ramp = 1e-3,
+                  .gravity = 9.81};
+    return column.plan();
+}
+
+TEST(SaturatedSand, IsTheSameWhateverTheThreads) {
+    for (const double k : {0.0, 1e-3}) {
+        std::string one;
+        for (const int threads : {1, 2, 3}) {
+            BuiltCase built = build_case(loaded(k, threads));
+            for (int i = 0; i < 300; ++i) built.simulation->step();
+            const std::string now = saved(*built.simulation);
+            if (threads == 1) one = now;
+            EXPECT_TRUE(now == one) << k << ", " << threads << " threads";
+        }
+    }
+}
+
+TEST(SaturatedSand, GoesOnFromACheckpointBitForBit) {
+    for (const double k : {0.0, 1e-3}) {
+        const Case plan = loaded(k, 1);
+        BuiltCase all = build_case(plan), first = build_case(plan), second = build_case(plan);
+        for (int i = 0; i < 300; ++i) all.simulation->step();
+        for (int i = 0; i < 150; ++i) first.simulation->step();
+        std::istringstream in(saved(*first.simulation));
+        restore(*second.simulation, in);
+        for (int i = 0; i < 150; ++i) second.simulation->step();
+        EXPECT_TRUE(saved(*second.simulation) == saved(*all.simulation)) << k;
+    }
+}
+
+TEST(SaturatedSand, RefusesTheCheckpointOfOtherWater) {
+    const Case plan = loaded(0.0, 1);
+    Case other = plan;
+    other.bodies[0].water->bulk_modulus = 1e9;
+    BuiltCase built = build_case(plan), second = build_case(other);
+    std::istringstream in(saved(*built.simulation));
+    EXPECT_THROW(restore(*second.simulation, in), std::runtime_error);
+}
+
+}  // namespace

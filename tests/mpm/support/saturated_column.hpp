@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A confined column of elastic sand whose pores are full of water, and what is known of it (W3, W4).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include <adapters/mpm/case/build_case.hpp>
+
+namespace mpm_test {
+
+using namespace grit::mpm;
+
+struct SaturatedColumn {
+    static constexpr double E = 10e6, K_w = 2.2e9, n = 0.4, rho_s = 2650.0, rho_w = 1000.0;
+    static constexpr double rho_d = (1.0 - n) * rho_s, rho = rho_d + n * rho_w;
+    static constexpr double height = 1.0;  // [m]
+    int cells = 32;
+    double conductivity = 0.0;  // [m/s]; 0: undrained
+    double cfl = 0.4;
+    int threads = 1;
+    bool axisymmetric = false;
+    bool closed = false;  // its top is a wall
+    double load = 0.0;    // on its top [Pa] ...
+    double ramp = 0.0;    // ... within this time [s]
+    double gravity = 0.0;
+    double damping = 0.0;
+
+    bool flows() const { return conductivity > 0.0; }
+    double cell() const { return height / cells; }
+
+    Case plan() const {
+        Case out;
+        out.name = "column";
+        out.settings.axisymmetric = axisymmetric;
+        out.settings.cfl = cfl;
+        out.settings.threads = threads;
+        out.settings.local_damping = damping;
+        out.gravity = gravity;
+        out.r = {0.0, {{cell(), 1, 1.0}}};
+        out.z = {0.0, {{closed ? height : height + 2.0 * cell(), closed ? cells : cells + 2, 1.0}}};
+        for (const Side side : {Side::left, Side::right, Side::bottom})
+            out.boundary[static_cast<int>(side)] = Boundary::roller;
+        if (closed) out.boundary[static_cast<int>(Side::top)] = Boundary::roller;
+        BodyPlan body{};
+        body.name = "sand";
+        body.outlines = {Outline{{{0.0, 0.0}, {cell(), 0.0}, {cell(), height}, {0.0, height}}}};
+        body.density = body_density();
+        body.material = ElasticPlan{E, 0.0};
+        WaterPlan water;
+        water.drainage = flows() ? Drainage::flow : Drainage::undrained;
+        water.conductivity = conductivity;
+        water.porosity = n;
+        water.grain_density = rho_s;
+        if (gravity > 0.0) {
+            water.table = height;
+            body.geostatic = Geostatic{.surface = height, .surcharge = load};
+        }
+        body.water = water;
+        out.bodies = {body};
+        if (load > 0.0)
+            out.tractions = {{.body = "sand",
+                              .edge = Edge::top,
+                              .stress = ramp > 0.0 ? TimeTable{{0.0, ramp}, {0.0, load}}
+                                                   : TimeTable{{0.0}, {load}}}};
+        out.stages = {StagePlan{.name = "stage", .end = {.time = 1.0}}};
+        out.history.body = "sand";
+        return out;
+    }
+    double body_density() const { return flows() ? rho_d : rho; }
+
+    // (W3)
+    static double c_u() { return std::sqrt((E + K_w / n) / rho); }
+    static double sum() { return (E + (1.0 - n) * (1.0 - n) * K_w / n) / rho_d + K_w / rho_w; }
+    static double product() { return K_w * E / (rho_d * rho_w); }
+    static double c_1() {
+        return std::sqrt(0.5 * (sum() + std::sqrt(sum() * sum() - 4.0 * product())));
+    }
+    static double c_2() { return std::sqrt(product()) / c_1(); }
+    // (W4)
+    static double p_0(double q) { return q * (K_w / n) / (K_w / n + E); }
+    double c_v() const { return conductivity / (rho_w * standard_gravity * (1.0 / E + n / K_w)); }
+};
+
+// Means of cells, from the bottom.
+inline std::vector<double> pore_pressures(Simulation& simulation, int cells) {
+    std::vector<double> sum(static_cast<std::size_t>(cells)), count(sum.size());
+    Body& body = simulation.body(0);
+    const ParticleView q = body.particles.view();
+    const GridView grid{simulation.axis_r().view(), simulation.axis_z().view()};
+    for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p) {
+        const auto cell =
+            static_cast<std::size_t>(std::min(grid.z.cell_of(q[column::z][p]), cells - 1));
+        sum[cell] += body.water->pressure(q, p);
+        count[cell] += 1.0;
+    }
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] /= count[i];
+    return sum;
+}
+
+// What alternates from cell to cell: fourth differences, divided so that of (-1)^i a they give a.
+inline double alternating(const std::vector<double>& p) {
+    double out = 0.0;
+    for (std::size_t i = 2; i + 2 < p.size(); ++i)
+        out = std::max(
+            out,
+            std::fabs(p[i - 2] - 4.0 * p[i - 1] + 6.0 * p[i] - 4.0 * p[i + 1] + p[i + 2]) / 16.0);
+    return out;
+}
+
+struct Wave {
+    double speed, residual, dt;
+};
+
+// The speed of the wave that stands in a closed column, a half wave long, from its fourth passage through zero;
+// ratio: of the velocity of water to that of grains.
+inline Wave standing_wave(SaturatedColumn column, double ratio) {
+    column.closed = true;
+    BuiltCase built = build_case(column.plan());
+    Simulation& simulation = *built.simulation;
+    Body& body = simulation.body(0);
+    const auto shape = [&](std::ptrdiff_t p) {
+        return std::sin(std::numbers::pi * body.particles(column::z, p) / column.height);
+    };
+    const ParticleView q = body.particles.view();
+    for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p) {
+        q[column::v_z][p] = 1e-3 * shape(p);
+        if (column.flows())
+            q[body.water->velocity_column() + 1][p] = 1e-3 * (ratio - 1.0) * shape(p);
+    }
+    const auto amplitude = [&] {
+        double out = 0.0;
+        for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p)
+            out += body.particles(column::v_z, p) * shape(p);
+        return out;
+    };
+    double before = amplitude();
+    for (int passages = 0;;) {
+        const double t = simulation.time();
+        simulation.step();
+        const double now = amplitude();
+        if (before * now < 0.0 && ++passages == 4) {
+            const double at = t + (simulation.time() - t) * before / (before - now);
+            const Energy energy = simulation.energy();
+            // Four passages: 3.5 half periods of L/c.
+            return {3.5 * column.height / at, energy.residual() / energy.kinetic_0,
+                    simulation.time() - t};
+        }
+        before = now;
+        if (simulation.steps() > 2000000) throw std::runtime_error("no wave");
+    }
+}
+
+// Terzaghi's column, drained at its top, at a time T = c_v t/L^2 after its load came: pressure at a level and
+// settlement [of p_0 and of its end].
+inline double terzaghi_pressure(double T, double height_share) {
+    double sum = 0.0;
+    for (int m = 0; m < 100; ++m) {
+        const double M = 0.5 * std::numbers::pi * (2 * m + 1);
+        sum += 2.0 / M * std::sin(M * (1.0 - height_share)) * std::exp(-M * M * T);
+    }
+    return sum;
+}
+inline double terzaghi_settlement(double T) {
+    double sum = 0.0;
+    for (int m = 0; m < 100; ++m) {
+        const double M = 0.5 * std::numbers::pi * (2 * m + 1);
+        sum += 2.0 / (M * M) * std::exp(-M * M * T);
+    }
+    return 1.0 - sum;
+}
+
+struct Consolidation {
+    double T;                         // c_v t/L^2
+    double pressure, exact_pressure;  // in the lowest cell [p_0]
+    double settlement, exact_settlement;
+    double alternating;  // [p_0]
+    double residual;     // of the energy balance [work of the load]
+};
+
+// The load comes within T = 0.02, and T counts from the middle of that.
+inline std::vector<Consolidation> consolidate(SaturatedColumn column,
+                                              const std::vector<double>& times) {
+    constexpr double load = 1e4;
+    const double L = column.height, unit = L * L / column.c_v();
+    column.load = load;
+    column.ramp = 0.02 * unit;
+    BuiltCase built = build_case(column.plan());
+    Simulation& simulation = *built.simulation;
+    const Particles& q = simulation.body(0).particles;
+    const auto top = static_cast<int>(q.size()) - 1;
+    const auto pressure_now = [&] { return pore_pressures(simulation, column.cells)[0]; };
+    const auto settlement_now = [&] {
+        const std::ptrdiff_t p = simulation.find(0, top);
+        return L - q(column::z, p) - q(column::F_zz, p) * q(column::l_z, p);
+    };
+    // Of what settles in time, and at once.
+    const double at_end = load * L / column.E,
+                 at_once = load * L / (column.E + column.K_w / column.n);
+    std::vector<Consolidation> out;
+    for (const double T : times) {
+        const double t = T * unit + 0.5 * column.ramp;
+        while (simulation.time() + simulation.next_step() < t || simulation.steps() == 0)
+            simulation.step();
+        const double before = simulation.time(), p = pressure_now(), u = settlement_now();
+        simulation.step();
+        const double share = (t - before) / (simulation.time() - before);
+        const double p_0 = SaturatedColumn::p_0(load);
+        const Energy energy = simulation.energy();
+        out.push_back(
+            {T, (p + share * (pressure_now() - p)) / p_0, terzaghi_pressure(T, 0.5 / column.cells),
+             (u + share * (settlement_now() - u) - at_once) / (at_end - at_once),
+             terzaghi_settlement(T), alternating(pore_pressures(simulation, column.cells)) / p_0,
+             energy.residual() / energy.external_work});
+    }
+    return out;
+}
+
+}  // namespace mpm_test

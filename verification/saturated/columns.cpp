@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Prints what columns of saturated sand do and what is known of it: the tables of docs/saturated.md.
+#include <chrono>
+#include <cstdio>
+
+#include <tests/mpm/support/saturated_column.hpp>
+
+namespace {
+
+using namespace mpm_test;
+using Column = SaturatedColumn;
+
+void row(const char* what, int cells, double found, double exact) {
+    std::printf("| %s | %d | %.5g | %.5g | %+.3f %% |\n", what, cells, found, exact,
+                100.0 * (found / exact - 1.0));
+    std::fflush(stdout);
+}
+
+double ratio(double c) {
+    return Column::K_w * (1.0 - Column::n) / Column::n / (c * c * Column::rho_w - Column::K_w);
+}
+
+void waves() {
+    std::printf("| wave | cells | found [m/s] | exact [m/s] | error |\n|---|---|---|---|---|\n");
+    for (const int cells : {16, 32, 64}) {
+        row("undrained, c_u", cells, standing_wave({.cells = cells}, 1.0).speed, Column::c_u());
+        row("k = 1e-9 m/s, c_u", cells,
+            standing_wave({.cells = cells, .conductivity = 1e-9}, 1.0).speed, Column::c_u());
+        row("k = 1e5 m/s, c_1", cells,
+            standing_wave({.cells = cells, .conductivity = 1e5}, ratio(Column::c_1())).speed,
+            Column::c_1());
+        row("k = 1e5 m/s, c_2", cells,
+            standing_wave({.cells = cells, .conductivity = 1e5}, ratio(Column::c_2())).speed,
+            Column::c_2());
+    }
+}
+
+void terzaghi() {
+    std::printf(
+        "\n| cells | T | p/p_0, lowest cell | exact | error | U | exact | error | alternating "
+        "p/p_0 | energy residual |\n|---|---|---|---|---|---|---|---|---|---|\n");
+    for (const int cells : {8, 16, 32})
+        for (const Consolidation& c :
+             consolidate({.cells = cells, .conductivity = 1e-3}, {0.1, 0.2, 0.5, 1.0})) {
+            std::printf("| %d | %.1f | %.4f | %.4f | %+.2f %% | %.4f | %.4f | %+.2f %% | %.0e | "
+                        "%+.1e |\n",
+                        cells, c.T, c.pressure, c.exact_pressure,
+                        100.0 * (c.pressure / c.exact_pressure - 1.0), c.settlement,
+                        c.exact_settlement, 100.0 * (c.settlement / c.exact_settlement - 1.0),
+                        c.alternating, c.residual);
+            std::fflush(stdout);
+        }
+}
+
+// Of a column under a load that comes within 20 ms: after 30 ms.
+void conductivities() {
+    std::printf(
+        "\n| k [m/s] | Δt [µs] | largest p/p_0 | settlement / load·L/E | alternating p/p_0 | "
+        "energy residual |\n|---|---|---|---|---|---|\n");
+    constexpr double load = 1e4;
+    for (const double k : {0.0, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1}) {
+        Column column{.conductivity = k, .load = load, .ramp = 0.02};
+        BuiltCase built = build_case(column.plan());
+        Simulation& simulation = *built.simulation;
+        while (simulation.time() < 0.03) simulation.step();
+        const std::vector<double> p = pore_pressures(simulation, column.cells);
+        const Particles& q = simulation.body(0).particles;
+        const std::ptrdiff_t top = simulation.find(0, static_cast<int>(q.size()) - 1);
+        const double settled =
+            column.height - q(column::z, top) - q(column::F_zz, top) * q(column::l_z, top);
+        const Energy energy = simulation.energy();
+        std::printf("| %s%.0e | %.3f | %.4f | %.4f | %.0e | %+.1e |\n",
+                    k > 0.0 ? "" : "undrained: ", k, 1e6 * simulation.next_step(),
+                    *std::max_element(p.begin(), p.end()) / Column::p_0(load),
+                    settled / (load * column.height / column.E), alternating(p) / Column::p_0(load),
+                    energy.residual() / energy.external_work);
+        std::fflush(stdout);
+    }
+}
+
+// What a step costs beside that of the dry column.
+void cost() {
+    std::printf("\n| elastic column of 4096 particles | µs per step | by dry |\n|---|---|---|\n");
+    double dry = 0.0;
+    for (const double k : {-1.0, 0.0, 1e-4}) {
+        Column column{.cells = 1024, .conductivity = k > 0.0 ? k : 0.0};
+        Case plan = column.plan();
+        if (k < 0.0) plan.bodies[0].water.reset();
+        BuiltCase built = build_case(plan);
+        for (int i = 0; i < 20; ++i) built.simulation->step();
+        double best = 1e9;
+        for (int trial = 0; trial < 5; ++trial) {
+            const auto begin = std::chrono::steady_clock::now();
+            for (int i = 0; i < 100; ++i) built.simulation->step();
+            const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+            best = std::min(best, spent.count() / 100);
+        }
+        if (k < 0.0) dry = best;
+        std::printf("| %s | %.0f | %.2f |\n",
+                    k < 0.0   ? "dry"
+                    : k > 0.0 ? "flow"
+                              : "undrained",
+                    1e6 * best, best / dry);
+    }
+}
+
+}  // namespace
+
+int main() {
+    waves();
+    terzaghi();
+    conductivities();
+    cost();
+    return 0;
+}
