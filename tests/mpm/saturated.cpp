@@ -110,6 +110,12 @@ TEST(SaturatedColumn, UnderItsWaterTableStaysAtRest) {
         }
 }
 
+TEST(UndrainedSand, DoesNotLockInAThickCylinder) {
+    const SaturatedCylinder cylinder = inflate_saturated_cylinder();
+    EXPECT_NEAR(cylinder.widening, 1.0, 0.003);
+    EXPECT_LT(cylinder.pressure_error, 0.002);
+}
+
 // Sand that is looser at the top: its effective stress is the buoyant weight of what lies above.
 TEST(SaturatedSand, StartsWithItsBuoyantWeight) {
     Case plan = column_case();

@@ -154,6 +154,56 @@ inline Wave standing_wave(SaturatedColumn column, double ratio) {
     }
 }
 
+// A thick cylinder of undrained sand, eight cells across its wall, under a pressure inside: widening of its inner
+// face [of Lame's], and the largest error of a pore pressure [of the pressure].
+struct SaturatedCylinder {
+    double widening, pressure_error;
+};
+
+inline SaturatedCylinder inflate_saturated_cylinder() {
+    constexpr double a = 0.5, b = 1.0, h = 0.0625, pressure = 1000.0, E = 1e7, nu = 0.3;
+    constexpr double n = 0.4, K_w = 2.2e9;
+    Case plan;
+    plan.name = "cylinder";
+    plan.settings.local_damping = 0.5;
+    plan.gravity = 0.0;
+    plan.r = {0.0, {{b + 2.0 * h, 18, 1.0}}};
+    plan.z = {0.0, {{2.0 * h, 2, 1.0}}};
+    for (const Side side : {Side::left, Side::bottom, Side::top})
+        plan.boundary[static_cast<int>(side)] = Boundary::roller;
+    BodyPlan body{};
+    body.name = "wall";
+    body.outlines = {Outline{{{a, 0.0}, {b, 0.0}, {b, 2.0 * h}, {a, 2.0 * h}}}};
+    body.density = 2000.0;
+    body.material = ElasticPlan{E, nu};
+    body.water = WaterPlan{.bulk_modulus = K_w, .grain_density = 2650.0, .porosity = n};
+    plan.bodies = {body};
+    plan.tractions = {{.body = "wall",
+                       .edge = Edge::left,
+                       .direction = {1.0, 0.0},
+                       .stress = TimeTable{{0.0}, {pressure}}}};
+    plan.stages = {StagePlan{.name = "stage", .local_damping = 0.5, .end = {.time = 1.0}}};
+    plan.history.body = "wall";
+    BuiltCase built = build_case(plan);
+    Simulation& simulation = *built.simulation;
+    while (simulation.time() < 0.5) simulation.step();
+    // Undrained moduli: those of the skeleton, and of the water besides.
+    constexpr double G = 0.5 * E / (1.0 + nu), K = E / (3.0 * (1.0 - 2.0 * nu)) + K_w / n;
+    constexpr double lambda = K - 2.0 / 3.0 * G, share = pressure * a * a / (b * b - a * a);
+    constexpr double strain = share / (lambda + G),
+                     exact_u = 0.5 * strain * a + share * b * b / (2.0 * G * a);
+    const Particles& q = simulation.body(0).particles;
+    const std::ptrdiff_t inner = simulation.find(0, 0);
+    const double u = q(column::r, inner) - q(column::F_rr, inner) * q(column::l_r, inner) - a;
+    SaturatedCylinder out{u / exact_u, 0.0};
+    const ParticleView view = simulation.body(0).particles.view();
+    for (std::ptrdiff_t p = 0; p < q.size(); ++p)
+        out.pressure_error = std::max(
+            out.pressure_error,
+            std::fabs(simulation.body(0).water->pressure(view, p) + K_w / n * strain) / pressure);
+    return out;
+}
+
 // Terzaghi's column, drained at its top, at a time T = c_v t/L^2 after its load came: pressure at a level and
 // settlement [of p_0 and of its end].
 inline double terzaghi_pressure(double T, double height_share) {
