@@ -72,6 +72,25 @@ TEST(FlowingWater, ConsolidatesAsTerzaghiSays) {
     }
 }
 
+TEST(FlowingWater, LeavesByADrainedSideThatHoldsTheGrains) {
+    for (const Consolidation& now :
+         consolidate({.cells = 32, .conductivity = 2e-4, .drained_bottom = true}, {0.2})) {
+        EXPECT_NEAR(now.pressure, now.exact_pressure, 0.005 * now.exact_pressure) << now.T;
+        EXPECT_NEAR(now.settlement, now.exact_settlement, 0.005 * now.exact_settlement) << now.T;
+        EXPECT_NEAR(now.residual, 0.0, 1e-3);
+    }
+}
+
+TEST(FlowingWater, IsConductedAsKozenyAndCarmanSay) {
+    PoreWater water{.flows = true, .conductivity = 1e-4};
+    EXPECT_EQ(water.conductivity_of(0.9), 1e-4);
+    water.conductivity_at = 0.6;
+    EXPECT_EQ(water.conductivity_of(0.6), 1e-4);
+    EXPECT_NEAR(water.conductivity_of(0.9), 1e-4 * (0.729 / 1.9) / (0.216 / 1.6), 1e-16);
+    // n² ρ g/k
+    EXPECT_NEAR(water.drag(0.6), 0.375 * 0.375 * 9810.0 / 1e-4, 1e-4);
+}
+
 // Over a whole number of periods, after a load that comes slowly.
 TEST(UndrainedSand, SharesALoadWithItsWater) {
     constexpr double load = 1e4, ramp = 0.02;

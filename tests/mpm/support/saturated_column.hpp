@@ -23,9 +23,10 @@ struct SaturatedColumn {
     double cfl = 0.4;
     int threads = 1;
     bool axisymmetric = false;
-    bool closed = false;  // its top is a wall
-    double load = 0.0;    // on its top [Pa] ...
-    double ramp = 0.0;    // ... within this time [s]
+    bool closed = false;          // its top is a wall
+    bool drained_bottom = false;  // flow may leave there as well
+    double load = 0.0;            // on its top [Pa] ...
+    double ramp = 0.0;            // ... within this time [s]
     double gravity = 0.0;
     double damping = 0.0;
 
@@ -45,6 +46,7 @@ struct SaturatedColumn {
         for (const Side side : {Side::left, Side::right, Side::bottom})
             out.boundary[static_cast<int>(side)] = Boundary::roller;
         if (closed) out.boundary[static_cast<int>(Side::top)] = Boundary::roller;
+        out.drained[static_cast<int>(Side::bottom)] = drained_bottom;
         BodyPlan body{};
         body.name = "sand";
         body.outlines = {Outline{{{0.0, 0.0}, {cell(), 0.0}, {cell(), height}, {0.0, height}}}};
@@ -231,18 +233,21 @@ struct Consolidation {
     double residual;     // of the energy balance [work of the load]
 };
 
+// Drained at the bottom too, it is two columns of half the height, and the cell is the one above the middle.
 // The load comes within T = 0.02, and T counts from the middle of that.
 inline std::vector<Consolidation> consolidate(SaturatedColumn column,
                                               const std::vector<double>& times) {
     constexpr double load = 1e4;
-    const double L = column.height, unit = L * L / column.c_v();
+    const double L = column.height, way = column.drained_bottom ? 0.5 * L : L;
+    const double unit = way * way / column.c_v();
+    const auto cell = static_cast<std::size_t>(column.drained_bottom ? column.cells / 2 : 0);
     column.load = load;
     column.ramp = 0.02 * unit;
     BuiltCase built = build_case(column.plan());
     Simulation& simulation = *built.simulation;
     const Particles& q = simulation.body(0).particles;
     const auto top = static_cast<int>(q.size()) - 1;
-    const auto pressure_now = [&] { return pore_pressures(simulation, column.cells)[0]; };
+    const auto pressure_now = [&] { return pore_pressures(simulation, column.cells)[cell]; };
     const auto settlement_now = [&] {
         const std::ptrdiff_t p = simulation.find(0, top);
         return L - q(column::z, p) - q(column::F_zz, p) * q(column::l_z, p);
@@ -260,11 +265,12 @@ inline std::vector<Consolidation> consolidate(SaturatedColumn column,
         const double share = (t - before) / (simulation.time() - before);
         const double p_0 = SaturatedColumn::p_0(load);
         const Energy energy = simulation.energy();
-        out.push_back(
-            {T, (p + share * (pressure_now() - p)) / p_0, terzaghi_pressure(T, 0.5 / column.cells),
-             (u + share * (settlement_now() - u) - at_once) / (at_end - at_once),
-             terzaghi_settlement(T), alternating(pore_pressures(simulation, column.cells)) / p_0,
-             energy.residual() / energy.external_work});
+        out.push_back({T, (p + share * (pressure_now() - p)) / p_0,
+                       terzaghi_pressure(T, 0.5 * column.cell() / way),
+                       (u + share * (settlement_now() - u) - at_once) / (at_end - at_once),
+                       terzaghi_settlement(T),
+                       alternating(pore_pressures(simulation, column.cells)) / p_0,
+                       energy.residual() / energy.external_work});
     }
     return out;
 }
