@@ -11,6 +11,11 @@ namespace {
 
 using namespace mpm_test;
 
+void correct(ContactPair& pair, const GridView& grid, const ContactBody& a, const ContactBody& b,
+             double dt, Exchange& alone) {
+    if (pair.find(grid, a, b, alone)) pair.correct(a, b, dt, alone);
+}
+
 class GateAtANode : public testing::Test {
   protected:
     static constexpr double half = 0.45;  // of a particle's side; cells are 1 m
@@ -32,8 +37,8 @@ class GateAtANode : public testing::Test {
         v_a[node][motion::v_z] = approach;
         v_b[node][motion::v_z] = -approach;
         const GridView grid{axis.view(), axis.view()};
-        pair.correct(grid, {a.data(), v_a.data(), below.particles.view(), 1, false},
-                     {b.data(), v_b.data(), above.particles.view(), 1, false}, 1e-3, alone);
+        correct(pair, grid, {a.data(), v_a.data(), below.particles.view(), 1, false},
+                {b.data(), v_b.data(), above.particles.view(), 1, false}, 1e-3, alone);
         return v_a[node][motion::v_z];
     }
 
@@ -64,8 +69,8 @@ TEST(ReachOfANode, IsTheDiagonalAlongADiagonalNormal) {
     a[node][record::g_scale] = b[node][record::g_scale] = 2.0;
     v_a[node][motion::v_r] = v_a[node][motion::v_z] = n;
     v_b[node][motion::v_r] = v_b[node][motion::v_z] = -n;
-    pair.correct(grid, {a.data(), v_a.data(), below.particles.view(), 1, false},
-                 {b.data(), v_b.data(), above.particles.view(), 1, false}, 1e-3, alone);
+    correct(pair, grid, {a.data(), v_a.data(), below.particles.view(), 1, false},
+            {b.data(), v_b.data(), above.particles.view(), 1, false}, 1e-3, alone);
     const double s = (2.0 - corner) * reach;  // more than the edge of a cell
     EXPECT_NEAR(v_a[node][motion::v_r], n * std::pow(s / reach, 6.0), 1e-14);
     EXPECT_NEAR(v_a[node][motion::v_z], n * std::pow(s / reach, 6.0), 1e-14);
@@ -118,9 +123,9 @@ class CornerAtANode : public testing::Test {
         const double n = std::sqrt(0.5);
         v_a[node][motion::v_r] = v_b[node][motion::v_z] = n;
         v_a[node][motion::v_z] = v_b[node][motion::v_r] = -n;
-        pair.correct(grid, {a.data(), v_a.data(), above.particles.view(), 1, false},
-                     {b.data(), v_b.data(), other.particles.view(), other.particles.size(), false},
-                     1e-3, alone);
+        correct(pair, grid, {a.data(), v_a.data(), above.particles.view(), 1, false},
+                {b.data(), v_b.data(), other.particles.view(), other.particles.size(), false}, 1e-3,
+                alone);
         return v_a[node][motion::v_r] / n;
     }
 

@@ -9,11 +9,14 @@
 
 #include <adapters/mpm/case/initial_state.hpp>
 #include <adapters/mpm/io/checkpoint.hpp>
+#include <adapters/mpm/run/measures.hpp>
+#include <adapters/mpm/run/run.hpp>
 #include <grit/sand_operators.h>
 
 #include "support/lausitz.hpp"
 #include "support/plans.hpp"
 #include "support/saturated_column.hpp"
+#include "support/saturated_disk.hpp"
 
 namespace {
 
@@ -79,6 +82,84 @@ TEST(FlowingWater, LeavesByADrainedSideThatHoldsTheGrains) {
         EXPECT_NEAR(now.settlement, now.exact_settlement, 0.005 * now.exact_settlement) << now.T;
         EXPECT_NEAR(now.residual, 0.0, 1e-3);
     }
+}
+
+// Its pressure rises by 18 % before it falls.
+TEST(FlowingWater, LeavesADiskAsDeLeeuwSays) {
+    for (const SaturatedDisk::Result& now : SaturatedDisk{}.run({0.05, 0.1, 0.2})) {
+        EXPECT_NEAR(now.pressure, now.exact, 0.007 * now.exact) << now.T;
+        EXPECT_NEAR(now.residual, 0.0, 1e-3);
+    }
+}
+
+// A column under a rigid piston that no water passes, 30 ms after it has sunk by 15 µm.
+Case under_a_piston(const Column& column) {
+    Case plan = column.plan();
+    BodyPlan piston{};
+    piston.name = "piston";
+    const double h = column.cell(), L = column.height;
+    piston.outlines = {Outline{{{0.0, L}, {h, L}, {h, L + h}, {0.0, L + h}}}};
+    piston.density = 1000.0;
+    RigidPlan motion;
+    motion.velocity_r = TimeTable{{0.0}, {0.0}};
+    motion.velocity_z = TimeTable{{0.0, 0.005, 0.015, 0.02}, {0.0, -1e-3, -1e-3, 0.0}};
+    piston.material = motion;
+    plan.bodies.push_back(piston);
+    ContactPlan contact;
+    contact.stiff = "piston";
+    contact.soft = "sand";
+    contact.law = GRIT_CONTACT_FRICTIONAL;
+    plan.contacts = {contact};
+    plan.history.body = "piston";
+    return plan;
+}
+
+TEST(FlowingWater, PressesOnAPistonBesideTheEffectiveStress) {
+    for (const double k : {1e-3, 1e-6}) {
+        const Column column{.conductivity = k};
+        Runner runner(under_a_piston(column));
+        Simulation& simulation = runner.simulation();
+        double pore = 0.0, grains = 0.0, p_w = 0.0;
+        int count = 0;
+        while (simulation.time() < 0.04) {
+            runner.step();
+            if (simulation.time() < 0.03) continue;
+            pore += simulation.pore_faces(0).along_z[1] / column.cell();
+            grains += simulation.contact(0).faces().along_z[1] / column.cell();
+            p_w += pore_pressures(simulation, column.cells)[8];
+            ++count;
+        }
+        // The node below the piston is its own as well: one cell moves with it.
+        const double strain = 15e-6 / (column.height - column.cell());
+        EXPECT_NEAR(p_w / count, Column::K_w / Column::n * strain, 0.005 * p_w / count);
+        EXPECT_NEAR(-pore / count, p_w / count, 0.005 * p_w / count);
+        // It holds what of drag has not ended yet, too.
+        EXPECT_NEAR(-grains / count, Column::E * strain, 0.25 * Column::E * strain);
+        EXPECT_NEAR(simulation.energy().residual(), 0.0, 1e-3 * simulation.energy().rigid_work);
+        EXPECT_NEAR(contact_forces(simulation, 1).tip[1],
+                    -simulation.pore_faces(0).along_z[1] - simulation.contact(0).faces().along_z[1],
+                    1e-9 * p_w / count);
+    }
+}
+
+TEST(FlowingWater, UnderAPistonGoesOnFromACheckpointBitForBit) {
+    const Case plan = under_a_piston({.cells = 16, .conductivity = 1e-4});
+    Runner all(plan), first(plan), second(plan);
+    for (int i = 0; i < 300; ++i) all.step();
+    for (int i = 0; i < 150; ++i) first.step();
+    second.resume(first.state());
+    std::ostringstream out;
+    save(first.simulation(), out);
+    std::istringstream in(out.str());
+    restore(second.simulation(), in);
+    EXPECT_EQ(contact_forces(second.simulation(), 1).tip[1],
+              contact_forces(first.simulation(), 1).tip[1]);
+    EXPECT_NE(first.simulation().pore_faces(0).along_z[1], 0.0);
+    for (int i = 0; i < 150; ++i) second.step();
+    std::ostringstream ours, theirs;
+    save(second.simulation(), ours);
+    save(all.simulation(), theirs);
+    EXPECT_TRUE(ours.str() == theirs.str());
 }
 
 TEST(FlowingWater, IsConductedAsKozenyAndCarmanSay) {

@@ -5,6 +5,7 @@
 
 #include <grit/sand_catalogue.h>
 #include <tests/mpm/support/saturated_column.hpp>
+#include <tests/mpm/support/saturated_disk.hpp>
 
 namespace {
 
@@ -49,6 +50,18 @@ void terzaghi() {
                         100.0 * (c.pressure / c.exact_pressure - 1.0), c.settlement,
                         c.exact_settlement, 100.0 * (c.settlement / c.exact_settlement - 1.0),
                         c.alternating, c.residual);
+            std::fflush(stdout);
+        }
+}
+
+void disk() {
+    std::printf("\n| cells | T | p/p_0 in the middle | exact | error | energy residual |\n"
+                "|---|---|---|---|---|---|\n");
+    for (const int cells : {8, 16, 32})
+        for (const SaturatedDisk::Result& r :
+             SaturatedDisk{.cells = cells}.run({0.05, 0.1, 0.2, 0.5})) {
+            std::printf("| %d | %.2f | %.4f | %.4f | %+.2f %% | %+.1e |\n", cells, r.T, r.pressure,
+                        r.exact, 100.0 * (r.pressure / r.exact - 1.0), r.residual);
             std::fflush(stdout);
         }
 }
@@ -133,6 +146,7 @@ void cost() {
 int main() {
     waves();
     terzaghi();
+    disk();
     conductivities();
     cost();
     return 0;

@@ -107,6 +107,12 @@ Objections objection_to_contact(const Case& plan, std::size_t contact, const Key
     if (c.stiff == c.soft) return Objection{"soft", " must be another body than " + name("stiff")};
     if (plan.bodies[plan.body(c.stiff)].rigid() && plan.bodies[plan.body(c.soft)].rigid())
         return Objection{"soft", ": both bodies are rigid"};
+    for (const std::string& body : {c.stiff, c.soft}) {
+        const auto& water = plan.bodies[plan.body(body)].water;
+        if (water && water->drainage == Drainage::flow && (c.penalty || c.at_surfaces))
+            return Objection{"law", ": water that flows, in \"" + body +
+                                        "\", knows contact at nodes alone"};
+    }
     for (std::size_t i = 0; i < contact; ++i) {
         const ContactPlan& other = plan.contacts[i];
         if ((other.stiff == c.stiff && other.soft == c.soft) ||

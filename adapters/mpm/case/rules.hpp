@@ -36,7 +36,7 @@ Objections objection_to(const Case& plan, const TractionPlan& traction);
 // Of pore water, as a body of this material has it.
 Objections objection_to(const Case& plan, const MaterialPlan& material, const WaterPlan& water,
                         const IsGiven& given);
-// Of the contact and of those before it.
+// Of the contact and of those before it, and of the bodies that it knows.
 Objections objection_to_contact(const Case& plan, std::size_t contact, const KeyName& name);
 // Of the law and of what is given for it.
 Objections objection_to(const ContactPlan& contact, const IsGiven& given);

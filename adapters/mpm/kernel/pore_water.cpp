@@ -7,6 +7,9 @@
 namespace grit::mpm {
 namespace {
 
+// Lanes of WaterNodeCall::volume.
+constexpr int drag_impulse = motion::other_r;
+
 // A component of a node: of the grains, of the water, and whether they may move.
 struct Component {
     int k;  // 0: r, 1: z
@@ -115,7 +118,7 @@ void push_water(const WaterNodeCall& call, WaterSums& sums) {
     }
 }
 
-void drag_water(const WaterNodeCall& call, WaterSums& sums) {
+void drag_water(const WaterNodeCall& call) {
     for (std::ptrdiff_t i = call.grains.begin; i < call.grains.end; ++i) {
         if (!has_water(call, i)) continue;
         const NodeRecord& w = call.water_records[i];
@@ -124,14 +127,13 @@ void drag_water(const WaterNodeCall& call, WaterSums& sums) {
         for (const Component& c : {component(call, i, 0), component(call, i, 1)}) {
             const double per_grains = c.grains_free ? 1.0 / call.grains.records[i][record::m] : 0.0;
             const double per_water = c.water_free ? 1.0 / w[water_record::m] : 0.0;
-            const int now = motion::v_r + c.k, old = motion::other_r + c.k;
+            const int now = motion::v_r + c.k;
             const double against =
                 (water[now] - grains[now]) / (1.0 + C * (per_grains + per_water));
             const double impulse = C * against;
             grains[now] += impulse * per_grains;
             water[now] -= impulse * per_water;
-            call.grains.add(sums.drag, i,
-                            0.5 * impulse * (water[now] - grains[now] + water[old] - grains[old]));
+            call.volume[i][drag_impulse + c.k] = impulse;
         }
     }
 }
@@ -140,6 +142,7 @@ void close_water(const WaterNodeCall& call, WaterSums& sums) {
     for (std::ptrdiff_t i = call.grains.begin; i < call.grains.end; ++i) {
         const NodeMotion& grains = call.grains.motions[i];
         NodeMotion &water = call.flowing[i], &volume = call.volume[i];
+        const double impulse[] = {volume[drag_impulse], volume[drag_impulse + 1]};
         volume = NodeMotion{};
         if (!has_water(call, i)) {
             water = grains;
@@ -147,14 +150,17 @@ void close_water(const WaterNodeCall& call, WaterSums& sums) {
             continue;
         }
         const double n = call.porosity(i), m = call.water_records[i][water_record::m];
-        double change = 0.0, gravity = 0.0;
+        double change = 0.0, gravity = 0.0, drag = 0.0;
         for (int k = 0; k < 2; ++k) {
             const double now = water[motion::v_r + k], old = water[motion::other_r + k];
             volume[k] = (1.0 - n) * grains[motion::v_r + k] + n * now;
             change += (now - old) * (now - old);
+            drag +=
+                impulse[k] * (now + old - grains[motion::v_r + k] - grains[motion::other_r + k]);
             gravity += call.grains.gravity[static_cast<std::size_t>(k)] * (now + old);
         }
         call.grains.add(sums.change, i, 0.5 * m * change);
+        call.grains.add(sums.drag, i, 0.5 * drag);
         call.grains.add(sums.gravity_work, i, 0.5 * call.grains.dt * m * gravity);
     }
 }

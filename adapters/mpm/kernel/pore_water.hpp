@@ -149,7 +149,7 @@ struct WaterNodeCall {
     const PoreWater* water;
     const NodeRecord* water_records;
     NodeMotion* flowing;  // of the water: v and other, the velocity before the step's forces
-    NodeMotion* volume;   // (1 - n) v_s + n v_w
+    NodeMotion* volume;   // (1 - n) v_s + n v_w, and the impulse of drag on the grains [N s]
     const std::uint8_t* drained;  // bits of components that are free though the grains are fixed
 
     double porosity(std::ptrdiff_t i) const {
@@ -162,7 +162,7 @@ struct WaterNodeCall {
 // records; flowing becomes v = v_old + dt (f/m + g).
 void push_water(const WaterNodeCall& call, WaterSums& sums);
 // Drag (W2), implicit: of grains and water as they are after the forces.
-void drag_water(const WaterNodeCall& call, WaterSums& sums);
+void drag_water(const WaterNodeCall& call);
 // Once the grains have their velocity: volume, and the energies of water.
 void close_water(const WaterNodeCall& call, WaterSums& sums);
 

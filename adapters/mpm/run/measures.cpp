@@ -108,6 +108,7 @@ ContactForces contact_forces(const Simulation& simulation, std::size_t body) {
         if (pair.law().a != body && pair.law().b != body) continue;
         const ContactPair::Measured& faces = pair.faces();
         add(pair.law().b == body ? 1.0 : -1.0, faces);
+        add(pair.law().b == body ? 1.0 : -1.0, simulation.pore_faces(i));
         out.largest_gap = std::fmax(out.largest_gap, faces.largest_gap);
     }
     for (std::size_t i = 0; i < simulation.penalty_contact_count(); ++i) {

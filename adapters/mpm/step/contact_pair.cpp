@@ -363,12 +363,15 @@ void ContactPair::remember() {
         touched[static_cast<std::size_t>(active[i])] = reports[i].penalty_factor > 0.0;
 }
 
-void ContactPair::correct(const GridView& grid, const ContactBody& a, const ContactBody& b,
-                          double dt, Exchange& exchange) {
+bool ContactPair::find(const GridView& grid, const ContactBody& a, const ContactBody& b,
+                       Exchange& exchange) {
     step_totals = {};
     step_totals.struct_size = sizeof step_totals;
     step_faces = {{}, NAN};
-    if (!find_active(grid, a, b, exchange)) return remember();
+    if (!find_active(grid, a, b, exchange)) {
+        remember();
+        return false;
+    }
     const auto n = static_cast<std::ptrdiff_t>(active.size());
     std::fill(normal.begin(), normal.end(), 0.0);
     find_normals(a, b);
@@ -392,8 +395,16 @@ void ContactPair::correct(const GridView& grid, const ContactBody& a, const Cont
         find_reaches();
         find_gates();
     }
-
     if (stiff) find_areas(a);
+    return true;
+}
+
+void ContactPair::correct(const ContactBody& a, const ContactBody& b, double dt,
+                          Exchange& exchange) {
+    const auto n = static_cast<std::ptrdiff_t>(active.size());
+    const bool geo = pair_law.options.law == GRIT_CONTACT_GEO;
+    const bool stiff = pair_law.options.contact_stiffness > 0.0;
+    grit_error error;
     grit_contact_options options = pair_law.options;
     options.time_step = dt;
     options.rigid = a.rigid   ? GRIT_CONTACT_A_RIGID

@@ -42,9 +42,16 @@ class ContactPair {
   public:
     ContactPair(const ContactLaw& law, const Settings& settings, const GridView& grid,
                 const std::vector<std::uint8_t>& fixed);
-    // Velocities after the momentum update become those after contact.
-    void correct(const GridView& grid, const ContactBody& a, const ContactBody& b, double dt,
-                 Exchange& exchange);
+    // Where the bodies meet, with normals and gaps; false: nowhere.
+    bool find(const GridView& grid, const ContactBody& a, const ContactBody& b, Exchange& exchange);
+    // work(node, normal) for the nodes that find has found and that pressed in the step before, too.
+    template <class Work> void each_pressed(const Work& work) const {
+        for (const std::ptrdiff_t node : active)
+            if (touched[static_cast<std::size_t>(node)])
+                work(static_cast<std::size_t>(node), &normal[2 * static_cast<std::size_t>(node)]);
+    }
+    // Velocities after the momentum update become those after contact, once they are found.
+    void correct(const ContactBody& a, const ContactBody& b, double dt, Exchange& exchange);
     const ContactLaw& law() const { return pair_law; }
     // Of the last step, of all processes.
     const grit_contact_totals& totals() const { return step_totals; }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/mpm/step/nodal_contacts.hpp"
 
+#include <cmath>
+#include <tuple>
+
 namespace grit::mpm {
 
 ContactBody NodalContacts::body(std::size_t i) {
@@ -9,17 +12,40 @@ ContactBody NodalContacts::body(std::size_t i) {
             part.body.particles.size(), part.body.rigid()};
 }
 
+// Of water that flows in one body, at the nodes where the other one presses.
+void NodalContacts::bear_pore_pressure(std::size_t contact) {
+    const ContactLaw& law = contacts[contact].law();
+    Faces& faces = pore[contact];
+    for (const auto& [of, other, sign] : {std::tuple{law.a, law.b, 1.0}, {law.b, law.a, -1.0}}) {
+        if (!water.flows(of)) continue;
+        contacts[contact].each_pressed(
+            [&, of = of, other = other, sign = sign](std::size_t node, const double* normal) {
+                const double impulse = water.press(of, other, node, {normal[0], normal[1]});
+                const double force = sign * impulse / model.dt;
+                const bool faces_z = std::abs(normal[1]) > std::abs(normal[0]);
+                Vector2& sum = faces_z ? faces.along_z : faces.along_r;
+                sum = {sum[0] + force * normal[0], sum[1] + force * normal[1]};
+            });
+    }
+}
+
 void NodalContacts::correct(Energy& sums) {
-    for (ContactPair& pair : contacts) {
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        ContactPair& pair = contacts[i];
         const ContactLaw& law = pair.law();
-        pair.correct(model.grid(), body(law.a), body(law.b), model.dt, model.exchange);
+        pore[i] = {};
+        const ContactBody a = body(law.a), b = body(law.b);
+        if (pair.find(model.grid(), a, b, model.exchange)) {
+            bear_pore_pressure(i);
+            pair.correct(a, b, model.dt, model.exchange);
+        }
         const grit_contact_totals& totals = pair.totals();
         sums.contact += totals.dissipation_normal + totals.dissipation_tangential;
-        for (const std::size_t i : {law.a, law.b}) {
-            const Body& of = model.parts[i].body;
+        for (const std::size_t which : {law.a, law.b}) {
+            const Body& of = model.parts[which].body;
             if (!of.rigid()) continue;
             // What moves a rigid body works against the force that the body feels.
-            const double* J = i == law.a ? totals.impulse_on_a : totals.impulse_on_b;
+            const double* J = which == law.a ? totals.impulse_on_a : totals.impulse_on_b;
             const Vector2 v = of.prescribed_velocity(model.t + model.dt);
             sums.rigid_work -= J[0] * v[0] + J[1] * v[1];
         }

@@ -6,29 +6,37 @@
 
 #include "adapters/mpm/step/contact_pair.hpp"
 #include "adapters/mpm/step/model.hpp"
+#include "adapters/mpm/step/water.hpp"
 
 namespace grit::mpm {
 
 class NodalContacts {
   public:
-    explicit NodalContacts(Model& of) : model(of) {}
+    NodalContacts(Model& of, Water& in_pores) : model(of), water(in_pores) {}
     void add(const ContactLaw& law) {
         contacts.emplace_back(law, model.settings, model.grid(), model.fixed_nodes);
+        pore.emplace_back();
     }
     // Velocities after the momentum update become those after contact; adds what it took and what rigid bodies did.
     void correct(Energy& sums);
 
     const ContactPair& operator[](std::size_t i) const { return contacts[i]; }
+    // Of pore pressures on b, in the last step.
+    const Faces& pore_faces(std::size_t i) const { return pore[i]; }
     std::size_t count() const { return contacts.size(); }
     template <class Self, class Archive> static void visit(Self& of, Archive& archive) {
         for (auto& contact : of.contacts) ContactPair::visit(contact, archive);
+        for (auto& faces : of.pore) archive.value(faces);
     }
 
   private:
     ContactBody body(std::size_t i);
+    void bear_pore_pressure(std::size_t contact);
 
     Model& model;
+    Water& water;
     std::vector<ContactPair> contacts;
+    std::vector<Faces> pore;  // of each
 };
 
 }  // namespace grit::mpm

@@ -38,7 +38,7 @@ void Simulation::step() {
     watch.lap(spent.nodes);
     penalties.move(account.sums());
     watch.lap(spent.contact);
-    water.update();
+    water.update(account.sums());
     if (scheme == Scheme::musl) {
         gather(task::velocity);
         momentum.forget();

@@ -77,6 +77,8 @@ class Simulation {
     std::size_t bodies() const { return model.parts.size(); }
     bool rigid(std::size_t body) const { return model.parts[body].body.rigid(); }
     const ContactPair& contact(std::size_t i) const { return contacts[i]; }
+    // Of pore pressures on its body b in the last step, besides those of the contact [N].
+    const Faces& pore_faces(std::size_t contact) const { return contacts.pore_faces(contact); }
     const PenaltyPair& penalty_contact(std::size_t i) const { return penalties[i]; }
     const SurfacePair& surface_contact(std::size_t i) const { return surfaces[i]; }
     std::size_t contact_count() const { return contacts.count(); }
@@ -136,7 +138,7 @@ class Simulation {
     Water water{model, momentum};
     Loads loads{model};
     AbsorbingSides sides;
-    NodalContacts contacts{model};
+    NodalContacts contacts{model, water};
     PenaltyContacts penalties{model, scatter};
     SurfaceContacts surfaces{model};
     Gather gather{model, means};

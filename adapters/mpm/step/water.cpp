@@ -82,7 +82,7 @@ void Water::push() {
 void Water::drag() {
     if (!is_anywhere()) return;
     model.for_strips([this](std::size_t i, int strip) {
-        if (flows(i)) drag_water(nodes(i, strip), bodies[i].sums[static_cast<std::size_t>(strip)]);
+        if (flows(i)) drag_water(nodes(i, strip));
     });
 }
 
@@ -99,8 +99,81 @@ void Water::gather(std::size_t i, int strip) {
                            body.sums[static_cast<std::size_t>(strip)]);
 }
 
-void Water::update() {
+namespace {
+
+double along(const Vector2& v, const Vector2& normal) {
+    return v[0] * normal[0] + v[1] * normal[1];
+}
+
+// The components of a normal along which a node is free.
+Vector2 free_part(const Vector2& normal, std::uint8_t bits) {
+    return {bits & fixed::r ? 0.0 : normal[0], bits & fixed::z ? 0.0 : normal[1]};
+}
+
+}  // namespace
+
+double Water::press(std::size_t i, std::size_t other, std::size_t node, const Vector2& normal) {
+    Part &part = model.parts[i], &wall = model.parts[other];
+    const NodeRecord& w = bodies[i].records[node];
+    const double m_w = w[water_record::m], m_s = part.records[node][record::m];
+    const double m_o = wall.records[node][record::m];
+    if (!(m_w > 0.0 && m_s > part.least_mass && m_o > wall.least_mass)) return 0.0;
+    const Vector2 n = free_part(normal, model.fixed_nodes[node]);
+    const double size2 = along(n, n);
+    if (size2 == 0.0) return 0.0;
+    NodeMotion &grains = part.motions[node], &water = bodies[i].flowing[node];
+    NodeMotion& others = wall.motions[node];
+    const auto push = [&n](NodeMotion& v, double impulse, double m) {
+        v[motion::v_r] += impulse * n[0] / m;
+        v[motion::v_z] += impulse * n[1] / m;
+    };
+    const auto velocity = [&n](const NodeMotion& v) {
+        return along({v[motion::v_r], v[motion::v_z]}, n);
+    };
+    const double porosity = m_w / (part.body.water->density * w[water_record::volume]);
+    const double pressed =
+        model.dt * along({w[water_record::f_r], w[water_record::f_z]}, n) / size2;
+    // As drag, which has acted, shares it out.
+    const double C = model.dt * w[water_record::drag];
+    const double dragged = C * (porosity / m_w - (1.0 - porosity) / m_s) * pressed /
+                           (1.0 + C * (1.0 / m_s + 1.0 / m_w));
+    const double on_grains = -(1.0 - porosity) * pressed - dragged;
+    double on_water = -porosity * pressed + dragged;
+    push(grains, on_grains, m_s);
+    push(water, on_water, m_w);
+    if (!wall.body.rigid()) push(others, pressed, m_o);
+    // Across, water and the other body then move alike.
+    const double reduced = wall.body.rigid() ? m_w : m_w * m_o / (m_w + m_o);
+    const double met = reduced * (velocity(water) - velocity(others)) / size2;
+    push(water, -met, m_w);
+    on_water -= met;
+    if (!wall.body.rigid()) push(others, met, m_o);
+    walls.push_back({i, other, node, n, on_grains, on_water});
+    return -(on_grains + on_water);
+}
+
+// Work of impulses is that on the mean of the velocities before and after; what it lacks to nothing is the contact's.
+void Water::account_for_walls(Energy& energies) {
+    for (const Wall& wall : walls) {
+        const auto mean = [&wall](const NodeMotion& v) {
+            return 0.5 *
+                   along({v[motion::v_r] + v[motion::other_r], v[motion::v_z] + v[motion::other_z]},
+                         wall.normal);
+        };
+        const Part& other = model.parts[wall.other];
+        const double on_other = -(wall.on_grains + wall.on_water);
+        const double on_other_work = on_other * mean(other.motions[wall.node]);
+        energies.contact -= wall.on_grains * mean(model.parts[wall.body].motions[wall.node]) +
+                            wall.on_water * mean(bodies[wall.body].flowing[wall.node]) +
+                            on_other_work;
+        if (other.body.rigid()) energies.rigid_work -= on_other_work;
+    }
+    walls.clear();
+}
+
+void Water::update(Energy& energies) {
     if (!is_anywhere()) return;
+    account_for_walls(energies);
     model.for_strips([this](std::size_t i, int strip) {
         if (flows(i)) close_water(nodes(i, strip), bodies[i].sums[static_cast<std::size_t>(strip)]);
     });

@@ -21,11 +21,16 @@ class Water {
     void push();
     // After the forces: grains and water drag each other.
     void drag();
-    // After contact, before the particles move: pressures and velocities of water.
-    void update();
+    // At a node where another body presses on grains through which water flows, before their contact: it bears the
+    // pressure, so that grains meet it with their effective stress, and water has its velocity across, too.
+    // Returns the impulse on the other body along the normal, of either sign [N s].
+    double press(std::size_t body, std::size_t other, std::size_t node, const Vector2& normal);
+    // After contact, before the particles move: pressures and velocities of water. Adds what press took.
+    void update(Energy& energies);
     // Speeds of particles as they are, before the first step.
     void measure();
 
+    bool flows(std::size_t body) const { return has(body) && model.parts[body].body.water->flows; }
     const std::vector<WaterSums>& sums(std::size_t body) const { return bodies[body].sums; }
     // What it adds to the square of the speed of waves, at the most [m2/s2].
     double speed2(std::size_t body) const;
@@ -50,7 +55,13 @@ class Water {
         std::vector<double> speed2 = {};
     };
     bool has(std::size_t body) const { return model.parts[body].body.water.has_value(); }
-    bool flows(std::size_t body) const { return has(body) && model.parts[body].body.water->flows; }
+    // Impulses of press along a normal [N s]; those on the other body make their sum zero.
+    struct Wall {
+        std::size_t body, other, node;
+        Vector2 normal;
+        double on_grains, on_water;
+    };
+    void account_for_walls(Energy& energies);
     bool is_anywhere() const;
     WaterNodeCall nodes(std::size_t body, int strip);
     void scatter();
@@ -60,6 +71,7 @@ class Water {
     Model& model;
     Momentum& momentum;
     std::vector<OfBody> bodies;
+    std::vector<Wall> walls;            // of this step
     std::vector<std::uint8_t> drained;  // bits of nodes; empty: none
 };
 
