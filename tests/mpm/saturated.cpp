@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <random>
 #include <sstream>
 #include <string>
 
@@ -14,6 +15,7 @@
 #include <grit/sand_operators.h>
 
 #include "support/lausitz.hpp"
+#include "support/one_particle.hpp"
 #include "support/plans.hpp"
 #include "support/saturated_column.hpp"
 #include "support/saturated_disk.hpp"
@@ -247,6 +249,92 @@ TEST(SaturatedSand, StartsWithItsBuoyantWeight) {
     for (int i = 0; i < 500; ++i) simulation.step();
     for (std::ptrdiff_t p = 0; p < q.size(); ++p)
         EXPECT_NEAR(q(Sand::work + 1, p), 1000.0 * 9.81 * (1.0 - q(column::z, p)), 20.0);
+}
+
+// Whatever the porosity does, an even pressure moves nothing.
+TEST(FlowingWater, StaysAtRestInSandOfUnevenPorosity) {
+    Case plan = column_case();
+    plan.gravity = 0.0;
+    plan.z = {0.0, {{1.0, 20, 1.0}}};
+    plan.boundary[static_cast<int>(Side::top)] = Boundary::roller;
+    BodyPlan& body = plan.bodies[0];
+    body.material = lausitz_plan(0.75);
+    body.water =
+        WaterPlan{.drainage = Drainage::flow, .grain_density = 2650.0, .conductivity = 1e-3};
+    BuiltCase built = build_case(plan);
+    Simulation& simulation = *built.simulation;
+    const PoreWater& water = *simulation.body(0).water;
+    const ParticleView q = simulation.body(0).particles.view();
+    const std::ptrdiff_t count = simulation.body(0).particles.size();
+    for (std::ptrdiff_t p = 0; p < count; ++p) {
+        double& e = q[Sand::state + GRIT_SAND_VOID_RATIO][p];
+        e = 0.6 + 0.3 * q[column::z][p] * q[column::r][p] / 0.2;
+        q[column::mass][p] = 2650.0 / (1.0 + e) * q[column::V0][p];
+        for (const int c : {column::S_rr, column::S_zz, column::S_tt}) q[c][p] = -1e5;
+        q[water.first][p] = 1e6;
+    }
+    for (int i = 0; i < 300; ++i) simulation.step();
+    for (std::ptrdiff_t p = 0; p < count; ++p) {
+        EXPECT_NEAR(q[water.first][p], 1e6, 1e-2);
+        EXPECT_NEAR(q[water.velocity_column() + 1][p], 0.0, 1e-9);
+        EXPECT_NEAR(q[column::v_z][p], 0.0, 1e-9);
+    }
+}
+
+TEST(InstructionSets, ChangeNoBitOfTheKernelsOfWater) {
+    std::mt19937 generator(4);
+    std::uniform_real_distribution<double> any(-1.0, 1.0);
+    for (int sample = 0; sample < 30; ++sample)
+        for (const bool axisymmetric : {true, false})
+            for (const Shape shape :
+                 {Shape::cpdi, Shape::cpdi_published, Shape::ugimp, Shape::point}) {
+                const OneParticle q = OneParticle::random(generator, axisymmetric);
+                Particles start(3);
+                std::vector<double> row;
+                for (int c = 0; c < column::own; ++c) row.push_back(q.particles(c, 0));
+                for (int c = 0; c < 3; ++c) row.push_back(any(generator));
+                start.add(0, row.data());
+                const std::size_t n = q.node_count();
+                const GridView grid = q.grid();
+                std::vector<NodeMotion> motions[3];
+                for (std::vector<NodeMotion>& of : motions) {
+                    of.resize(n);
+                    for (NodeMotion& m : of)
+                        for (double& x : m.value) x = any(generator);
+                }
+                const PoreWater water{.flows = true,
+                                      .largest_tension = 10.0,
+                                      .porosity = 0.95,
+                                      .conductivity = 1e-3,
+                                      .conductivity_at = 0.6,
+                                      .first = column::own};
+                std::vector<NodeRecord> records[2];
+                std::vector<CellIntegers> strains[2];
+                Particles moved[2] = {start, start};
+                const Kernels* sets[2] = {&kernels(), &baseline_kernels};
+                for (const std::size_t k : {0u, 1u}) {
+                    records[k].assign(n, NodeRecord{});
+                    strains[k].resize(n);
+                    std::vector<CellIntegers> pressures(n);
+                    add_pressures(grid, moved[k].view(), 0, 1, water, 1.0, pressures.data());
+                    sets[k]->scatter_water(
+                        shape, axisymmetric,
+                        {grid, moved[k].view(), 0, 1, &water, pressures.data(), records[k].data()});
+                    int cell = 0;
+                    WaterSums sums;
+                    sets[k]->gather_water(shape, axisymmetric,
+                                          {grid, moved[k].view(), 0, 1, &water, motions[0].data(),
+                                           motions[1].data(), motions[2].data(), 1e-3, 0.1,
+                                           strains[k].data(), &cell, 1.0},
+                                          sums);
+                }
+                EXPECT_EQ(std::memcmp(records[0].data(), records[1].data(), n * sizeof(NodeRecord)),
+                          0);
+                EXPECT_EQ(
+                    std::memcmp(strains[0].data(), strains[1].data(), n * sizeof(CellIntegers)), 0);
+                for (int c = 0; c < moved[0].column_count(); ++c)
+                    EXPECT_EQ(moved[0](c, 0), moved[1](c, 0));
+            }
 }
 
 // One particle that has a cell to itself, so heavy that nothing stops it.
