@@ -2,6 +2,7 @@
 #include "adapters/mpm/step/water.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace grit::mpm {
 
@@ -9,6 +10,9 @@ void Water::add_body() {
     const std::size_t i = bodies.size();
     OfBody& body = bodies.emplace_back();
     if (!has(i)) return;
+    if (!model.is_alone())
+        throw std::invalid_argument("body " + model.parts[i].body.name +
+                                    ": pore water is for one process");
     const auto strips = static_cast<std::size_t>(model.strips());
     body.cells.resize(static_cast<std::size_t>(model.r.cells()) *
                       static_cast<std::size_t>(model.z.cells()));

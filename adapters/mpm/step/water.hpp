@@ -13,6 +13,7 @@ namespace grit::mpm {
 class Water {
   public:
     Water(Model& of, Momentum& of_nodes) : model(of), momentum(of_nodes) {}
+    // Throws std::invalid_argument where other processes share the grid.
     void add_body();
     // Water may leave across these nodes, at p_w = 0.
     void drain(int direction, std::size_t node);
