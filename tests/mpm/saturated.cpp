@@ -262,34 +262,59 @@ TEST(SaturatedSand, IsRefusedWhereProcessesShareTheGrid) {
     EXPECT_THROW(simulation.add_body(std::move(body)), std::invalid_argument);
 }
 
-// Whatever the porosity does, an even pressure moves nothing.
+// Whatever the porosity does: under a hydrostatic pressure water stays where it is, and under an even one all do.
 TEST(FlowingWater, StaysAtRestInSandOfUnevenPorosity) {
-    Case plan = column_case();
-    plan.gravity = 0.0;
-    plan.z = {0.0, {{1.0, 20, 1.0}}};
-    plan.boundary[static_cast<int>(Side::top)] = Boundary::roller;
-    BodyPlan& body = plan.bodies[0];
-    body.material = lausitz_plan(0.75);
-    body.water =
-        WaterPlan{.drainage = Drainage::flow, .grain_density = 2650.0, .conductivity = 1e-3};
-    BuiltCase built = build_case(plan);
+    for (const double gravity : {0.0, 9.81}) {
+        Case plan = column_case();
+        plan.gravity = gravity;
+        plan.z = {0.0, {{1.0, 20, 1.0}}};
+        plan.boundary[static_cast<int>(Side::top)] = Boundary::roller;
+        BodyPlan& body = plan.bodies[0];
+        body.material = lausitz_plan(0.75);
+        body.water =
+            WaterPlan{.drainage = Drainage::flow, .grain_density = 2650.0, .conductivity = 1e-3};
+        BuiltCase built = build_case(plan);
+        Simulation& simulation = *built.simulation;
+        apply_stage(plan, plan.stages[0], simulation);
+        const PoreWater& water = *simulation.body(0).water;
+        const ParticleView q = simulation.body(0).particles.view();
+        const std::ptrdiff_t count = simulation.body(0).particles.size();
+        double above = 1e5;  // effective stress at the top of a row
+        for (std::ptrdiff_t p = count - 1; p >= 0; --p) {
+            const double z = q[column::z][p];
+            double& e = q[Sand::state + GRIT_SAND_VOID_RATIO][p];
+            e = 0.6 + 0.3 * z * (gravity > 0.0 ? 1.0 : q[column::r][p] / 0.2);
+            q[column::mass][p] = 2650.0 / (1.0 + e) * q[column::V0][p];
+            const double half = 1650.0 / (1.0 + e) * gravity * q[column::l_z][p];
+            for (const int c : {column::S_rr, column::S_zz, column::S_tt})
+                q[c][p] = -(above + half);
+            if (p % 8 == 0) above += 2.0 * half;  // eight particles a row
+            q[water.first][p] = 1e6 + 1000.0 * gravity * (1.0 - z);
+        }
+        for (int i = 0; i < 300; ++i) simulation.step();
+        for (std::ptrdiff_t p = 0; p < count; ++p) {
+            EXPECT_NEAR(q[water.velocity_column() + 1][p], 0.0, 1e-6);
+            if (gravity > 0.0) continue;
+            EXPECT_NEAR(q[water.first][p], 1e6, 1e-2);
+            EXPECT_NEAR(q[column::v_z][p], 0.0, 1e-9);
+        }
+    }
+}
+
+// Water that flows to and fro between the particles of a cell, which no node sees.
+TEST(FlowingWater, IsDraggedWithinACellToo) {
+    Column column{.cells = 16, .conductivity = 1e-6, .closed = true};
+    BuiltCase built = build_case(column.plan());
     Simulation& simulation = *built.simulation;
-    const PoreWater& water = *simulation.body(0).water;
-    const ParticleView q = simulation.body(0).particles.view();
-    const std::ptrdiff_t count = simulation.body(0).particles.size();
-    for (std::ptrdiff_t p = 0; p < count; ++p) {
-        double& e = q[Sand::state + GRIT_SAND_VOID_RATIO][p];
-        e = 0.6 + 0.3 * q[column::z][p] * q[column::r][p] / 0.2;
-        q[column::mass][p] = 2650.0 / (1.0 + e) * q[column::V0][p];
-        for (const int c : {column::S_rr, column::S_zz, column::S_tt}) q[c][p] = -1e5;
-        q[water.first][p] = 1e6;
-    }
-    for (int i = 0; i < 300; ++i) simulation.step();
-    for (std::ptrdiff_t p = 0; p < count; ++p) {
-        EXPECT_NEAR(q[water.first][p], 1e6, 1e-2);
-        EXPECT_NEAR(q[water.velocity_column() + 1][p], 0.0, 1e-9);
-        EXPECT_NEAR(q[column::v_z][p], 0.0, 1e-9);
-    }
+    Body& body = simulation.body(0);
+    const ParticleView q = body.particles.view();
+    const int w_z = body.water->velocity_column() + 1;
+    for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p) q[w_z][p] = p % 2 == 0 ? 0.1 : -0.1;
+    for (int i = 0; i < 20; ++i) simulation.step();
+    for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p) EXPECT_NEAR(q[w_z][p], 0.0, 1e-6);
+    const Energy energy = simulation.energy();
+    EXPECT_GT(energy.drag, 0.8 * energy.kinetic_0);
+    EXPECT_NEAR(energy.residual(), 0.0, 1e-4 * energy.kinetic_0);
 }
 
 TEST(InstructionSets, ChangeNoBitOfTheKernelsOfWater) {
