@@ -68,9 +68,9 @@ std::vector<std::string> history_comments(const grit::mpm::Runner& runner) {
             "residual_share: "
             "of the largest of them",
             "unbalanced_share: largest |m dv/dt| at a node / largest nodal force of its body; "
-            "largest_gap: nan where no distance is measured; pore_water_work: that the compression of "
-            "pore water took, drag_loss: that the grains took from water that flows; pore pressures: "
-            "nan where no body has water",
+            "largest_gap: nan where no distance is measured; pore_water_work: that the compression "
+            "of pore water took, drag_loss: that the grains took from water that flows; pore "
+            "pressures: nan where no body has water",
             "how the run ended stands below the last row"};
 }
 

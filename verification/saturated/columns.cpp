@@ -92,6 +92,63 @@ void conductivities() {
     }
 }
 
+// A block on rollers, half of whose top is loaded within 20 ms, after 30 ms.
+void block() {
+    constexpr int cells = 24;
+    constexpr double load = 1e4;
+    std::printf(
+        "\n| block of %d by %d cells | p [kPa] | checkerboard by the load, largest | RMS | energy "
+        "residual |\n|---|---|---|---|---|\n",
+        cells, cells);
+    for (const bool axisymmetric : {false, true})
+        for (const double k : {0.0, 1e-4}) {
+            Column column{.cells = cells,
+                          .conductivity = k,
+                          .axisymmetric = axisymmetric,
+                          .load = load,
+                          .ramp = 0.02};
+            Case plan = column.plan();
+            plan.r = {0.0, {{column.height, cells, 1.0}}};
+            plan.bodies[0].outlines[0].corners = {{0.0, 0.0},
+                                                  {column.height, 0.0},
+                                                  {column.height, column.height},
+                                                  {0.0, column.height}};
+            plan.bodies[0].material = ElasticPlan{Column::E, 0.3};
+            plan.tractions[0].r[1] = 0.5 * column.height;
+            BuiltCase built = build_case(plan);
+            Simulation& simulation = *built.simulation;
+            while (simulation.time() < 0.03) simulation.step();
+            const std::vector<double> p = pore_pressures(simulation, cells, cells);
+            constexpr double weight[] = {1.0, -4.0, 6.0, -4.0, 1.0};
+            double largest = 0.0, squares = 0.0;
+            int count = 0;
+            for (int j = 2; j + 2 < cells; ++j)
+                for (int i = 2; i + 2 < cells; ++i, ++count) {
+                    double sum = 0.0;
+                    for (int m = 0; m < 5; ++m)
+                        for (int l = 0; l < 5; ++l)
+                            sum += weight[m] * weight[l] / 256.0 *
+                                   p[static_cast<std::size_t>((j + m - 2) * cells + i + l - 2)];
+                    largest = std::max(largest, std::fabs(sum));
+                    squares += sum * sum;
+                }
+            const Energy energy = simulation.energy();
+            std::printf("| %s, %s | %.2f ... %.2f | %.2f %% | %.3f %% | %+.1e |\n",
+                        axisymmetric ? "axisymmetric" : "plane strain",
+                        k > 0.0 ? "k = 1e-4 m/s" : "undrained",
+                        1e-3 * *std::min_element(p.begin(), p.end()),
+                        1e-3 * *std::max_element(p.begin(), p.end()), 100.0 * largest / load,
+                        100.0 * std::sqrt(squares / count) / load,
+                        energy.residual() / energy.external_work);
+            std::fflush(stdout);
+        }
+    const SaturatedCylinder cylinder = inflate_saturated_cylinder();
+    std::printf(
+        "\n| thick undrained cylinder | widening by Lamé's | largest error of p by the pressure "
+        "inside |\n|---|---|---|\n| eight cells | %.4f | %.4f |\n",
+        cylinder.widening, cylinder.pressure_error);
+}
+
 Case of_sand(Case plan) {
     SandPlan sand{};
     grit_sand_parameters_init(&sand.parameters, sizeof sand.parameters);
@@ -148,6 +205,7 @@ int main() {
     terzaghi();
     disk();
     conductivities();
+    block();
     cost();
     return 0;
 }
