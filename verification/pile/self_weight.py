@@ -78,8 +78,8 @@ def main():
         row = []
         for cfl in args.cfl:
             found = [depth(args.out, law, cfl, m) for m in range(args.runs)]
-            error = statistics.stdev(found) / math.sqrt(args.runs) if args.runs > 1 else math.nan
-            row.append(f"{statistics.mean(found):.1f} ± {error:.1f}")
+            error = f" ± {statistics.stdev(found) / math.sqrt(args.runs):.1f}" if args.runs > 1 else ""
+            row.append(f"{statistics.mean(found):.1f}{error}")
         print(f"| {law} | " + " | ".join(row) + " |")
 
 
