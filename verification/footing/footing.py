@@ -33,10 +33,6 @@ def is_free(case):
     return case.startswith("free")
 
 
-def cell_of(case):
-    return 0.05 if case.endswith("_half") else 0.1
-
-
 def run(grit, case, out):
     with (out / f"{case}.log").open("w") as file:
         subprocess.run([grit, "mpm", str(HERE / f"{case}.toml"), "--out", str(out), "--no-plot"],
