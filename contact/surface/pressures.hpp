@@ -173,7 +173,8 @@ template <int C> class Pressures {
         do length += spacings(f);
         while ((f = next[f]) >= 0 && f != start);
         const bool ring = f == start;
-        const double parts = std::floor(length + 0.5), each = length / std::max(parts, 1.0);
+        // Halves, which even surfaces of halved cells have, not by the last bit: always up.
+        const double parts = std::floor(length + 0.6), each = length / std::max(parts, 1.0);
         add_point(start, 0);
         double at = 0.0, wanted = each;
         for (f = start; f >= 0;) {
