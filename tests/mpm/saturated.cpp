@@ -423,11 +423,10 @@ TEST(UndrainedSand, OfACellFollowsTheUndrainedPathToLiquefactionAndBack) {
         if (i == 300) cell.set_rates(1.0, -1.0);
         cell.simulation->step();
         q = cell.particles();
-        double strain[4] = {}, trace = 0.0;
+        double strain[4] = {};
         for (const int k : {0, 1}) {
             const double now = q[k == 0 ? column::F_rr : column::F_zz][0], L = now / F[k] - 1.0;
             strain[k] = L / (1.0 + 0.5 * L);
-            trace += strain[k];
             F[k] = now;
         }
         const double e = state[GRIT_SAND_VOID_RATIO];

@@ -89,14 +89,15 @@ struct SaturatedColumn {
 
 // Means of cells, from the bottom, each row from the left.
 inline std::vector<double> pore_pressures(Simulation& simulation, int cells, int across = 1) {
-    std::vector<double> sum(static_cast<std::size_t>(cells * across)), count(sum.size());
+    std::vector<double> sum(static_cast<std::size_t>(cells) * static_cast<std::size_t>(across)),
+        count(sum.size());
     Body& body = simulation.body(0);
     const ParticleView q = body.particles.view();
     const GridView grid{simulation.axis_r().view(), simulation.axis_z().view()};
     for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p) {
         const int i = std::min(grid.r.cell_of(q[column::r][p]), across - 1);
         const int j = std::min(grid.z.cell_of(q[column::z][p]), cells - 1);
-        const auto cell = static_cast<std::size_t>(j * across + i);
+        const auto cell = static_cast<std::size_t>(std::ptrdiff_t{j} * across + i);
         sum[cell] += body.water->pressure(q, p);
         count[cell] += 1.0;
     }
