@@ -66,7 +66,7 @@ typedef struct grit_surface {
     grit_mutable_view velocity;  /* [nodes][components] after the momentum update [length / time] */
     grit_view previous_velocity; /* [nodes][components] optional: before it, for the dissipation */
     grit_view vertex_velocity;   /* [vertices][components] of a rigid body [length / time] */
-    const double* spacing;       /* [facets] optional, of A: in the place of the options' [length] in
+    const double* spacing; /* [facets] optional, of A: in the place of the options' [length] in
                                     (0, 1e30], where cells differ along the surface */
 } grit_surface;
 
