@@ -274,8 +274,12 @@ RAPID = (("σ_rr, largest cell mean [kPa]", 0, lambda row: row["stress_kPa"]),
          ("set [mm]", 1, lambda row: 1e3 * row["set_m"]))
 
 
+RAPID_KINDS = {"": "as two_blows", "no_mean": "no cell mean", "no_pic": "no PIC", "15": "1.5 cells in the radius",
+               "20": "2 cells in the radius", "30": "3 cells in the radius"}
+
+
 def report_rapid(group):
-    kinds = list(dict.fromkeys(case.rsplit("_", 1)[0] if "_" in case else "" for case in group.ends))
+    kinds = [kind for kind in RAPID_KINDS if f"{kind}_fca".removeprefix("_") in group.ends]
     for kind in kinds:
         pair = [f"{kind}_{contact}".removeprefix("_") for contact in ("fca", "gca")]
         rows = []
@@ -283,14 +287,14 @@ def report_rapid(group):
             found = [group.mean_of_blows(case, value, range(1, 11)) for case in pair]
             rows.append([what, *(spread(x, digits) for x in found), difference(*found, digits)])
         counts = " and ".join(str(group.count(case)) for case in pair)
-        table([f"{kind or 'as two_blows'}, ten blows: {counts} runs", "FCA", "GCA", "difference"], rows)
+        table([f"{RAPID_KINDS[kind]}, ten blows: {counts} runs", "FCA", "GCA", "difference"], rows)
     rows = []
     for kind in kinds:
         for first, last in ((1, 5), (6, 10), (11, 20)):
             found = [group.mean_of_blows(f"{kind}_{contact}".removeprefix("_"), RAPID[0][2], range(first, last + 1))
                      for contact in ("fca", "gca")]
             if all(found):
-                rows.append([f"{kind or 'as two_blows'}, {first}–{last}", *(spread(values, 0) for values in found),
+                rows.append([f"{RAPID_KINDS[kind]}, {first}–{last}", *(spread(values, 0) for values in found),
                              difference(*found, 0)])
     table(["largest cell mean of σ_rr [kPa], blows", "FCA", "GCA", "difference"], rows)
 
