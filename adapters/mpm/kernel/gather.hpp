@@ -35,6 +35,13 @@ GRIT_INLINE Gathered gather_point_values(const Stencil& w, const NodeMotion* nod
     return sum;
 }
 
+// Of the velocity in two lanes, times dt.
+template <bool axisymmetric>
+GRIT_INLINE Gradient gradient_of(const Gathered& g, int lane, double dt) {
+    return {dt * g.G_r[lane], dt * g.G_z[lane], dt * g.G_r[lane + 1], dt * g.G_z[lane + 1],
+            axisymmetric ? dt * g.T[lane] : 0.0};
+}
+
 GRIT_INLINE void move_velocity(const GatherCall& call, const Gathered& g, std::ptrdiff_t p,
                                GatherSums& sums) {
     namespace c = column;
@@ -86,9 +93,7 @@ void gather_by(const GatherCall& call, Increments& increments, GatherSums& sums)
         if (tasks & task::velocity) move_velocity(call, g, p, sums);
         if (tasks & task::position) move_position(call, g, p, axisymmetric, sums);
         if (tasks & (task::deformation | task::deform_by_other)) {
-            const Gradient L = {call.dt * g.G_r[lane], call.dt * g.G_z[lane],
-                                call.dt * g.G_r[lane + 1], call.dt * g.G_z[lane + 1],
-                                axisymmetric ? call.dt * g.T[lane] : 0.0};
+            const Gradient L = gradient_of<axisymmetric>(g, lane, call.dt);
             if constexpr (mean) defer(call, place, p, L);
             else
                 deform(call.particles, p, L, call.separation, call.reduces_domains, increments,

@@ -97,9 +97,7 @@ void gather_water_by(const WaterGatherCall& call, WaterSums& sums) {
         const Place place = place_of<axisymmetric>(call.grid, q, p);
         const Stencil w(call.grid, place);
         const Gathered g = gather_point_values<Stencil, axisymmetric>(w, call.volume);
-        const Gradient L = {call.dt * g.G_r[0], call.dt * g.G_z[0], call.dt * g.G_r[1],
-                            call.dt * g.G_z[1], axisymmetric ? call.dt * g.T[0] : 0.0};
-        const double strain = midpoint_gradient(L).trace();
+        const double strain = midpoint_gradient(gradient_of<axisymmetric>(g, 0, call.dt)).trace();
         const int cell = place.cell_z * call.grid.r.cells + place.cell_r;
         const double V = q[column::V0][p] * q.J(p) * call.per_volume;
         call.cell[p] = cell;

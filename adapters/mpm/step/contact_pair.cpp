@@ -449,7 +449,7 @@ void ContactPair::sum_faces(bool measured, Exchange& exchange) {
     double largest = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < counted; ++i) {
         const auto node = static_cast<std::size_t>(active[i]);
-        const bool faces_z = std::abs(normal[2 * node + 1]) > std::abs(normal[2 * node]);
+        const bool faces_z = Faces::is_along_z(normal[2 * node], normal[2 * node + 1]);
         forces[faces_z ? z_r : r_r].add(reports[i].force[0], fixed_point);
         forces[faces_z ? z_z : r_z].add(reports[i].force[1], fixed_point);
         if (measured && std::isfinite(gap[node])) largest = std::max(largest, gap[node]);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/mpm/step/nodal_contacts.hpp"
 
-#include <cmath>
 #include <tuple>
 
 namespace grit::mpm {
@@ -22,7 +21,7 @@ void NodalContacts::bear_pore_pressure(std::size_t contact) {
             [&, of = of, other = other, sign = sign](std::size_t node, const double* normal) {
                 const double impulse = water.press(of, other, node, {normal[0], normal[1]});
                 const double force = sign * impulse / model.dt;
-                const bool faces_z = std::abs(normal[1]) > std::abs(normal[0]);
+                const bool faces_z = Faces::is_along_z(normal[0], normal[1]);
                 Vector2& sum = faces_z ? faces.along_z : faces.along_r;
                 sum = {sum[0] + force * normal[0], sum[1] + force * normal[1]};
             });

@@ -103,21 +103,24 @@ void Simulation::index_ids() {
 
 namespace {
 
-void fix(Model& model, int direction, Hold hold, const std::function<bool(double)>& where) {
-    const std::uint8_t across = direction == 0 ? fixed::r : fixed::z;
-    const std::uint8_t bits = hold == Hold::both ? fixed::r | fixed::z : across;
+// take(node) for those whose place along a direction is where this says.
+template <class Where, class Take>
+void each_node(const Model& model, int direction, const Where& where, const Take& take) {
     std::size_t node = 0;
     for (int j = 0; j < model.z.nodes(); ++j)
         for (int i = 0; i < model.r.nodes(); ++i, ++node)
-            if (where(direction == 0 ? model.r[i] : model.z[j])) model.fixed_nodes[node] |= bits;
+            if (where(direction == 0 ? model.r[i] : model.z[j])) take(node);
+}
+
+void fix(Model& model, int direction, Hold hold, const std::function<bool(double)>& where) {
+    const std::uint8_t across = direction == 0 ? fixed::r : fixed::z;
+    const std::uint8_t bits = hold == Hold::both ? fixed::r | fixed::z : across;
+    each_node(model, direction, where, [&](std::size_t node) { model.fixed_nodes[node] |= bits; });
 }
 
 void drain(const Model& model, Water& water, int direction,
            const std::function<bool(double)>& where) {
-    std::size_t node = 0;
-    for (int j = 0; j < model.z.nodes(); ++j)
-        for (int i = 0; i < model.r.nodes(); ++i, ++node)
-            if (where(direction == 0 ? model.r[i] : model.z[j])) water.drain(direction, node);
+    each_node(model, direction, where, [&](std::size_t node) { water.drain(direction, node); });
 }
 
 // Nodes of a line across a direction, at the end of a cell.

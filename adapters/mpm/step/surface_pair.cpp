@@ -215,7 +215,7 @@ void SurfacePair::sum_faces() {
         if (!(length > 0.0)) continue;
         const Vector2 outward{(to[1] - from[1]) / length, (from[0] - to[0]) / length};
         const Vector2 force{-reports[f].force[0], -reports[f].force[1]};  // on b
-        const bool faces_z = std::fabs(outward[1]) > std::fabs(outward[0]);
+        const bool faces_z = Faces::is_along_z(outward[0], outward[1]);
         if (faces_z) {
             step_faces.along_z = step_faces.along_z + force;
             continue;
