@@ -6,7 +6,8 @@ module grit_sand_arrays
    use grit_sand_interface
    implicit none
    private
-   public :: grit_sand_update, grit_sand_parameters_init, grit_sand_options_init
+   public :: grit_sand_update, grit_sand_update_undrained
+   public :: grit_sand_parameters_init, grit_sand_options_init, grit_sand_water_init
    public :: grit_sand_parameter_describe, grit_sand_parameter_get, grit_sand_parameter_set
    public :: grit_sand_record_find, grit_sand_record_at, grit_sand_stiffness
    public :: grit_sand_intergranular_stiffness, grit_sand_rotate, grit_sand_stress_at_rest
@@ -22,6 +23,16 @@ module grit_sand_arrays
    ! grit_sand_update(sand, options, n, points, reports, error).
    interface grit_sand_update
       procedure update_points, update_point, c_sand_update
+   end interface
+
+   ! status = grit_sand_update_undrained(sand, water, strain_increment, stress, state, pore_pressure
+   !                                     [, total_stress, tangent, rotation_increment, substep, index,
+   !                                     options, reports, error])
+   ! Undrained points: stress is effective, pore_pressure (n), or one number, in and out; total_stress, as stress,
+   ! is written; the tangent is that of the total stress. Views in water are not looked at. As C has it:
+   ! grit_sand_update_undrained(sand, options, water, n, points, reports, error).
+   interface grit_sand_update_undrained
+      procedure update_undrained_points, update_undrained_point, c_sand_update_undrained
    end interface
 
 contains
@@ -40,7 +51,128 @@ contains
       type(grit_error), intent(inout), optional :: error
       type(grit_sand_points) :: points
       real(c_double), allocatable, target :: rows(:, :)
+      integer :: taken
+
+      status = view_points(points, taken, rows, strain_increment, stress, state, tangent, &
+                           rotation_increment, substep, index, reports, error)
+      if (status == grit_ok) &
+         status = c_sand_update(sand, with_tangent(options, present(tangent)), &
+                                int(taken, c_ptrdiff_t), points, reports, error)
+   end function
+
+   integer(c_int) function update_point(sand, strain_increment, stress, state, tangent, &
+                                        rotation_increment, substep, options, report, error) &
+      result(status)
+      type(grit_sand), intent(in) :: sand
+      real(c_double), intent(in), target :: strain_increment(:)
+      real(c_double), intent(inout), target :: stress(:), state(:)
+      real(c_double), intent(inout), target, optional :: tangent(:, :), substep
+      real(c_double), intent(in), optional :: rotation_increment(:, :)
+      type(grit_sand_options), intent(in), optional :: options
+      type(grit_sand_report), intent(inout), optional :: report
+      type(grit_error), intent(inout), optional :: error
+      type(grit_sand_points) :: points
+      type(grit_sand_report) :: reports(1)
+      real(c_double), target :: rows(9, 1)
+
+      status = view_point(points, rows, strain_increment, stress, state, tangent, &
+                          rotation_increment, substep, error)
+      if (status /= grit_ok) return
+      if (present(report)) reports(1) = report
+      status = c_sand_update(sand, with_tangent(options, present(tangent)), 1_c_ptrdiff_t, points, &
+                             reports, error)
+      if (present(report)) report = reports(1)
+   end function
+
+   integer(c_int) function update_undrained_points(sand, water, strain_increment, stress, state, &
+                                                   pore_pressure, total_stress, tangent, &
+                                                   rotation_increment, substep, index, options, &
+                                                   reports, error) result(status)
+      type(grit_sand), intent(in) :: sand
+      type(grit_sand_water), intent(in) :: water
+      real(c_double), intent(in), target :: strain_increment(:, :)
+      real(c_double), intent(inout), target :: stress(:, :), state(:, :), pore_pressure(:)
+      real(c_double), intent(inout), target, optional :: total_stress(:, :)
+      real(c_double), intent(inout), target, optional :: tangent(:, :, :), substep(:)
+      real(c_double), intent(in), optional :: rotation_increment(:, :, :)
+      integer(c_ptrdiff_t), intent(in), target, contiguous, optional :: index(:)
+      type(grit_sand_options), intent(in), optional :: options
+      type(grit_sand_report), intent(inout), target, contiguous, optional :: reports(:)
+      type(grit_error), intent(inout), optional :: error
+      type(grit_sand_points) :: points
+      type(grit_sand_water) :: wet
+      real(c_double), allocatable, target :: rows(:, :)
       integer :: c, n, taken
+
+      status = view_points(points, taken, rows, strain_increment, stress, state, tangent, &
+                           rotation_increment, substep, index, reports, error)
+      if (status /= grit_ok) return
+      status = grit_bad_call
+      c = size(stress, 1)
+      n = size(stress, 2)
+      wet = water
+      if (.not. grit_fits('pore_pressure', shape(pore_pressure), [n], error)) return
+      wet%pore_pressure = grit_view_of(pore_pressure)
+      wet%total_stress = grit_mutable_view()
+      if (present(total_stress)) then
+         if (.not. grit_fits('total_stress', shape(total_stress), [c, n], error)) return
+         wet%total_stress = grit_view_of(total_stress)
+      end if
+      status = c_sand_update_undrained(sand, with_tangent(options, present(tangent)), wet, &
+                                       int(taken, c_ptrdiff_t), points, reports, error)
+   end function
+
+   integer(c_int) function update_undrained_point(sand, water, strain_increment, stress, state, &
+                                                  pore_pressure, total_stress, tangent, &
+                                                  rotation_increment, substep, options, report, &
+                                                  error) result(status)
+      type(grit_sand), intent(in) :: sand
+      type(grit_sand_water), intent(in) :: water
+      real(c_double), intent(in), target :: strain_increment(:)
+      real(c_double), intent(inout), target :: stress(:), state(:), pore_pressure
+      real(c_double), intent(inout), target, optional :: total_stress(:)
+      real(c_double), intent(inout), target, optional :: tangent(:, :), substep
+      real(c_double), intent(in), optional :: rotation_increment(:, :)
+      type(grit_sand_options), intent(in), optional :: options
+      type(grit_sand_report), intent(inout), optional :: report
+      type(grit_error), intent(inout), optional :: error
+      type(grit_sand_points) :: points
+      type(grit_sand_water) :: wet
+      type(grit_sand_report) :: reports(1)
+      real(c_double), target :: rows(9, 1)
+
+      status = view_point(points, rows, strain_increment, stress, state, tangent, &
+                          rotation_increment, substep, error)
+      if (status /= grit_ok) return
+      wet = water
+      wet%pore_pressure = grit_mutable_view(c_loc(pore_pressure), 1, 1)
+      wet%total_stress = grit_mutable_view()
+      if (present(total_stress)) then
+         status = grit_bad_call
+         if (.not. grit_fits('total_stress', shape(total_stress), shape(stress), error)) return
+         wet%total_stress = components_of(total_stress)
+      end if
+      if (present(report)) reports(1) = report
+      status = c_sand_update_undrained(sand, with_tangent(options, present(tangent)), wet, &
+                                       1_c_ptrdiff_t, points, reports, error)
+      if (present(report)) report = reports(1)
+   end function
+
+   ! The views of a call on arrays whose shapes fit; rows keeps the rotations for as long as the call lasts.
+   integer(c_int) function view_points(points, taken, rows, strain_increment, stress, state, tangent, &
+                                       rotation_increment, substep, index, reports, error) &
+      result(status)
+      type(grit_sand_points), intent(out) :: points
+      integer, intent(out) :: taken
+      real(c_double), allocatable, target, intent(out) :: rows(:, :)
+      real(c_double), intent(in), target :: strain_increment(:, :)
+      real(c_double), intent(inout), target :: stress(:, :), state(:, :)
+      real(c_double), intent(inout), target, optional :: tangent(:, :, :), substep(:)
+      real(c_double), intent(in), optional :: rotation_increment(:, :, :)
+      integer(c_ptrdiff_t), intent(in), target, contiguous, optional :: index(:)
+      type(grit_sand_report), intent(in), optional :: reports(:)
+      type(grit_error), intent(inout), optional :: error
+      integer :: c, n
 
       status = grit_bad_call
       c = merge(4, 6, size(strain_increment, 1) == 4)
@@ -75,24 +207,18 @@ contains
       if (present(reports)) then
          if (.not. grit_fits('reports', shape(reports), [taken], error)) return
       end if
-      status = c_sand_update(sand, with_tangent(options, present(tangent)), &
-                             int(taken, c_ptrdiff_t), points, reports, error)
+      status = grit_ok
    end function
 
-   integer(c_int) function update_point(sand, strain_increment, stress, state, tangent, &
-                                        rotation_increment, substep, options, report, error) &
-      result(status)
-      type(grit_sand), intent(in) :: sand
+   integer(c_int) function view_point(points, rows, strain_increment, stress, state, tangent, &
+                                      rotation_increment, substep, error) result(status)
+      type(grit_sand_points), intent(out) :: points
+      real(c_double), target, intent(out) :: rows(9, 1)
       real(c_double), intent(in), target :: strain_increment(:)
       real(c_double), intent(inout), target :: stress(:), state(:)
       real(c_double), intent(inout), target, optional :: tangent(:, :), substep
       real(c_double), intent(in), optional :: rotation_increment(:, :)
-      type(grit_sand_options), intent(in), optional :: options
-      type(grit_sand_report), intent(inout), optional :: report
       type(grit_error), intent(inout), optional :: error
-      type(grit_sand_points) :: points
-      type(grit_sand_report) :: reports(1)
-      real(c_double), target :: rows(9, 1)
       integer :: c
 
       status = grit_bad_call
@@ -114,10 +240,7 @@ contains
          rows = by_rows(reshape(rotation_increment, [3, 3, 1]))
          points%rotation_increment = grit_view_of(rows)
       end if
-      if (present(report)) reports(1) = report
-      status = c_sand_update(sand, with_tangent(options, present(tangent)), 1_c_ptrdiff_t, points, &
-                             reports, error)
-      if (present(report)) report = reports(1)
+      status = grit_ok
    end function
 
    ! The components of one point, which grit_view_of takes for one component of many points.
@@ -158,6 +281,11 @@ contains
    integer(c_int) function grit_sand_options_init(options) result(status)
       type(grit_sand_options), intent(inout) :: options
       status = c_sand_options_init(options, c_sizeof(options))
+   end function
+
+   integer(c_int) function grit_sand_water_init(water) result(status)
+      type(grit_sand_water), intent(inout) :: water
+      status = c_sand_water_init(water, c_sizeof(water))
    end function
 
    ! Number index of grit_sand_parameters, from 0; null outside.

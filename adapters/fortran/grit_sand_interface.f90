@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: BSD-3-Clause
-! The sand as C has it: grit/sand.h, grit/sand_operators.h, grit/sand_catalogue.h. Places in a state
+! The sand as C has it: grit/sand.h, grit/sand_water.h, grit/sand_operators.h, grit/sand_catalogue.h. Places in a state
 ! count from 1. 6 x 6 matrices are row-major here; module grit turns them.
 module grit_sand_interface
    use, intrinsic :: iso_c_binding
@@ -16,6 +16,7 @@ module grit_sand_interface
    integer(c_int), parameter :: grit_tangent_consistent = 2
    integer(c_int), parameter :: grit_sand_stress_free = 1, grit_sand_void_clamped = 2
    integer(c_int), parameter :: grit_sand_outside_cone = 4, grit_sand_h_clamped = 8
+   integer(c_int), parameter :: grit_sand_cavitated = 16
 
    ! Angle in radians, stresses in any one unit; see grit/sand.h for ranges.
    type, bind(c) :: grit_sand_parameters
@@ -61,6 +62,15 @@ module grit_sand_interface
       type(grit_mutable_view) :: stress, state
       type(grit_mutable_matrix_view) :: tangent
       type(grit_mutable_view) :: substep
+   end type
+
+   ! Of undrained points, see grit/sand_water.h; set by name after grit_sand_water_init.
+   type, bind(c) :: grit_sand_water
+      integer(c_size_t) :: struct_size = 80
+      real(c_double) :: bulk_modulus     ! K_w [stress], of the water
+      real(c_double) :: porosity         ! n [-], constant; 0: that of the void ratio
+      real(c_double) :: largest_tension  ! [stress]
+      type(grit_mutable_view) :: pore_pressure, total_stress
    end type
 
    type, bind(c) :: grit_sand_report
@@ -130,6 +140,24 @@ module grit_sand_interface
          import
          type(grit_sand), intent(in) :: sand
          type(grit_sand_options), intent(in), optional :: options
+         integer(c_ptrdiff_t), value :: n
+         type(grit_sand_points), intent(in) :: points
+         type(grit_sand_report), intent(inout), optional :: reports(*)
+         type(grit_error), intent(inout), optional :: error
+      end function
+      integer(c_int) function c_sand_water_init(water, struct_size) &
+         bind(c, name='grit_sand_water_init')
+         import
+         type(grit_sand_water), intent(inout) :: water
+         integer(c_size_t), value :: struct_size
+      end function
+      integer(c_int) function c_sand_update_undrained(sand, options, water, n, points, reports, &
+                                                      error) &
+         bind(c, name='grit_sand_update_undrained')
+         import
+         type(grit_sand), intent(in) :: sand
+         type(grit_sand_options), intent(in), optional :: options
+         type(grit_sand_water), intent(in) :: water
          integer(c_ptrdiff_t), value :: n
          type(grit_sand_points), intent(in) :: points
          type(grit_sand_report), intent(inout), optional :: reports(*)

@@ -16,6 +16,7 @@
 #include <grit/sand.h>
 #include <grit/sand_catalogue.h>
 #include <grit/sand_operators.h>
+#include <grit/sand_water.h>
 #include <grit/status.h>
 #include <grit/version.h>
 #include <grit/view.h>

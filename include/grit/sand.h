@@ -140,7 +140,8 @@ enum {
     GRIT_SAND_STRESS_FREE = 1,  /* the point is separated or below the pressure floor */
     GRIT_SAND_VOID_CLAMPED = 2, /* at the end e < e_d or > e_i: f_d, f_e as at the limit */
     GRIT_SAND_OUTSIDE_CONE = 4, /* tan psi >= sqrt 2: deviator scaled back */
-    GRIT_SAND_H_CLAMPED = 8     /* |h| above R by no more than 1 %: scaled to R */
+    GRIT_SAND_H_CLAMPED = 8,    /* |h| above R by no more than 1 %: scaled to R */
+    GRIT_SAND_CAVITATED = 16    /* undrained: at the end the water bears its largest tension */
 };
 
 typedef struct grit_sand_report {

@@ -18,6 +18,7 @@ VALUE(GRIT_SAND_STRESS_FREE, 1);
 VALUE(GRIT_SAND_VOID_CLAMPED, 2);
 VALUE(GRIT_SAND_OUTSIDE_CONE, 4);
 VALUE(GRIT_SAND_H_CLAMPED, 8);
+VALUE(GRIT_SAND_CAVITATED, 16);
 VALUE(GRIT_OK, 0);
 VALUE(GRIT_BAD_CALL, 1);
 VALUE(GRIT_BAD_PARAMETER, 2);
@@ -81,6 +82,14 @@ PLACE(grit_sand_points, stress, 72);
 PLACE(grit_sand_points, state, 96);
 PLACE(grit_sand_points, tangent, 120);
 PLACE(grit_sand_points, substep, 152);
+
+SIZE(grit_sand_water, 80);
+PLACE(grit_sand_water, struct_size, 0);
+PLACE(grit_sand_water, bulk_modulus, 8);
+PLACE(grit_sand_water, porosity, 16);
+PLACE(grit_sand_water, largest_tension, 24);
+PLACE(grit_sand_water, pore_pressure, 32);
+PLACE(grit_sand_water, total_stress, 56);
 
 SIZE(grit_sand_report, 48);
 PLACE(grit_sand_report, status, 0);

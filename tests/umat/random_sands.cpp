@@ -4,46 +4,11 @@
 #include <sstream>
 
 #include "support/batch.hpp"
+#include "support/random_sand.hpp"
 
 namespace {
 
 using namespace tests;
-
-constexpr const char* names[] = {"lausitz", "hochstetten", "hostun", "karlsruhe-fine",
-                                 "hamburg-01"};
-
-grit_sand_parameters random_catalogue_sand(Random& random) {
-    return parameters_of(names[static_cast<int>(random.uniform(0.0, 5.0))]);
-}
-
-// Intergranular strain over its whole ranges.
-grit_sand_parameters random_intergranular_sand(Random& random) {
-    grit_sand_parameters p = random_catalogue_sand(random);
-    p.reversal_stiffness = random.log_uniform(1.0, 20.0);
-    p.transverse_stiffness = random.log_uniform(1.0, p.reversal_stiffness);
-    p.elastic_strain_radius = random.log_uniform(1e-6, 1e-2);
-    p.evolution_exponent = random.log_uniform(0.01, 2.0);
-    p.stiffness_interpolation_exponent = random.log_uniform(0.5, 20.0);
-    return p;
-}
-
-// Everything else, too.
-Sand random_sand(Random& random) {
-    for (;;) {
-        grit_sand_parameters p = random_intergranular_sand(random);
-        p.critical_friction_angle = random.uniform(10.0, 60.0) * 0.017453292519943295;
-        p.granulate_hardness = random.log_uniform(1e4, 1e8);
-        p.stiffness_exponent = random.uniform(0.01, 0.99);
-        p.densest_void_ratio = random.log_uniform(0.01, 5.0);
-        p.critical_void_ratio = random.log_uniform(p.densest_void_ratio, 5.0);
-        p.loosest_void_ratio = random.log_uniform(p.critical_void_ratio, 5.0);
-        p.pyknotropy_exponent = random.log_uniform(0.001, 2.0);
-        p.stiffness_void_exponent = random.uniform(0.0, 5.0);
-        p.pressure_shift = random.uniform() < 0.5 ? 0.0 : random.log_uniform(0.01, 10.0);
-        Sand sand{"random", p, {}};
-        if (grit_sand_prepare(&p, &sand.prepared, nullptr) == GRIT_OK) return sand;
-    }
-}
 
 // h = 0, at reversal, at R, beyond it, anywhere, across the strain.
 Vec random_start(double R, const Vec& D, Random& random) {
@@ -232,7 +197,7 @@ TEST(RandomSands, DeliverTheErrorAskedForWhereverStrainsHaveLed) {
     Random random(37);
     int calls = 0, over = 0, opened = 0;
     for (int i = 0; i < 6000; ++i) {
-        const Sand sand = sand_named(names[static_cast<int>(random.uniform(0.0, 5.0))]);
+        const Sand sand = prepared("catalogue", random_catalogue_sand(random));
         State start = random_state(sand, random, 2.0, 1000.0);
         for (int leg = static_cast<int>(random.uniform(0.0, 4.0)); leg > 0; --leg) {
             const double length = random.log_uniform(1e-4, 2e-2);
