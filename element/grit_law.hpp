@@ -2,6 +2,8 @@
 // Grit's own sand, through its public headers.
 #pragma once
 
+#include <limits>
+
 #include <grit/grit.h>
 
 #include "element/law.hpp"
@@ -15,9 +17,13 @@ struct GritLawOptions {
     double tolerance = usual_options().tolerance;  // stress error / |stress|
     int evaluation_limit = usual_options().evaluation_limit;
     bool intergranular_strain = true;  // false: basic hypoplasticity
-    // (W1) K_w/n_p of the mixture [stress], 0: no pore water. If positive, stress is the total
-    // stress and the last state variable the excess pore pressure.
-    double water_stiffness = 0.0;
+    // (W1) of one kind of pore water, or none. With it, stress is the total stress and the last state variable the
+    // excess pore pressure, below the largest tension as far as a cavity must close.
+    double water_stiffness = 0.0;     // K_w/n_p of the mixture [stress], 0: none
+    double water_bulk_modulus = 0.0;  // K_w of the water in the pores as they are [stress], 0: none
+    double largest_tension = std::numeric_limits<double>::infinity();  // of the water [stress]
+
+    bool has_water() const { return water_stiffness > 0.0 || water_bulk_modulus > 0.0; }
 };
 
 // State: h_11 ... h_23 (engineering shear), void_ratio, separation, substep (advice for the next
@@ -30,8 +36,9 @@ class GritLaw : public Law {
     // Throws BadCase for parameters or options that the library refuses.
     explicit GritLaw(const grit_sand_parameters& parameters, const GritLawOptions& options = {});
 
-    // A point with h = 0. Throws BadCase unless e > 0 and all is finite.
-    MaterialPoint start(const Vector6& effective_stress, double void_ratio) const;
+    // A point with h = 0. Throws BadCase unless e > 0 and all is finite, or for a pore pressure without water.
+    MaterialPoint start(const Vector6& effective_stress, double void_ratio,
+                        double pore_pressure = 0.0) const;
     // Set h = rho R along a strain direction (any length > 0), rho in [0, 1]. Throws BadCase.
     void mobilise(MaterialPoint& point, const Vector6& direction, double rho) const;
 
@@ -45,11 +52,14 @@ class GritLaw : public Law {
     bool intergranular_strain() const { return options.intergranular_off == 0; }
 
   private:
+    void read_water(const GritLawOptions& given);
+    // What bears.
     double pore_pressure(const MaterialPoint& point) const;
 
     grit_sand prepared{};
     grit_sand_options options{};
-    double water_stiffness = 0.0;
+    bool has_water;
+    grit_sand_water water{};
     std::vector<std::string> names;
 };
 

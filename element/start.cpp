@@ -36,7 +36,7 @@ double void_ratio_at_pressure(const grit_sand& sand, double e_0, double mean_pre
 }
 
 MaterialPoint start_point(const GritLaw& law, const Start& start) {
-    MaterialPoint out = law.start(start.stress, start.void_ratio);
+    MaterialPoint out = law.start(start.stress, start.void_ratio, start.pore_pressure);
     const double p = -start.stress.head<3>().sum() / 3.0;
     if (!(p > 0.0))
         throw BadCase(text("the initial stress must press: tension is positive, and p = %g", p));

@@ -20,6 +20,7 @@ struct Start {
     // As isotropic compression leaves it.
     Vector6 direction = -unit_tensor();  // of h
     double rho = 1.0;                    // |h|/R [-]
+    double pore_pressure = 0.0;          // of sands that have water [stress]
 };
 
 // What a sand starts with if nobody says otherwise: mobilised, off if it has no parameters for more.

@@ -13,8 +13,8 @@ bool carries_separation(const Statev& statev) { return statev.size > GRIT_CLASSI
 }  // namespace
 
 void read_state(const Statev& statev, int shears, Point& point) {
-    point.pore_stress = statev[GRIT_CLASSIC_PORE_STRESS];
-    for (int c = 0; c < 3; ++c) point.stress[c] -= point.pore_stress;
+    point.pore_pressure = -statev[GRIT_CLASSIC_PORE_STRESS];
+    for (int c = 0; c < 3; ++c) point.stress[c] += point.pore_pressure;
     for (int c = 0; c < 6; ++c) point.state[c] = c < 3 + shears ? statev[layout.h + c] : 0.0;
     point.state[GRIT_SAND_VOID_RATIO] = statev[layout.void_ratio];
     point.state[GRIT_SAND_SEPARATION] =
@@ -29,16 +29,22 @@ grit_status complete_state(const Material& material, Point& point, grit_error& e
     return initial_void_ratio(material, p, e, error);
 }
 
-void load_water(const Material& material, Point& point) {
-    const double* d = point.strain_increment;
-    point.pore_stress += material.K_w * (d[0] + d[1] + d[2]);  // (W1)
+grit_sand_water water_of(const Material& material, Point* points) {
+    constexpr std::ptrdiff_t stride = sizeof(Point) / sizeof(double);
+    grit_sand_water water;
+    grit_sand_water_init(&water, sizeof water);
+    water.bulk_modulus = material.K_w;
+    water.porosity = 1.0;
+    water.pore_pressure = grit_mutable_view_of(&points->pore_pressure, stride, 1);
+    water.total_stress = grit_mutable_view_of(points->total, stride, 1);
+    return water;
 }
 
 void write_state(const Statev& statev, const Material& material, const Point& end,
                  int evaluations) {
     for (int c = 0; c < 6; ++c) statev[layout.h + c] = end.state[c];
     statev[layout.void_ratio] = end.state[GRIT_SAND_VOID_RATIO];
-    statev[GRIT_CLASSIC_PORE_STRESS] = end.pore_stress;
+    statev[GRIT_CLASSIC_PORE_STRESS] = -end.pore_pressure;
     statev[GRIT_CLASSIC_SUBSTEP] = end.substep;
     if (carries_separation(statev))
         statev[GRIT_CLASSIC_SEPARATION] = end.state[GRIT_SAND_SEPARATION];

@@ -5,6 +5,8 @@
 
 #include <cstddef>
 
+#include <grit/sand_water.h>
+
 #include "adapters/abaqus/props.hpp"
 
 namespace grit::abaqus {
@@ -12,9 +14,10 @@ namespace grit::abaqus {
 struct Point {
     double strain_increment[6];
     double stress[6];  // effective
+    double total[6];   // after an update
     double state[GRIT_SAND_STATE_SIZE];
     double substep;
-    double pore_stress;  // minus the compression-positive excess pore pressure [stress]
+    double pore_pressure;  // excess, compression positive [stress]
 };
 
 // STATEV of a point: side by side in a UMAT, a block apart in a VUMAT.
@@ -32,15 +35,15 @@ void read_state(const Statev& statev, int shears, Point& point);
 // A state for points that have none, see docs/umat.md; a complaint in error if there is none.
 grit_status complete_state(const Material& material, Point& point, grit_error& error);
 
-// The pore pressure that the strain increment raises (W1). After the update.
-void load_water(const Material& material, Point& point);
+// Of points that lie side by side. K_w of PROPS(15) is that of the mixture, whatever the porosity (W1).
+grit_sand_water water_of(const Material& material, Point* points);
 
 // Component c, total, of the stress at the end; given is what the host had, the same bits if nothing
 // has changed: taking the pore pressure off and on again must not cost one.
 inline double total_stress(const Point& start, const Point& end, int c, double given) {
     if (c >= 3) return end.stress[c];
-    const bool same = end.pore_stress == start.pore_stress && end.stress[c] == start.stress[c];
-    return same ? given : end.stress[c] + end.pore_stress;
+    const bool same = end.pore_pressure == start.pore_pressure && end.stress[c] == start.stress[c];
+    return same ? given : end.total[c];
 }
 
 // The state back, and what stands in STATEV for output only.

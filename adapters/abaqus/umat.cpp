@@ -126,7 +126,8 @@ grit_status update(const UmatArguments& call, const Material& material, Point& p
     grit_sand_points views = views_of(&point);
     if (read_rotation(call, Q)) views.rotation_increment = grit_view_of(Q, 9, 1);
     views.tangent = grit_mutable_matrix_view_of(tangent, 36, 6, 1);
-    return grit_sand_update(&material.sand, &options, 1, &views, &report, &error);
+    const grit_sand_water water = water_of(material, &point);
+    return grit_sand_update_undrained(&material.sand, &options, &water, 1, &views, &report, &error);
 }
 
 void write_stress(const UmatArguments& call, const Point& start, const Point& end) {
@@ -151,13 +152,13 @@ void symmetrise(const Material& material, const Point& end, double tangent[36]) 
                 0.5 * (tangent[6 * r + c] + tangent[6 * c + r]) + share_of_L * L[6 * r + c];
 }
 
-void write_tangent(const UmatArguments& call, const double tangent[36], double K_w) {
+void write_tangent(const UmatArguments& call, const double tangent[36]) {
     const int n = *call.ntens;
     for (int r = 0; r < n; ++r)
         for (int c = 0; c < n; ++c) {
             const int row = host.order[r], column = host.order[c];
             call.ddsdde[call.matrix == Matrix::rows ? n * row + column : row + n * column] =
-                tangent[6 * r + c] + (r < 3 && c < 3 ? K_w : 0.0);
+                tangent[6 * r + c];
         }
 }
 
@@ -172,11 +173,10 @@ grit_status run(const UmatArguments& call, grit_sand_report& report, grit_error&
     double tangent[36];
     if (const grit_status s = update(call, material, end, tangent, report, error)) return s;
 
-    load_water(material, end);
     write_stress(call, start, end);
     write_state({call.statev, 1, *call.nstatv}, material, end, report.evaluations);
     if (call.ddsdde && call.matrix == Matrix::symmetric) symmetrise(material, end, tangent);
-    if (call.ddsdde) write_tangent(call, tangent, material.K_w);
+    if (call.ddsdde) write_tangent(call, tangent);
     return GRIT_OK;
 }
 

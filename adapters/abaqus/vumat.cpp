@@ -157,14 +157,15 @@ class Block {
         grit_sand_points views = views_of(end);
         views.index = able;
         const grit_sand_options options = material.options;
-        grit_sand_update(&material.sand, &options, able_count, &views, reports, &error);
+        const grit_sand_water water = water_of(material, end);
+        grit_sand_update_undrained(&material.sand, &options, &water, able_count, &views, reports,
+                                   &error);
         for (std::ptrdiff_t r = 0; r < able_count; ++r) {
             const int k = static_cast<int>(able[r]);
             if (reports[r].status != GRIT_OK) {
                 stand_still(first + k, error);
                 continue;
             }
-            load_water(material, end[k]);
             write(first + k, start[k], end[k], reports[r].evaluations);
         }
     }

@@ -2,6 +2,7 @@
 // The behaviour: one point per call, the material prepared from its properties every time, nothing kept
 // between calls but the parameters a user has set.
 #include <grit/sand_operators.h>
+#include <grit/sand_water.h>
 
 #include <cmath>
 
@@ -56,29 +57,30 @@ grit_status update(const Material& material, const Request& request, const Param
     views.state = grit_mutable_view_of(end.state, GRIT_SAND_STATE_SIZE, 1);
     views.tangent = grit_mutable_matrix_view_of(results.C, 36, 6, 1);
     views.substep = grit_mutable_view_of(&end.substep, 1, 1);
+    grit_sand_water water;
+    grit_sand_water_init(&water, sizeof water);
+    water.bulk_modulus = material.K_w;
+    water.porosity = 1.0;  // K_w is that of the mixture
+    water.pore_pressure = grit_mutable_view_of(&end.pore_pressure, 1, 1);
+    water.total_stress = grit_mutable_view_of(end.total, 6, 1);
     grit_sand_report report{};
     report.step_reduction = 1.0;
     const grit_status status =
-        grit_sand_update(&material.sand, &options, 1, &views, &report, &error);
+        grit_sand_update_undrained(&material.sand, &options, &water, 1, &views, &report, &error);
     if (status != GRIT_OK && report.step_reduction < 1.0)
         results.reduction = std::fmax(report.step_reduction, parameters.smallest_reduction);
     return status;
 }
 
-// m_R L of (H2): the stiffness inside the range of the intergranular strain.
+// m_R L of (H2), the stiffness inside the range of the intergranular strain, and the water's.
 grit_status elastic_operator(const Material& material, Results& results) {
     const Point& end = results.end;
     const grit_status status = grit_sand_stiffness(
         &material.sand, end.stress, end.state[GRIT_SAND_VOID_RATIO], results.C, nullptr);
     for (double& entry : results.C) entry *= material.elastic_factor;
-    return status;
-}
-
-void add_water(const Material& material, Results& results) {
-    const double* d = results.end.strain_increment;
-    results.end.pore_pressure -= material.K_w * (d[0] + d[1] + d[2]);  // (W1)
     for (int r = 0; r < 3; ++r)
         for (int c = 0; c < 3; ++c) results.C[6 * r + c] += material.K_w;
+    return status;
 }
 
 grit_status find_speed_of_sound(const mfront_gb_BehaviourData& call, const Material& material,
@@ -130,7 +132,6 @@ grit_status compute(const mfront_gb_BehaviourData& call, int n, const Request& r
             return failure(error, s, "no elastic operator for this state: %s", grit_status_name(s));
     if (request.speed_of_sound)
         if (const grit_status s = find_speed_of_sound(call, material, results, error)) return s;
-    add_water(material, results);
     return GRIT_OK;
 }
 

@@ -9,8 +9,7 @@ constexpr double sqrt_2 = 1.4142135623730951;
 double shear_factor(int component) { return component < 3 ? 1.0 : sqrt_2; }
 
 double total(const Point& point, int component) {
-    return component < 3 ? point.stress[component] - point.pore_pressure
-                         : point.stress[component] * sqrt_2;
+    return point.total[component] * shear_factor(component);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@ struct Point {
     double strain_increment[6];
     double stress[6];  // effective
     double state[GRIT_SAND_STATE_SIZE];
+    double total[6];       // stress after an update
     double pore_pressure;  // excess, compression positive [stress]
     double substep;
 };

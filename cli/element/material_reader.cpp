@@ -69,6 +69,28 @@ element::Vector6 start_stress(TomlTable& table) {
     return stress;
 }
 
+void read_water(TomlTable& table, element::GritLawOptions& options) {
+    const auto take = [&table](const char* key, std::optional<double> given, double& value) {
+        if (!given) return;
+        if (!(*given >= 0.0))
+            table.fail(key, fmt::format("{} must be >= 0, got {:g}", table.full(key), *given));
+        value = *given;
+    };
+    take("water_stiffness_kPa", table.number_if("water_stiffness_kPa"), options.water_stiffness);
+    take("water_bulk_modulus_kPa", table.number_if("water_bulk_modulus_kPa"),
+         options.water_bulk_modulus);
+    take("cavitation_kPa", table.number_if("cavitation_kPa"), options.largest_tension);
+    if (options.water_stiffness > 0.0 && options.water_bulk_modulus > 0.0)
+        table.fail("water_bulk_modulus_kPa",
+                   fmt::format("{} and {}: the water has one or the other",
+                               table.full("water_stiffness_kPa"),
+                               table.full("water_bulk_modulus_kPa")));
+    if (table.has("cavitation_kPa") && !options.has_water())
+        table.fail("cavitation_kPa",
+                   fmt::format("{} is that of water: give {}", table.full("cavitation_kPa"),
+                               table.full("water_bulk_modulus_kPa")));
+}
+
 int statev_index(TomlTable& table, const std::string& key, int size) {
     return table.integer_or(key, 0, 1, std::max(size, 1)) - 1;  // counted from 1 in the file
 }
@@ -94,12 +116,7 @@ void read_sand(TomlTable table, CaseFile& file) {
     const NamedSand named = read_sand_parameters(table);
     file.parameters = named.parameters;
     file.sand = named.name;
-    if (const auto K_w = table.number_if("water_stiffness_kPa")) {
-        if (!(*K_w >= 0.0))
-            table.fail("water_stiffness_kPa", fmt::format("{} must be >= 0, got {:g}",
-                                                          table.full("water_stiffness_kPa"), *K_w));
-        file.options.water_stiffness = *K_w;
-    }
+    read_water(table, file.options);
     table.finish();
     grit_sand sand;
     grit_error error{};
@@ -133,6 +150,12 @@ void read_start(TomlTable table, CaseFile& file) {
         grit_sand_prepare(&file.parameters, &sand, nullptr);
         start.void_ratio = start_void_ratio(table, sand, -start.stress.head<3>().sum() / 3.0);
         start.intergranular_strain = element::usual_intergranular_strain(file.parameters);
+        start.pore_pressure = table.number_if("pore_pressure_kPa").value_or(0.0);
+        if (start.pore_pressure != 0.0 && !file.options.has_water())
+            table.fail(
+                "pore_pressure_kPa",
+                fmt::format("{} is that of water in the sand: give sand.water_bulk_modulus_kPa",
+                            table.full("pore_pressure_kPa")));
         if (table.has("intergranular_strain")) {
             const std::string h =
                 table.choice("intergranular_strain", {"mobilised", "zero", "off"});
@@ -161,6 +184,10 @@ void read_start(TomlTable table, CaseFile& file) {
 
 void fill_umat(CaseFile& file, bool radian) {
     const grit_sand_parameters& p = file.parameters;
+    if (file.options.water_bulk_modulus > 0.0 || std::isfinite(file.options.largest_tension) ||
+        file.start.pore_pressure != 0.0)
+        throw element::BadCase("a library has water_stiffness_kPa alone: no place for "
+                               "water_bulk_modulus_kPa, cavitation_kPa and pore_pressure_kPa");
     element::UmatSource source;
     source.props.resize(GRIT_CLASSIC_NPROPS);
     double classic[GRIT_CLASSIC_NPROPS];

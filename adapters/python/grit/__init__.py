@@ -7,6 +7,7 @@ strain; angles in radians; any consistent units, stress in the unit of the sand'
 
     sand = grit.Sand("lausitz")
     sand.update(strain_increment, stress, state)     # (n, 6), (n, 6), (n, 8), in place
+    sand.update_undrained(strain_increment, stress, state, pore_pressure, bulk_modulus=2.2e6)
     grit.contact_correct(mass_a, mass_b, normal, velocity_a, velocity_b, ...)
     grit.element_test(sand, [grit.stage.triaxial_drained(-0.2)], stress, void_ratio)
 
@@ -14,12 +15,12 @@ Errors are exceptions below grit.Error; a call that raises BadCall or BadState h
 """
 
 from grit._grit import (
-    BadCall, BadParameter, BadState, Error, H_CLAMPED, INACTIVE, InternalError, NotConverged, OPEN,
-    OUTSIDE_CONE, SEPARATION, SLIP, STATE_SIZE, STICK, STRESS_FREE, Sand, VOID_CLAMPED, VOID_RATIO,
+    BadCall, BadParameter, BadState, CAVITATED, Error, H_CLAMPED, INACTIVE, InternalError, NotConverged,
+    OPEN, OUTSIDE_CONE, SEPARATION, SLIP, STATE_SIZE, STICK, STRESS_FREE, Sand, VOID_CLAMPED, VOID_RATIO,
     __version__, contact_correct, element_test, penalty_factor, sands, stage)
 
 __all__ = [
-    "BadCall", "BadParameter", "BadState", "Error", "H_CLAMPED", "INACTIVE", "InternalError",
-    "NotConverged", "OPEN", "OUTSIDE_CONE", "SEPARATION", "SLIP", "STATE_SIZE", "STICK", "STRESS_FREE",
-    "Sand", "VOID_CLAMPED", "VOID_RATIO", "__version__", "contact_correct", "element_test",
-    "penalty_factor", "sands", "stage"]
+    "BadCall", "BadParameter", "BadState", "CAVITATED", "Error", "H_CLAMPED", "INACTIVE",
+    "InternalError", "NotConverged", "OPEN", "OUTSIDE_CONE", "SEPARATION", "SLIP", "STATE_SIZE", "STICK",
+    "STRESS_FREE", "Sand", "VOID_CLAMPED", "VOID_RATIO", "__version__", "contact_correct",
+    "element_test", "penalty_factor", "sands", "stage"]
