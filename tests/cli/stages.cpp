@@ -122,6 +122,18 @@ TEST(WaterStiffness, MakesADrainedTestAnUndrainedOneByPenalty) {
                 here.result("y").at("pore_pressure").back(), 0.05);
 }
 
+TEST(WaterBulkModulus, IsThatOfWaterInPoresWhichCavitatesFromItsOwnPressure) {
+    const Workplace here;
+    here.write("x.toml", "[sand]\nname = \"lausitz\"\nwater_bulk_modulus_kPa = 2.2e6\n"
+                         "cavitation_kPa = 100\n[start]\npressure_kPa = 100\n"
+                         "pore_pressure_kPa = 20\nvoid_ratio = 0.55\n[[stage]]\n"
+                         "test = \"triaxial_drained\"\naxial_strain = -0.2\n");
+    here.run("x");
+    const auto p_w = here.result("x").at("pore_pressure");
+    EXPECT_EQ(p_w.front(), 20.0);
+    EXPECT_EQ(p_w.back(), -100.0);
+}
+
 TEST(Residuals, ArePrintedWhenAskedFor) {
     const Workplace here;
     here.write_case("x", "[[stage]]\ntest = \"triaxial_drained\"\naxial_strain = -0.01\n");

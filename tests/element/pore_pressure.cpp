@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+
+#include <element/errors.hpp>
 
 #include "support/elastic.hpp"
 #include "support/lausitz.hpp"
@@ -108,6 +111,63 @@ TEST(PoreWater, OfTheLawApproachesTheIncompressibleWaterOfTheDriver) {
         last = difference;
     }
     EXPECT_LT(last, 0.05);  // kPa
+}
+
+GritLaw wet_law(double K_w, double largest_tension, double tolerance = 1e-8) {
+    GritLawOptions options;
+    options.tolerance = tolerance;
+    options.water_bulk_modulus = K_w;
+    options.largest_tension = largest_tension;
+    return GritLaw(lausitz(), options);
+}
+
+Sample wet_sample(const GritLaw& law, double p, double e, double p_w) {
+    Sample sample;
+    sample.point = law.start(-p * unit_tensor(), e, p_w);
+    law.mobilise(sample.point, -unit_tensor(), 1.0);
+    return sample;
+}
+
+TEST(PoreWater, OfItsOwnBulkModulusIsCompressedWithThePores) {
+    const double K_w = 2.2e6;
+    const GritLaw law = wet_law(K_w, std::numeric_limits<double>::infinity());
+    Sample sample = wet_sample(law, 100.0, 0.75, 200.0);
+    const History history = simulate(law, sample, {triaxial_drained(-0.01)});
+    ASSERT_FALSE(history.failure) << history.failure->message;
+    EXPECT_GT(history.records.back().pore_pressure, 210.0);
+    for (const Record& r : history.records) {
+        EXPECT_NEAR(r.total_stress[2], -300.0, 1e-6);
+        EXPECT_NEAR(r.pore_pressure, 200.0 - K_w * std::log(r.void_ratio / 0.75), 1e-6);
+        EXPECT_NEAR((r.effective_stress - r.total_stress)[0], r.pore_pressure, 1e-9);
+    }
+}
+
+// Dense sand dilates: once the water bears no more, the sand drains into its cavities at a constant effective stress
+// around it, and what was total stress is effective stress and the largest tension.
+TEST(PoreWater, CavitatesInDenseSandAndThenHoldsItsTension) {
+    const GritLaw law = wet_law(2.2e6, 100.0);
+    Sample sample = wet_sample(law, 100.0, 0.55, 0.0);
+    const History history = simulate(law, sample, {triaxial_drained(-0.2)});
+    ASSERT_FALSE(history.failure) << history.failure->message;
+    const Record& end = history.records.back();
+    EXPECT_EQ(end.pore_pressure, -100.0);
+    EXPECT_NEAR(end.effective_stress[2], -200.0, 1e-6);
+    EXPECT_NEAR(end.total_stress[2], -100.0, 1e-6);
+    EXPECT_GT(end.void_ratio, 0.552);
+    EXPECT_LT(end.state[GritLaw::pore_pressure_index], -1000.0);  // the cavity
+    const History back =
+        simulate(law, sample, {isotropic_strain(1.05 * std::log(1.55 / (1.0 + end.void_ratio)))});
+    ASSERT_FALSE(back.failure) << back.failure->message;
+    EXPECT_GT(back.records.back().pore_pressure, 0.0);
+}
+
+TEST(PoreWater, HasOneStiffnessAndAPressureOnlyWhereItIs) {
+    GritLawOptions options;
+    options.water_stiffness = options.water_bulk_modulus = 1e6;
+    EXPECT_THROW(GritLaw(lausitz(), options), BadCase);
+    EXPECT_THROW(wet_law(-1.0, 100.0), BadCase);
+    EXPECT_THROW(wet_law(1.0, -100.0), BadCase);
+    EXPECT_THROW(lausitz_law().start(-unit_tensor(), 0.6, 10.0), BadCase);
 }
 
 }  // namespace

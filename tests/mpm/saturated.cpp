@@ -19,6 +19,7 @@
 #include "support/plans.hpp"
 #include "support/saturated_column.hpp"
 #include "support/saturated_disk.hpp"
+#include "support/wet_cell.hpp"
 
 namespace {
 
@@ -373,45 +374,11 @@ TEST(InstructionSets, ChangeNoBitOfTheKernelsOfWater) {
             }
 }
 
-// One particle that has a cell to itself, so heavy that nothing stops it.
-struct Cell {
-    std::unique_ptr<Simulation> simulation;
-    explicit Cell(double v_r, double v_z, double mean_pressure, double p_w) {
-        Case plan = column_case();
-        plan.settings.axisymmetric = false;
-        plan.settings.largest_step = 1e-4;
-        plan.r = {-1.0, {{1.0, 2, 1.0}}};
-        plan.z = {-1.0, {{1.0, 2, 1.0}}};
-        for (Boundary& boundary : plan.boundary) boundary = Boundary::free;
-        BodyPlan& body = plan.bodies[0];
-        body.outlines = {Outline{{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}}};
-        body.particles_r = body.particles_z = 2;
-        body.material = lausitz_plan(0.85);
-        body.water = WaterPlan{.grain_density = 1e9};
-        simulation = std::move(build_case(plan).simulation);
-        simulation->fix_below(0, 0.0);
-        simulation->fix_below(1, 0.0);
-        const ParticleView q = particles();
-        for (std::ptrdiff_t p = 0; p < 4; ++p) {
-            for (const int c : {column::S_rr, column::S_zz, column::S_tt}) q[c][p] = -mean_pressure;
-            q[simulation->body(0).water->first][p] = p_w;
-        }
-        set_rates(v_r, v_z);
-    }
-    ParticleView particles() { return simulation->body(0).particles.view(); }
-    void set_rates(double v_r, double v_z) {
-        const ParticleView q = particles();
-        for (std::ptrdiff_t p = 0; p < 4; ++p) {
-            q[column::v_r][p] = v_r * q[column::r][p];
-            q[column::v_z][p] = v_z * q[column::z][p];
-        }
-    }
-};
-
 TEST(UndrainedSand, OfACellFollowsTheUndrainedPathToLiquefactionAndBack) {
     const grit_sand sand = lausitz();
     const grit_sand_options options = sand_options();
-    Cell cell(-1.0, 1.0, 1e5, 5e4);
+    WetCell cell(1e5, 5e4);
+    cell.set_rates(-1.0, 1.0);
     const PoreWater& water = *cell.simulation->body(0).water;
     ParticleView q = cell.particles();
     const double K_w = water.bulk_modulus;
@@ -448,7 +415,8 @@ TEST(UndrainedSand, OfACellFollowsTheUndrainedPathToLiquefactionAndBack) {
 }
 
 TEST(UndrainedSand, CavitatesAndBearsAgainOnceTheCavityHasClosed) {
-    Cell cell(1.0, 1.0, 1e5, 0.0);
+    WetCell cell(1e5, 0.0);
+    cell.set_rates(1.0, 1.0);
     Simulation& simulation = *cell.simulation;
     const PoreWater& water = *simulation.body(0).water;
     double J = 0.0;
