@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "element/grit_law.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "element/errors.hpp"
@@ -96,7 +95,7 @@ void GritLaw::mobilise(MaterialPoint& point, const Vector6& direction, double rh
 }
 
 double GritLaw::pore_pressure(const MaterialPoint& point) const {
-    return has_water ? std::max(point.state[pore_pressure_index], -water.largest_tension) : 0.0;
+    return has_water ? borne(point.state[pore_pressure_index]) : 0.0;
 }
 
 Response GritLaw::advance(const MaterialPoint& start, const StrainIncrement& increment) const {

@@ -49,6 +49,8 @@ class GritLaw : public Law {
     // p, q, mobilised friction angle and so on, of the effective stress.
     grit_sand_invariants invariants(const MaterialPoint& point) const;
     const grit_sand& sand() const { return prepared; }
+    // What bears of a pore pressure [stress].
+    double borne(double p_w) const { return grit_sand_water_borne(&water, p_w); }
     bool intergranular_strain() const { return options.intergranular_off == 0; }
 
   private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "element/library_law.hpp"
 
+#include <algorithm>
 #include <dlfcn.h>
 
 #include "element/errors.hpp"
@@ -59,7 +60,9 @@ Observation LibraryLaw::observe(const MaterialPoint& point) const {
     if (source.void_ratio >= 0)
         out.void_ratio = point.state[static_cast<std::size_t>(source.void_ratio)];
     if (source.minus_pore_pressure >= 0)
-        out.pore_pressure = -point.state[static_cast<std::size_t>(source.minus_pore_pressure)];
+        out.pore_pressure =
+            std::max(-point.state[static_cast<std::size_t>(source.minus_pore_pressure)],
+                     -source.largest_tension);
     return out;
 }
 

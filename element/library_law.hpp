@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <initializer_list>
+#include <limits>
 #include <memory>
 
 #include "element/law.hpp"
@@ -20,6 +21,7 @@ struct UmatSource {
     // Where the law keeps these, 0-based, -1: unknown. Classic hypoplastic layout: 6 and 7.
     int void_ratio = -1;
     int minus_pore_pressure = -1;
+    double largest_tension = std::numeric_limits<double>::infinity();  // of the water [stress]
 };
 
 class LibraryLaw : public Law {

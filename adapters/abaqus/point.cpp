@@ -12,9 +12,10 @@ bool carries_separation(const Statev& statev) { return statev.size > GRIT_CLASSI
 
 }  // namespace
 
-void read_state(const Statev& statev, int shears, Point& point) {
+void read_state(const Statev& statev, int shears, const Material& material, Point& point) {
     point.pore_pressure = -statev[GRIT_CLASSIC_PORE_STRESS];
-    for (int c = 0; c < 3; ++c) point.stress[c] += point.pore_pressure;
+    const double p = grit_sand_water_borne(&material.water, point.pore_pressure);
+    for (int c = 0; c < 3; ++c) point.stress[c] += p;
     for (int c = 0; c < 6; ++c) point.state[c] = c < 3 + shears ? statev[layout.h + c] : 0.0;
     point.state[GRIT_SAND_VOID_RATIO] = statev[layout.void_ratio];
     point.state[GRIT_SAND_SEPARATION] =
@@ -31,10 +32,7 @@ grit_status complete_state(const Material& material, Point& point, grit_error& e
 
 grit_sand_water water_of(const Material& material, Point* points) {
     constexpr std::ptrdiff_t stride = sizeof(Point) / sizeof(double);
-    grit_sand_water water;
-    grit_sand_water_init(&water, sizeof water);
-    water.bulk_modulus = material.K_w;
-    water.porosity = 1.0;
+    grit_sand_water water = material.water;
     water.pore_pressure = grit_mutable_view_of(&points->pore_pressure, stride, 1);
     water.total_stress = grit_mutable_view_of(points->total, stride, 1);
     return water;

@@ -29,13 +29,13 @@ struct Statev {
     double& operator[](int place) const { return base[place * stride]; }
 };
 
-// The state, and the stress from total to effective: T = STRESS + p_w I.
-void read_state(const Statev& statev, int shears, Point& point);
+// The state, and the stress from total to effective: T = STRESS + p I.
+void read_state(const Statev& statev, int shears, const Material& material, Point& point);
 
 // A state for points that have none, see docs/umat.md; a complaint in error if there is none.
 grit_status complete_state(const Material& material, Point& point, grit_error& error);
 
-// Of points that lie side by side. K_w of PROPS(15) is that of the mixture, whatever the porosity (W1).
+// With views on points that lie side by side.
 grit_sand_water water_of(const Material& material, Point* points);
 
 // Component c, total, of the stress at the end; given is what the host had, the same bits if nothing

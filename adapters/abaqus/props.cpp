@@ -12,8 +12,7 @@
 namespace grit::abaqus {
 namespace {
 
-// Behind those of the classic layout, and optional.
-constexpr int tolerance_place = GRIT_CLASSIC_NPROPS, props_read = tolerance_place + 1;
+constexpr int props_read = GRIT_CLASSIC_PROPS_READ;
 
 // phi_c in the layout's own unit: the library would speak of radians whatever PROPS are.
 grit_status check_angle(double phi_c, grit_error& error) {
@@ -29,6 +28,20 @@ grit_status check_angle(double phi_c, grit_error& error) {
                    other >= low && other <= high ? "?" : "");
 }
 
+grit_status read_water(const double* props, double K_w, grit_sand_water& out, grit_error& error) {
+    const double tension = props[GRIT_CLASSIC_LARGEST_TENSION];
+    const double itself = props[GRIT_CLASSIC_WATER_ITSELF];
+    int bad = 0;
+    if (grit_classic_water(K_w, tension, itself, &out, &bad) == GRIT_OK) return GRIT_OK;
+    if (bad == GRIT_CLASSIC_WATER_ITSELF)
+        return failure(error, GRIT_BAD_PARAMETER,
+                       "PROPS(19) must be 1, where K_w is that of the water itself, or 0, got %g",
+                       itself);
+    return failure(error, GRIT_BAD_PARAMETER, "PROPS(%d) (%s) must be >= 0 and finite, got %g",
+                   bad + 1, bad == GRIT_CLASSIC_WATER_STIFFNESS ? "K_w" : "largest tension",
+                   bad == GRIT_CLASSIC_WATER_STIFFNESS ? K_w : tension);
+}
+
 grit_status prepare(const double* props, Material& out, grit_error& error) {
     if (const grit_status s = check_angle(props[0], error)) return s;
     double classic[GRIT_CLASSIC_NPROPS];
@@ -36,12 +49,11 @@ grit_status prepare(const double* props, Material& out, grit_error& error) {
     grit_sand_parameters parameters;
     grit_classic_parameters(classic, &parameters);
     parameters.critical_friction_angle = props[0] * layout.angle;  // without a way there and back
-    out.K_w = classic[GRIT_CLASSIC_WATER_STIFFNESS];
     out.e_0 = classic[GRIT_CLASSIC_VOID_RATIO_AT_ZERO_PRESSURE];
-    if (!(out.K_w >= 0.0 && std::isfinite(out.K_w)))
-        return failure(error, GRIT_BAD_PARAMETER, "PROPS(15) (K_w) must be >= 0 and finite, got %g",
-                       out.K_w);
-    const double tolerance = props[tolerance_place];
+    if (const grit_status s =
+            read_water(props, classic[GRIT_CLASSIC_WATER_STIFFNESS], out.water, error))
+        return s;
+    const double tolerance = props[GRIT_CLASSIC_TOLERANCE];
     grit_sand_options_init(&out.options, sizeof out.options);
     if (tolerance != 0.0) out.options.tolerance = tolerance;
     if (!(out.options.tolerance >= GRIT_SAND_LEAST_TOLERANCE &&

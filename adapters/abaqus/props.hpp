@@ -8,7 +8,7 @@ namespace grit::abaqus {
 
 struct Material {
     grit_sand sand;
-    double K_w;                 // [stress] of the mixture (W1); 0: drained
+    grit_sand_water water;      // of PROPS(15), PROPS(18) and PROPS(19), without views
     double e_0;                 // see grit_classic_void_ratio
     grit_sand_options options;  // those of the library, with the tolerance of PROPS(17)
 };

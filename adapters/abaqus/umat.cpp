@@ -45,14 +45,14 @@ grit_status check_call(const UmatArguments& call, grit_error& error) {
     return check_sizes(*call.nprops, "NPROPS", *call.nstatv, "NSTATV", error);
 }
 
-Point read_point(const UmatArguments& call) {
+Point read_point(const UmatArguments& call, const Material& material) {
     Point p;
     for (int c = 0; c < 6; ++c) {
         const bool carried = c < *call.ntens;
         p.strain_increment[c] = carried ? call.dstran[host.order[c]] : 0.0;
         p.stress[c] = carried ? call.stress[host.order[c]] : 0.0;
     }
-    read_state({call.statev, 1, *call.nstatv}, *call.ntens - 3, p);
+    read_state({call.statev, 1, *call.nstatv}, *call.ntens - 3, material, p);
     return p;
 }
 
@@ -167,7 +167,7 @@ grit_status run(const UmatArguments& call, grit_sand_report& report, grit_error&
     const Material* prepared = nullptr;
     if (const grit_status s = read_props(call.props, *call.nprops, prepared, error)) return s;
     const Material& material = *prepared;
-    Point start = read_point(call);
+    Point start = read_point(call, material);
     if (const grit_status s = complete_state(material, start, error)) return s;
     Point end = start;
     double tangent[36];

@@ -75,11 +75,14 @@ class Block {
             keep(i);
             Point start = read(i);
             grit_error error{};
-            double modulus = 0.0;
+            double modulus = 0.0, K = 0.0;
             grit_status status = complete_state(material, start, error);
             if (status == GRIT_OK) {
                 status = grit_sand_wave_modulus(&material.sand, 0, start.stress,
                                                 start.state[GRIT_SAND_VOID_RATIO], &modulus);
+                if (status == GRIT_OK)
+                    status = grit_sand_water_stiffness(&material.water, start.pore_pressure,
+                                                       start.state[GRIT_SAND_VOID_RATIO], &K);
                 if (status != GRIT_OK)
                     failure(error, status, "stress and void ratio must be finite, void ratio > 0");
             }
@@ -89,7 +92,7 @@ class Block {
             }
             const double* d = start.strain_increment;
             const double lambda = modulus / 3.0;
-            const double volumetric = (lambda + material.K_w) * (d[0] + d[1] + d[2]);
+            const double volumetric = (lambda + K) * (d[0] + d[1] + d[2]);
             for (int c = 0; c < 3 + shears; ++c)
                 stress_new(i, c) +=
                     c < 3 ? 2.0 * lambda * d[c] + volumetric : lambda * d[c];  // d: engineering
@@ -119,7 +122,7 @@ class Block {
             p.strain_increment[c] = c < 3 ? strain(i, c) : 2.0 * strain(i, c);
             p.stress[c] = stress_old(i, c);
         }
-        read_state(state_new(i), shears, p);
+        read_state(state_new(i), shears, material, p);
         return p;
     }
 

@@ -151,6 +151,13 @@ module grit_sand_interface
          type(grit_sand_water), intent(inout) :: water
          integer(c_size_t), value :: struct_size
       end function
+      integer(c_int) function grit_sand_water_stiffness(water, pore_pressure, void_ratio, stiffness) &
+         bind(c)
+         import
+         type(grit_sand_water), intent(in) :: water
+         real(c_double), value :: pore_pressure, void_ratio
+         real(c_double), intent(inout) :: stiffness
+      end function
       integer(c_int) function c_sand_update_undrained(sand, options, water, n, points, reports, &
                                                       error) &
          bind(c, name='grit_sand_update_undrained')

@@ -2,7 +2,6 @@
 // The behaviour: one point per call, the material prepared from its properties every time, nothing kept
 // between calls but the parameters a user has set.
 #include <grit/sand_operators.h>
-#include <grit/sand_water.h>
 
 #include <cmath>
 
@@ -57,10 +56,7 @@ grit_status update(const Material& material, const Request& request, const Param
     views.state = grit_mutable_view_of(end.state, GRIT_SAND_STATE_SIZE, 1);
     views.tangent = grit_mutable_matrix_view_of(results.C, 36, 6, 1);
     views.substep = grit_mutable_view_of(&end.substep, 1, 1);
-    grit_sand_water water;
-    grit_sand_water_init(&water, sizeof water);
-    water.bulk_modulus = material.K_w;
-    water.porosity = 1.0;  // K_w is that of the mixture
+    grit_sand_water water = material.water;
     water.pore_pressure = grit_mutable_view_of(&end.pore_pressure, 1, 1);
     water.total_stress = grit_mutable_view_of(end.total, 6, 1);
     grit_sand_report report{};
@@ -72,14 +68,21 @@ grit_status update(const Material& material, const Request& request, const Param
     return status;
 }
 
+grit_status water_stiffness(const Material& material, const Point& point, double& K) {
+    return grit_sand_water_stiffness(&material.water, point.pore_pressure,
+                                     point.state[GRIT_SAND_VOID_RATIO], &K);
+}
+
 // m_R L of (H2), the stiffness inside the range of the intergranular strain, and the water's.
 grit_status elastic_operator(const Material& material, Results& results) {
     const Point& end = results.end;
-    const grit_status status = grit_sand_stiffness(
-        &material.sand, end.stress, end.state[GRIT_SAND_VOID_RATIO], results.C, nullptr);
+    grit_status status = grit_sand_stiffness(&material.sand, end.stress,
+                                             end.state[GRIT_SAND_VOID_RATIO], results.C, nullptr);
     for (double& entry : results.C) entry *= material.elastic_factor;
+    double K = 0.0;
+    if (status == GRIT_OK) status = water_stiffness(material, end, K);
     for (int r = 0; r < 3; ++r)
-        for (int c = 0; c < 3; ++c) results.C[6 * r + c] += material.K_w;
+        for (int c = 0; c < 3; ++c) results.C[6 * r + c] += K;
     return status;
 }
 
@@ -95,7 +98,11 @@ grit_status find_speed_of_sound(const mfront_gb_BehaviourData& call, const Mater
             grit_sand_wave_modulus(&material.sand, 0, results.end.stress,
                                    results.end.state[GRIT_SAND_VOID_RATIO], &modulus))
         return failure(error, s, "no wave modulus for this state: %s", grit_status_name(s));
-    results.speed_of_sound = std::sqrt((modulus + material.K_w) / density);
+    double K = 0.0;
+    if (const grit_status s = water_stiffness(material, results.end, K))
+        return failure(error, s, "no stiffness of the water for this state: %s",
+                       grit_status_name(s));
+    results.speed_of_sound = std::sqrt((modulus + K) / density);
     return GRIT_OK;
 }
 
@@ -116,8 +123,10 @@ grit_status compute(const mfront_gb_BehaviourData& call, int n, const Request& r
     results.reduction = parameters.smallest_reduction;
     if (const grit_status s = check_pointers(call, request, error)) return s;
     Material material;
-    if (const grit_status s = read_material(call.s1.material_properties, material, error)) return s;
-    start = read_point(call, n);
+    if (const grit_status s =
+            read_material(call.s1.material_properties, parameters, material, error))
+        return s;
+    start = read_point(call, n, material);
     if (!std::isfinite(start.pore_pressure))
         return failure(error, GRIT_BAD_STATE, "ExcessPorePressure must be finite, got %g",
                        start.pore_pressure);

@@ -80,13 +80,17 @@ GRIT_SYMBOL(Count, nExternalStateVariables, 0);
 GRIT_SYMBOL(NoNames, ExternalStateVariables, nullptr);
 GRIT_SYMBOL(NoTypes, ExternalStateVariablesTypes, nullptr);
 
-GRIT_SYMBOLS(Text, Parameters, "tolerance", "minimal_time_step_scaling_factor", "evaluation_limit");
-GRIT_SYMBOLS(int, ParametersTypes, real_parameter, real_parameter, integer_parameter);
+GRIT_SYMBOLS(Text, Parameters, "tolerance", "minimal_time_step_scaling_factor",
+             "largest_water_tension", "evaluation_limit", "water_itself");
+GRIT_SYMBOLS(int, ParametersTypes, real_parameter, real_parameter, real_parameter,
+             integer_parameter, integer_parameter);
 GRIT_SYMBOL(Count, nParameters, count(GritSand_Parameters));
 GRIT_SYMBOL(double, tolerance_ParameterDefaultValue, grit::mgis::default_tolerance);
 GRIT_SYMBOL(double, minimal_time_step_scaling_factor_ParameterDefaultValue,
             grit::mgis::default_smallest_reduction);
+GRIT_SYMBOL(double, largest_water_tension_ParameterDefaultValue, 0.0);
 GRIT_SYMBOL(int, evaluation_limit_ParameterDefaultValue, grit::mgis::default_evaluation_limit);
+GRIT_SYMBOL(int, water_itself_ParameterDefaultValue, 0);
 
 GRIT_SYMBOL(Count, nInitializeFunctions, 0);
 GRIT_SYMBOL(NoNames, InitializeFunctions, nullptr);

@@ -9,7 +9,8 @@
 
 namespace grit::mgis {
 
-grit_status read_material(const double* properties, Material& out, grit_error& error) {
+grit_status read_material(const double* properties, const Parameters& set, Material& out,
+                          grit_error& error) {
     const double phi_c = properties[0];
     const grit_sand_parameter_info& known = *grit_sand_parameter_describe(0);
     const double angle = phi_c * GRIT_DEGREE;
@@ -18,11 +19,12 @@ grit_status read_material(const double* properties, Material& out, grit_error& e
                        "CriticalFrictionAngle must be in [%g, %g] degrees, got %g%s",
                        known.lowest / GRIT_DEGREE, known.highest / GRIT_DEGREE, phi_c,
                        phi_c > 0.0 && phi_c < 1.1 ? ": radians?" : "");
-    out.K_w = properties[GRIT_CLASSIC_WATER_STIFFNESS];
-    if (!(out.K_w >= 0.0 && std::isfinite(out.K_w)))
+    const double K_w = properties[GRIT_CLASSIC_WATER_STIFFNESS];
+    int bad = 0;
+    if (grit_classic_water(K_w, set.largest_water_tension, set.water_itself, &out.water, &bad))
         return failure(error, GRIT_BAD_PARAMETER,
                        "WaterStiffness must be >= 0 and finite, in the unit of stress, got %g",
-                       out.K_w);
+                       K_w);
     out.e_0 = properties[GRIT_CLASSIC_VOID_RATIO_AT_ZERO_PRESSURE];
     grit_sand_parameters parameters;
     grit_classic_parameters(properties, &parameters);

@@ -12,6 +12,8 @@ namespace {
 std::atomic<double> tolerance{default_tolerance};
 std::atomic<int> evaluation_limit{default_evaluation_limit};
 std::atomic<double> smallest_reduction{default_smallest_reduction};
+std::atomic<double> largest_water_tension{0.0};
+std::atomic<int> water_itself{0};
 
 bool is(const char* name, const char* expected) { return name && std::strcmp(name, expected) == 0; }
 
@@ -26,7 +28,9 @@ int refuse_name(const char* name, const char* kind, const char* known) {
 Parameters current_parameters() {
     return {tolerance.load(std::memory_order_relaxed),
             evaluation_limit.load(std::memory_order_relaxed),
-            smallest_reduction.load(std::memory_order_relaxed)};
+            smallest_reduction.load(std::memory_order_relaxed),
+            largest_water_tension.load(std::memory_order_relaxed),
+            water_itself.load(std::memory_order_relaxed)};
 }
 
 }  // namespace grit::mgis
@@ -55,13 +59,32 @@ __attribute__((visibility("default"))) int GritSand_setParameter(const char* nam
                      value);
         return 0;
     }
-    return refuse_name(name, "real", "tolerance and minimal_time_step_scaling_factor");
+    if (is(name, "largest_water_tension")) {
+        if (value >= 0.0 && value <= highest_water_tension) {
+            largest_water_tension = value;
+            return 1;
+        }
+        std::fprintf(stderr, "GritSand: largest_water_tension must be in [0, %g], got %g\n",
+                     highest_water_tension, value);
+        return 0;
+    }
+    return refuse_name(name, "real",
+                       "tolerance, minimal_time_step_scaling_factor and largest_water_tension");
 }
 
 __attribute__((visibility("default"))) int GritSand_setIntegerParameter(const char* name,
                                                                         int value) {
     using namespace grit::mgis;
-    if (!is(name, "evaluation_limit")) return refuse_name(name, "integer", "evaluation_limit");
+    if (is(name, "water_itself")) {
+        if (value == 0 || value == 1) {
+            water_itself = value;
+            return 1;
+        }
+        std::fprintf(stderr, "GritSand: water_itself must be 0 or 1, got %d\n", value);
+        return 0;
+    }
+    if (!is(name, "evaluation_limit"))
+        return refuse_name(name, "integer", "evaluation_limit and water_itself");
     if (value >= GRIT_SAND_LEAST_EVALUATION_LIMIT && value <= GRIT_SAND_LARGEST_EVALUATION_LIMIT) {
         evaluation_limit = value;
         return 1;

@@ -14,16 +14,17 @@ double total(const Point& point, int component) {
 
 }  // namespace
 
-Point read_point(const mfront_gb_BehaviourData& call, int n) {
+Point read_point(const mfront_gb_BehaviourData& call, int n, const Material& material) {
     Point p{};
     const double* variables = call.s0.internal_state_variables;
     const double* scalars = variables + n;
     p.pore_pressure = scalars[pore_pressure_variable];
+    const double borne = grit_sand_water_borne(&material.water, p.pore_pressure);
     for (int c = 0; c < n; ++c) {
         const double factor = shear_factor(c);
         // Mandel's shear strain is the engineering one over sqrt 2, the stress sqrt 2 times Voigt's.
         p.strain_increment[c] = (call.s1.gradients[c] - call.s0.gradients[c]) * factor;
-        p.stress[c] = c < 3 ? call.s0.thermodynamic_forces[c] + p.pore_pressure
+        p.stress[c] = c < 3 ? call.s0.thermodynamic_forces[c] + borne
                             : call.s0.thermodynamic_forces[c] / factor;
         p.state[c] = variables[c] * factor;
     }

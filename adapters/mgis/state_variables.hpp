@@ -3,9 +3,8 @@
 // Mandel's sqrt 2.
 #pragma once
 
-#include <grit/sand.h>
-
 #include "adapters/mgis/generic_behaviour.hpp"
+#include "adapters/mgis/material.hpp"
 
 namespace grit::mgis {
 
@@ -26,8 +25,8 @@ enum StateVariables {
     substep_variable = 3
 };
 
-// n components, 6 or 4: those a hypothesis does not have are zero. Stress T = Stress + p_w 1.
-Point read_point(const mfront_gb_BehaviourData& call, int n);
+// n components, 6 or 4: those a hypothesis does not have are zero. Stress T = Stress + p 1.
+Point read_point(const mfront_gb_BehaviourData& call, int n, const Material& material);
 
 // What has not changed since start keeps its bits.
 void write_point(const mfront_gb_BehaviourData& call, int n, const Point& start, const Point& end);

@@ -41,7 +41,8 @@ struct CaseFile {
     element::GritLawOptions options;  // evaluation_limit, tolerance
     std::optional<element::UmatSource> umat;
     std::vector<double> umat_state;
-    element::Start start;  // [kPa]
+    double umat_pore_pressure = 0.0;  // what bears at the start, if it is not in its stress [kPa]
+    element::Start start;             // [kPa]
     std::shared_ptr<const element::Law> law;
     const element::GritLaw* own_law = nullptr;  // if law is Grit's
     element::MaterialPoint point;               // to start from

@@ -184,22 +184,26 @@ void read_start(TomlTable table, CaseFile& file) {
 
 void fill_umat(CaseFile& file, bool radian) {
     const grit_sand_parameters& p = file.parameters;
-    if (file.options.water_bulk_modulus > 0.0 || std::isfinite(file.options.largest_tension) ||
-        file.start.pore_pressure != 0.0)
-        throw element::BadCase("a library has water_stiffness_kPa alone: no place for "
-                               "water_bulk_modulus_kPa, cavitation_kPa and pore_pressure_kPa");
     element::UmatSource source;
     source.props.resize(GRIT_CLASSIC_NPROPS);
     double classic[GRIT_CLASSIC_NPROPS];
     grit_classic_props(&p, file.options.intergranular_strain, classic);
-    classic[GRIT_CLASSIC_WATER_STIFFNESS] = file.options.water_stiffness;
+    const element::GritLawOptions& water = file.options;
+    classic[GRIT_CLASSIC_WATER_STIFFNESS] = water.water_stiffness + water.water_bulk_modulus;
     if (!radian) std::copy_n(classic, GRIT_CLASSIC_NPROPS, source.props.begin());
     else if (grit_radian_of_classic(classic, source.props.data()) != GRIT_OK)
         throw element::BadCase(
             fmt::format("the radian layout has no place for p_t = {:g} kPa", p.pressure_shift));
+    if (water.water_bulk_modulus > 0.0 || std::isfinite(water.largest_tension)) {
+        source.props.resize(GRIT_CLASSIC_PROPS_READ);
+        source.props[GRIT_CLASSIC_LARGEST_TENSION] =
+            std::isfinite(water.largest_tension) ? water.largest_tension : 0.0;
+        source.props[GRIT_CLASSIC_WATER_ITSELF] = water.water_bulk_modulus > 0.0 ? 1.0 : 0.0;
+        source.largest_tension = water.largest_tension;
+    }
     source.state_size = GRIT_CLASSIC_NSTATV + 1;
     source.void_ratio = radian ? int{GRIT_RADIAN_VOID_RATIO} : int{GRIT_CLASSIC_VOID_RATIO};
-    if (file.options.water_stiffness > 0.0) source.minus_pore_pressure = GRIT_CLASSIC_PORE_STRESS;
+    if (water.has_water()) source.minus_pore_pressure = GRIT_CLASSIC_PORE_STRESS;
     source.state_names = {"h_11", "h_22", "h_33", "h_12", "h_13", "h_23"};
     source.state_names.insert(source.state_names.begin() + source.void_ratio, "void_ratio");
 
@@ -212,6 +216,9 @@ void fill_umat(CaseFile& file, bool radian) {
         std::copy_n(state, 6, file.umat_state.begin());
     }
     file.umat_state.insert(file.umat_state.begin() + source.void_ratio, file.start.void_ratio);
+    file.umat_state.resize(GRIT_CLASSIC_NSTATV + 1, 0.0);
+    file.umat_state[GRIT_CLASSIC_PORE_STRESS] = -file.start.pore_pressure;
+    file.umat_pore_pressure = std::max(file.start.pore_pressure, -water.largest_tension);
     file.umat = std::move(source);
 }
 
@@ -219,7 +226,8 @@ void make_material(CaseFile& file) {
     const element::Start& start = file.start;
     if (file.umat) {
         const auto law = element::open_library_law(*file.umat);
-        file.point = law->start(start.stress, file.umat_state);
+        file.point = law->start(start.stress - file.umat_pore_pressure * element::unit_tensor(),
+                                file.umat_state);
         file.law = law;
         return;
     }

@@ -22,7 +22,8 @@ class ClassicLaw : public element::Law {
     void check(const element::MaterialPoint& start) const;
 
   private:
-    element::MaterialPoint effective(const element::MaterialPoint& classic) const;
+    element::MaterialPoint own(const element::MaterialPoint& classic) const;
+    double pore_pressure(const element::MaterialPoint& classic) const;  // what bears
 
     ClassicSand sand;
     std::vector<std::string> names;

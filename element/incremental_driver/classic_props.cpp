@@ -27,17 +27,15 @@ class PropsReader {
             fail(0, text("phi_c must be in [10, 60] degrees, got %g%s", phi_c,
                          phi_c > 0.0 && phi_c < 1.1 ? ": radians?" : ""));
         ClassicSand out;
-        out.K_w = given.props[GRIT_CLASSIC_WATER_STIFFNESS];
         out.e_0 = given.props[GRIT_CLASSIC_VOID_RATIO_AT_ZERO_PRESSURE];
-        if (out.K_w < 0.0)
-            fail(GRIT_CLASSIC_WATER_STIFFNESS, text("K_w must be >= 0, got %g", out.K_w));
         grit_sand_parameters parameters;
         grit_classic_parameters(given.props.data(), &parameters);
         element::GritLawOptions options;
         options.intergranular_strain =
             given.props[GRIT_CLASSIC_REVERSAL_STIFFNESS] > GRIT_CLASSIC_NO_MEMORY;
-        if (given.props.size() > std::size_t{tolerance} && given.props[tolerance] != 0.0)
-            options.tolerance = given.props[tolerance];
+        read_water(options);
+        out.has_water = options.has_water();
+        if (optional(tolerance) != 0.0) options.tolerance = optional(tolerance);
         try {
             out.law = std::make_shared<element::GritLaw>(parameters, options);
         } catch (const element::BadCase& error) {
@@ -47,7 +45,28 @@ class PropsReader {
     }
 
   private:
-    static constexpr int tolerance = GRIT_CLASSIC_NPROPS;  // optional, as for the UMAT
+    static constexpr int tolerance = GRIT_CLASSIC_TOLERANCE;
+
+    // As for the UMAT.
+    double optional(int place) const {
+        const auto at = static_cast<std::size_t>(place);
+        return at < given.props.size() ? given.props[at] : 0.0;
+    }
+
+    void read_water(element::GritLawOptions& options) const {
+        const double K_w = given.props[GRIT_CLASSIC_WATER_STIFFNESS];
+        grit_sand_water water;
+        int bad = 0;
+        if (grit_classic_water(K_w, optional(GRIT_CLASSIC_LARGEST_TENSION),
+                               optional(GRIT_CLASSIC_WATER_ITSELF), &water, &bad) != GRIT_OK)
+            fail(bad, bad == GRIT_CLASSIC_WATER_STIFFNESS ? text("K_w must be >= 0, got %g", K_w)
+                      : bad == GRIT_CLASSIC_LARGEST_TENSION
+                          ? text("the largest tension must be >= 0, got %g", optional(bad))
+                          : text("must be 1, where K_w is that of the water itself, or 0, got %g",
+                                 optional(bad)));
+        (water.porosity > 0.0 ? options.water_stiffness : options.water_bulk_modulus) = K_w;
+        options.largest_tension = water.largest_tension;
+    }
 
     // The library's message begins with the name of a parameter. It has p_t behind beta, PROPS has it
     // behind phi_c.

@@ -13,12 +13,12 @@
 namespace incremental_driver {
 
 struct ClassicSand {
-    std::shared_ptr<const element::GritLaw> law;  // of the effective stress; IGS off if m_R <= 0.5
-    double K_w = 0.0;                             // [stress] of the mixture (W1); 0: drained
-    double e_0 = 0.0;                             // initial void ratio, see void_ratio_at
+    std::shared_ptr<const element::GritLaw> law;  // IGS off if m_R <= 0.5; with water if K_w > 0
+    bool has_water = false;
+    double e_0 = 0.0;  // initial void ratio, see void_ratio_at
 };
 
-// Throws BadInput naming the file, the line and the place in PROPS. More than 16 are not read.
+// Throws BadInput naming the file, the line and the place in PROPS. More than 19 are not read.
 ClassicSand read_classic_props(const Parameters& parameters, const std::filesystem::path& path);
 
 // grit_classic_void_ratio; throws element::BadCase where it refuses.

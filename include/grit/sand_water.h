@@ -28,6 +28,16 @@ typedef struct grit_sand_water {
 /* struct_size = sizeof(grit_sand_water) as the caller compiled it. */
 GRIT_API grit_status grit_sand_water_init(grit_sand_water* water, size_t struct_size);
 
+/* What bears of p_w, and so what a total stress lacks to the effective one; NaN stays NaN. */
+static inline double grit_sand_water_borne(const grit_sand_water* water, double pore_pressure) {
+    return pore_pressure < -water->largest_tension ? -water->largest_tension : pore_pressure;
+}
+
+/* -dp/d tr [stress] of a point, K_w/n, 0 where the water has cavitated: beside grit_sand_wave_modulus that of
+ * undrained waves. The views are not looked at. */
+GRIT_API grit_status grit_sand_water_stiffness(const grit_sand_water* water, double pore_pressure,
+                                               double void_ratio, double* stiffness);
+
 /* grit_sand_update of n points that are undrained: points.stress is effective, in and out; points.tangent is
  * that of the total stress, stress - p 1: what grit_sand_update gives, and dp/d tr of the end on its normal
  * entries, K_w/n, or nothing where the water has cavitated (GRIT_SAND_CAVITATED).

@@ -28,12 +28,13 @@ std::string said_by(const std::function<int()>& call) {
 TEST(MgisParameter, HasTheDefaultOfTheLibrary) {
     const Behaviour b = load("Tridimensional");
     EXPECT_EQ(b.real_parameters,
-              (std::vector<std::string>{"tolerance", "minimal_time_step_scaling_factor"}));
+              (std::vector<std::string>{"tolerance", "minimal_time_step_scaling_factor",
+                                        "largest_water_tension"}));
     grit_sand_options options;
     ASSERT_EQ(grit_sand_options_init(&options, sizeof options), GRIT_OK);
-    EXPECT_EQ(b.real_defaults, (std::vector<double>{options.tolerance, 0.1}));
-    EXPECT_EQ(b.integer_parameters, std::vector<std::string>{"evaluation_limit"});
-    EXPECT_EQ(b.integer_defaults, std::vector<int>{options.evaluation_limit});
+    EXPECT_EQ(b.real_defaults, (std::vector<double>{options.tolerance, 0.1, 0.0}));
+    EXPECT_EQ(b.integer_parameters, (std::vector<std::string>{"evaluation_limit", "water_itself"}));
+    EXPECT_EQ(b.integer_defaults, (std::vector<int>{options.evaluation_limit, 0}));
 }
 
 // "| tolerance | `setParameter` | 2e-4 of the stress | 1e-12 … 0.1 |"
@@ -46,7 +47,7 @@ TEST(MgisParameter, IsAsItsDocumentationSays) {
         known[b.integer_parameters[i]] = b.integer_defaults[i];
     const auto is_taken = [&b](const std::string& name, double value) {
         testing::internal::CaptureStderr();
-        const int taken = name == "evaluation_limit"
+        const int taken = name == "evaluation_limit" || name == "water_itself"
                               ? b.set_integer(name.c_str(), static_cast<int>(value))
                               : b.set_real(name.c_str(), value);
         testing::internal::GetCapturedStderr();
@@ -118,10 +119,15 @@ TEST(MgisParameter, IsRefusedByNameAndLimitAndThenUnchanged) {
     EXPECT_EQ(said_by([&] { return b.set_integer("evaluation_limit", 1); }),
               "GritSand: evaluation_limit must be in [2, 1000000], got 1\n");
     EXPECT_EQ(said_by([&] { return b.set_real("epsilon", 1e-9); }),
-              "GritSand: there is no real parameter \"epsilon\", only tolerance and "
-              "minimal_time_step_scaling_factor\n");
+              "GritSand: there is no real parameter \"epsilon\", only tolerance, "
+              "minimal_time_step_scaling_factor and largest_water_tension\n");
     EXPECT_EQ(said_by([&] { return b.set_integer(nullptr, 7); }),
-              "GritSand: there is no integer parameter \"(null)\", only evaluation_limit\n");
+              "GritSand: there is no integer parameter \"(null)\", only evaluation_limit "
+              "and water_itself\n");
+    EXPECT_EQ(said_by([&] { return b.set_real("largest_water_tension", -1.0); }),
+              "GritSand: largest_water_tension must be in [0, 1e+30], got -1\n");
+    EXPECT_EQ(said_by([&] { return b.set_integer("water_itself", 2); }),
+              "GritSand: water_itself must be 0 or 1, got 2\n");
     Point p = Point::lausitz("Tridimensional"), q = p;
     p.set_strain(strain);
     ASSERT_EQ(p.run(no_operator), 1);

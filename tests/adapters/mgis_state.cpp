@@ -2,6 +2,8 @@
 // What a call hands on to the next: pore water, energies, void ratio, separation.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "../catalogue.hpp"
 #include "support/mgis_point.hpp"
 
@@ -22,6 +24,38 @@ TEST(MgisWater, StiffensTheNormalEntriesAndTheSpeedOfSound) {
         const double c_dry = dry.speed_of_sound[0], c_wet = wet.speed_of_sound[0];
         EXPECT_NEAR(c_wet * c_wet - c_dry * c_dry, K_w / 1.6, 1e-3);
     }
+}
+
+TEST(MgisWater, ItselfHasTheStiffnessOfThePoresUntilItCavitates) {
+    constexpr double K_w = 2.2e6;
+    Point dry = strained("Axisymmetrical"), wet = dry;
+    wet.properties[14] = K_w;
+    const int pressure = wet.behaviour.place_of("ExcessPorePressure");
+    const int void_ratio = wet.behaviour.place_of("VoidRatio");
+    ASSERT_EQ(wet.behaviour.set_integer("water_itself", 1), 1);
+    for (const int wanted : {-3, -1, 1, 3, 4})
+        for (const double p_w : {0.0, -1e6}) {
+            const WithParameter set(wet.behaviour, "largest_water_tension", 1e5);
+            wet.state0[pressure] = p_w;  // or far beyond
+            const double borne = p_w < 0.0 ? -1e5 : p_w;
+            for (int c = 0; c < 3; ++c) wet.stress0[c] = dry.stress0[c] - borne;
+            ASSERT_EQ(dry.run(wanted + and_speed_of_sound), 1);
+            ASSERT_EQ(wet.run(wanted + and_speed_of_sound), 1) << wet.said();
+            const double e = wanted < 0 ? wet.state0[void_ratio] : wet.state1[void_ratio];
+            const double K = p_w < 0.0 ? 0.0 : K_w * (1.0 + e) / e;
+            for (int r = 0; r < 4; ++r)
+                for (int c = 0; c < 4; ++c)
+                    EXPECT_NEAR(wet.K[4 * r + c] - dry.K[4 * r + c], r < 3 && c < 3 ? K : 0.0,
+                                1e-6);
+            const double c_dry = dry.speed_of_sound[0], c_wet = wet.speed_of_sound[0];
+            EXPECT_NEAR(c_wet * c_wet - c_dry * c_dry, K / 1.6, 1e-3);
+            if (wanted < 0) continue;
+            EXPECT_NEAR(wet.state1[pressure], p_w - K_w * std::log(e / wet.state0[void_ratio]),
+                        1e-6);
+            const double end = p_w < 0.0 ? -1e5 : wet.state1[pressure];
+            for (int c = 0; c < 3; ++c) EXPECT_NEAR(wet.stress1[c] + end, dry.stress1[c], 1e-8);
+        }
+    ASSERT_EQ(wet.behaviour.set_integer("water_itself", 0), 1);
 }
 
 TEST(MgisWater, CarriesThePressureThatVolumeStrainMakes) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "support/umat_call.hpp"
 
@@ -77,6 +78,69 @@ TEST(UmatPoreWater, CostsNoBitInAZeroIncrement) {
         EXPECT_EQ(call.statev[7], before.statev[7]);
     }
     EXPECT_GT(costly, 0);
+}
+
+// PROPS(19) = 1: K_w is that of the water in pores of the void ratio.
+TEST(UmatPoreWater, ItselfIsCompressedWithThePores) {
+    UmatCall call = UmatCall::hochstetten(), drained = call;
+    call.set_water(2.2e6, 0.0, 1.0);
+    const double e_0 = call.props[15] - 10.0;
+    for (UmatCall* each : {&call, &drained}) {
+        each->set_dstran(-1e-3, 3e-4, 2e-4, 1e-4, 0, -2e-5);
+        each->run();
+        ASSERT_EQ(each->pnewdt, 1.0);
+    }
+    const double e = call.statev[6];
+    EXPECT_NEAR(-call.statev[7], -2.2e6 * std::log(e / e_0), 1e-6);
+    EXPECT_NEAR(call.tangent(0, 1) - drained.tangent(0, 1), 2.2e6 * (1.0 + e) / e, 1e-6);
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(call.stress[c], drained.stress[c] + call.statev[7], 1e-9);
+}
+
+// PROPS(18): STATEV(8) goes on, what bears does not; and back again.
+TEST(UmatPoreWater, BearsItsLargestTensionUntilTheCavityHasClosed) {
+    for (const double itself : {0.0, 1.0}) {
+        UmatCall call = UmatCall::hochstetten(), drained = call;
+        call.set_water(2.2e6, 100.0, itself);
+        const auto both = [&](double volumetric) {
+            for (UmatCall* each : {&call, &drained}) {
+                const double d = volumetric / 3.0;
+                each->set_dstran(d, d, d, 1e-4);
+                each->run();
+                ASSERT_EQ(each->pnewdt, 1.0);
+            }
+        };
+        both(1e-3);
+        EXPECT_GT(call.statev[7], 2000.0);
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(call.stress[c], drained.stress[c] + 100.0, 1e-9);
+        for (int c = 3; c < 6; ++c) EXPECT_NEAR(call.stress[c], drained.stress[c], 1e-9);
+        for (int k = 0; k < 36; ++k) EXPECT_NEAR(call.ddsdde[k], drained.ddsdde[k], 1e-9);
+        both(-0.5e-3);
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(call.stress[c], drained.stress[c] + 100.0, 1e-9);
+        both(-0.501e-3);
+        EXPECT_LT(call.statev[7], 0.0);
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(call.stress[c], drained.stress[c] + call.statev[7], 1e-9);
+    }
+}
+
+TEST(UmatPoreWater, IsRefusedWhereItIsNone) {
+    const struct {
+        double K_w, largest_tension, itself;
+        const char* words;
+    } waters[] = {
+        {-1.0, 0.0, 0.0, "PROPS(15) (K_w) must be >= 0 and finite, got -1"},
+        {1.0, -100.0, 0.0, "PROPS(18) (largest tension) must be >= 0 and finite, got -100"},
+        {1.0, 0.0, 0.4,
+         "PROPS(19) must be 1, where K_w is that of the water itself, or 0, got 0.4"}};
+    for (const auto& water : waters) {
+        UmatCall call = UmatCall::hochstetten();
+        call.set_water(water.K_w, water.largest_tension, water.itself);
+        const UmatCall before = call;
+        const std::string said = call.complaint();
+        EXPECT_NE(said.find(water.words), std::string::npos) << said;
+        EXPECT_TRUE(call.same_results(before));
+    }
 }
 
 }  // namespace

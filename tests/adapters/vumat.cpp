@@ -69,6 +69,28 @@ TEST(Vumat, TakesTheToleranceOfAUmatAndGoesBackToTheDefault) {
     }
 }
 
+// Of the mixture, of the water itself, cavitating.
+TEST(Vumat, HasTheWaterOfAUmat) {
+    const double d[6] = {4e-4, -1e-4, 2e-4, 4e-4, -3e-4, 2e-4};
+    for (const double itself : {0.0, 1.0})
+        for (const double largest_tension : {0.0, 100.0}) {
+            VumatCall block(3);
+            UmatCall point = UmatCall::hochstetten();
+            block.set_water(2.2e6, largest_tension, itself);
+            point.set_water(2.2e6, largest_tension, itself);
+            for (const double sign : {1.0, -1.0, -1.0}) {
+                double strain[6];
+                for (int c = 0; c < 6; ++c) strain[c] = sign * d[c];
+                for (int i = 0; i < 3; ++i) block.set_strain(i, strain);
+                point.set_dstran(strain[0], strain[1], strain[2], strain[3], strain[4], strain[5]);
+                block.run();
+                point.run();
+                for (int i = 0; i < 3; ++i) expect_point(block, i, point);
+                block.advance();
+            }
+        }
+}
+
 TEST(Vumat, LeavesStressAndMemoryBitwiseAloneInAPureRotation) {
     const double first[6] = {-3e-4, 1e-4, 2e-5, 1e-4, -5e-5, 7e-5}, none[6] = {};
     for (const double K_w : {0.0, 2e6}) {

@@ -21,8 +21,8 @@ class CliThroughALibrary : public testing::TestWithParam<Host> {};
 
 // Every row of what a test measures, relative to the largest value of its column.
 TEST_P(CliThroughALibrary, ComputesTheSame) {
-    for (const std::string name :
-         {"umat_oedometer", "umat_triaxial", "umat_undrained", "umat_cyclic", "umat_water"}) {
+    for (const std::string name : {"umat_oedometer", "umat_triaxial", "umat_undrained",
+                                   "umat_cyclic", "umat_water", "umat_cavitation"}) {
         const Workplace here;
         const std::string run =
             "element --no-plot --quiet " GRIT_CASES "/" + name + ".toml --out out";

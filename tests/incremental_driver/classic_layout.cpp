@@ -31,6 +31,21 @@ TEST(IncrementalDriverClassicLayout, IsThatOfTheUmatForPoreWaterRotationAndIniti
     EXPECT_NE(rows[30][21], -20.0);
 }
 
+// PROPS(17), PROPS(18), PROPS(19): tolerance, largest tension, and K_w is that of the water itself.
+TEST(IncrementalDriverClassicLayout, IsThatOfTheUmatForWaterThatCavitates) {
+    const Folder folder;
+    Folder::fill(folder);
+    std::string parameters = lausitz_parameters();
+    parameters.replace(parameters.find("0.0\n10.7"), 8, "2.2e6\n10.55\n0\n50\n1");
+    parameters.replace(parameters.find("16"), 2, "19");
+    folder.write("parameters.inp", parameters);
+    folder.write("initialconditions.inp", isotropic(100.0, 0.55));
+    folder.write("test.inp", "result.out\n*TriaxialE1\n200 10 1\n-0.2\n");
+    const Table rows = result_of(folder);
+    EXPECT_LT(difference(rows, result_of(folder, umat)), 1e-6);
+    EXPECT_GT(rows.back()[21], 1000.0);  // -p_w of the cavity
+}
+
 TEST(IncrementalDriverClassicLayout, SwitchesTheIntergranularStrainOffAsTheUmatDoes) {
     const Folder folder;
     Folder::fill(folder);

@@ -43,12 +43,15 @@ grit_status check_water_views(const grit_sand_water& w, std::ptrdiff_t n, grit_e
     return check_component_strides({w.total_stress.component_stride}, "total_stress", error);
 }
 
+PoreWater water_of(const grit_sand_water& w) {
+    return {w.bulk_modulus, w.porosity, w.largest_tension};
+}
+
 // Points of a call, as many as fit the stack.
 class Undrained {
   public:
     Undrained(const UpdateRequest& whole, const grit_sand_water& given)
-        : call(whole),
-          views(given), water{given.bulk_modulus, given.porosity, given.largest_tension} {}
+        : call(whole), views(given), water(water_of(given)) {}
 
     grit_status run(grit_error* error) {
         for (std::ptrdiff_t first = 0; first < call.n; first += capacity) {
@@ -181,6 +184,20 @@ extern "C" {
 
 grit_status grit_sand_water_init(grit_sand_water* water, size_t struct_size) {
     return init_versioned(default_water, water, struct_size) ? GRIT_OK : GRIT_BAD_CALL;
+}
+
+grit_status grit_sand_water_stiffness(const grit_sand_water* water, double pore_pressure,
+                                      double void_ratio, double* stiffness) {
+    grit_sand_water own;
+    if (!water || !stiffness || !is_finite(pore_pressure) || !is_finite(void_ratio) ||
+        !(void_ratio > 0.0))
+        return GRIT_BAD_CALL;
+    const grit_sand_water* const w = view_versioned(water, default_water, own);
+    grit_error* const error = nullptr;
+    if (!w) return GRIT_BAD_CALL;
+    GRIT_CHECK(check_water(*w, error));
+    *stiffness = water_of(*w).stiffness(pore_pressure, void_ratio);
+    return GRIT_OK;
 }
 
 grit_status grit_sand_update_undrained(const grit_sand* sand, const grit_sand_options* options,

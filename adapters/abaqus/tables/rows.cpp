@@ -69,7 +69,13 @@ std::vector<Row> parameters(bool radian) {
             "tol", "tol", "–",
             "tolerance of the stress; may be missing; 0: " AS_WRITTEN(GRIT_SAND_DEFAULT_TOLERANCE),
             "0 or " AS_WRITTEN(GRIT_SAND_LEAST_TOLERANCE) " … " AS_WRITTEN(
-                GRIT_SAND_LARGEST_TOLERANCE))};
+                GRIT_SAND_LARGEST_TOLERANCE)),
+        parameter("p_cav", "p_cav", "stress",
+                  "largest tension of the pore water; may be missing; 0: it never cavitates",
+                  "≥ 0"),
+        parameter("", "K_w itself", "–",
+                  "may be missing; 1: K_w is that of the water itself, in the pores as they are",
+                  "0, 1")};
 }
 
 Row state(int first, int last, const char* symbol, const char* plain, const char* meaning,

@@ -41,6 +41,14 @@ void UmatCall::set_tolerance(double tolerance) {
     props[16] = tolerance;
 }
 
+void UmatCall::set_water(double K_w, double largest_tension, double itself) {
+    nprops = 19;
+    props[14] = K_w;
+    props[16] = 0.0;
+    props[17] = largest_tension;
+    props[18] = itself;
+}
+
 void UmatCall::set_dstran(double e11, double e22, double e33, double g12, double g13, double g23) {
     const double given[] = {e11, e22, e33, g12, g13, g23};
     for (int c = 0; c < ntens; ++c) dstran[c] = given[c];

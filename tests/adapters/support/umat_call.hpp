@@ -32,7 +32,7 @@ struct UmatCall {
     Guarded<16> statev;
     Guarded<36> ddsdde{-1.0};
     Guarded<6> dstran;
-    Guarded<17> props;
+    Guarded<19> props;
     double drot[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};  // column-major
     double pnewdt = 1.0;
     double energy[3] = {11.0, 12.0, 13.0};  // SSE, SPD, SCD
@@ -53,6 +53,8 @@ struct UmatCall {
     bool in_bounds() const;
     // PROPS(17): without it, NPROPS is 16 and what is behind is out of bounds.
     void set_tolerance(double tolerance);
+    // PROPS(15), PROPS(18), PROPS(19), behind a tolerance of the default.
+    void set_water(double K_w, double largest_tension, double itself);
     void set_dstran(double e11, double e22, double e33, double g12 = 0, double g13 = 0,
                     double g23 = 0);
     double tangent(int row, int column) const { return ddsdde[row + ntens * column]; }

@@ -92,6 +92,14 @@ void VumatCall::set_tolerance(double tolerance) {
     props[16] = tolerance;
 }
 
+void VumatCall::set_water(double K_w, double largest_tension, double itself) {
+    nprops = 19;
+    props.resize(19, 0.0);
+    props[14] = K_w;
+    props[17] = largest_tension;
+    props[18] = itself;
+}
+
 void VumatCall::set_strain(int point, const double* d) {
     for (int c = 0; c < 3 + nshr; ++c) strain_inc(point, place[c]) = c < 3 ? d[c] : 0.5 * d[c];
 }

@@ -56,6 +56,7 @@ struct VumatCall {
     void advance();
     // PROPS(17), which is not there without this.
     void set_tolerance(double tolerance);
+    void set_water(double K_w, double largest_tension, double itself);  // as of a UmatCall
     // Strain increment of a point: 11 22 33 12 13 23 with engineering shear, as a UMAT takes it.
     void set_strain(int point, const double* d);
     // Stress of a point in the same order.
