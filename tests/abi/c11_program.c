@@ -49,6 +49,29 @@ static int updates(const grit_sand* sand) {
     return 0;
 }
 
+static int undrained(const grit_sand* sand) {
+    double strain[6] = {-1e-4, 0, 0, 0, 0, 0}, stress[6] = {-100, -100, -100, 0, 0, 0};
+    double state[GRIT_SAND_STATE_SIZE] = {0}, p_w = 20.0, total[6], K;
+    grit_sand_water water;
+    grit_sand_points points;
+    memset(&points, 0, sizeof points);
+    state[GRIT_SAND_VOID_RATIO] = 0.6;
+    points.struct_size = sizeof points;
+    points.strain_increment = grit_view_of(strain, 0, 1);
+    points.stress = grit_mutable_view_of(stress, 6, 1);
+    points.state = grit_mutable_view_of(state, GRIT_SAND_STATE_SIZE, 1);
+    CHECK(grit_sand_water_init(&water, sizeof water) == GRIT_OK);
+    CHECK(water.largest_tension > 1e308);
+    water.bulk_modulus = 2.2e6;
+    water.pore_pressure = grit_mutable_view_of(&p_w, 1, 1);
+    water.total_stress = grit_mutable_view_of(total, 6, 1);
+    CHECK(grit_sand_water_stiffness(&water, p_w, 0.6, &K) == GRIT_OK);
+    CHECK(grit_sand_update_undrained(sand, NULL, &water, 1, &points, NULL, NULL) == GRIT_OK);
+    CHECK(fabs(p_w - 20.0 - 1e-4 * K) < 1.0);
+    CHECK(total[0] == stress[0] - p_w);
+    return 0;
+}
+
 static int refusals(void) {
     grit_sand_parameters p;
     grit_sand sand;
@@ -71,5 +94,5 @@ int main(void) {
     CHECK(grit_sand_prepare(&p, &sand, NULL) == GRIT_OK);
     CHECK(grit_sand_void_ratios(&sand, 100.0, void_ratios) == GRIT_OK);
     CHECK(void_ratios[0] > void_ratios[1] && void_ratios[1] > void_ratios[2]);
-    return updates(&sand) || refusals();
+    return updates(&sand) || undrained(&sand) || refusals();
 }

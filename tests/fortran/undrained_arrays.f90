@@ -58,7 +58,8 @@ program undrained_arrays
       call holds('total stress', &
                  all(abs(stress(:3, i) - total_c(:3, i) - max(p_w_c(i), -100d0)) < 1d-9) &
                  .and. all(stress(4:, i) == total_c(4:, i)))
-      K = merge(K_w*(1 + e)/e, 0d0, i < n)
+      call holds('stiffness', grit_sand_water_stiffness(water, p_w_c(i), e, K) == grit_ok)
+      call holds('of the pores', abs(K - merge(K_w*(1 + e)/e, 0d0, i < n)) < 1d-6)
       call holds('water of the tangent', maxval(abs(tangent(:3, :3, i) - C(:3, :3, i) - K)) < 1d-6 &
                  .and. all(tangent(4:, :, i) == C(4:, :, i)))
       call holds('flag', iand(reports(i)%flags, grit_sand_cavitated) == &

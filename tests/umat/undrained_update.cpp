@@ -180,6 +180,40 @@ TEST(UndrainedTangent, HasTheDerivativeOfThePressureThatBears) {
     EXPECT_GE(stress_free, 300);
 }
 
+TEST(WaterStiffness, IsWhatTheTangentHas) {
+    Random random(188);
+    for (int i = 0; i < 500; ++i) {
+        const Trial t = random_trial(random);
+        const Voigt strain = voigt_strain(t.dE);
+        WetPoint end = t.start;
+        Point dry = t.start.sand;
+        const grit_sand_options options = options_with(1e-3, GRIT_TANGENT_CONTINUUM);
+        const Outcome drained = update(t.sand, dry, strain.data(), options);
+        const Outcome out = update_undrained(t.sand, t.water, end, strain.data(), options);
+        if (out.status != GRIT_OK) continue;
+        const grit_sand_water water = water_of(t.water, nullptr);
+        double K = -1.0;
+        ASSERT_EQ(
+            grit_sand_water_stiffness(&water, end.p_w, end.sand.state[GRIT_SAND_VOID_RATIO], &K),
+            GRIT_OK);
+        EXPECT_EQ(out.tangent[1], drained.tangent[1] + K);
+    }
+}
+
+TEST(WaterStiffness, IsRefusedToWatersAndPointsThatAreNone) {
+    grit_sand_water water = water_of({1e5}, nullptr);
+    double K = -1.0;
+    EXPECT_EQ(grit_sand_water_stiffness(nullptr, 0.0, 0.6, &K), GRIT_BAD_CALL);
+    EXPECT_EQ(grit_sand_water_stiffness(&water, 0.0, 0.6, nullptr), GRIT_BAD_CALL);
+    EXPECT_EQ(grit_sand_water_stiffness(&water, std::nan(""), 0.6, &K), GRIT_BAD_CALL);
+    EXPECT_EQ(grit_sand_water_stiffness(&water, 0.0, 0.0, &K), GRIT_BAD_CALL);
+    water.bulk_modulus = -1.0;
+    EXPECT_EQ(grit_sand_water_stiffness(&water, 0.0, 0.6, &K), GRIT_BAD_PARAMETER);
+    EXPECT_EQ(K, -1.0);
+    EXPECT_EQ(grit_sand_water_init(nullptr, sizeof water), GRIT_BAD_CALL);
+    EXPECT_EQ(grit_sand_water_init(&water, 3), GRIT_BAD_CALL);
+}
+
 constexpr std::size_t many = 600;  // more than are taken at a time
 
 struct WetBatch : Batch {
