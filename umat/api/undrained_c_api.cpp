@@ -90,14 +90,12 @@ class Undrained {
             number[count] = i;
             index[count] = at;
             p_w[count] = end_pressure(at);
-            if (!is_finite(component(views.pore_pressure, at, 0)) ||
-                (!is_finite(p_w[count]) && sand_takes(at)))
-                fail(i);
+            if (!is_finite(p_w[count]) && sand_takes(at)) fail(i);
             else ++count;
         }
     }
 
-    // Where it does not, it has the words for what is wrong.
+    // Where it does not, the update has the words for what is wrong.
     bool sand_takes(std::ptrdiff_t at) const {
         grit_sand_options options = *call.options;
         options.validate_only = 1;
