@@ -58,10 +58,9 @@ TEST(SurfaceContactOfBodies, PunchesAsStifflyAsFiniteElementsWhateverCellsAreEls
     }
 }
 
-// The wall of a cavity feels what finite elements that know no contact tell, and so do the particles beside it.
-TEST(SurfaceContactOfBodies, ExpandsACavityInSandWithTheStressOfFiniteElements) {
-    CavityByPoints points;
-    points.cell_mean = true;
+// The wall of a cavity feels what finite elements that know no contact tell, and so do the particles beside it: those
+// that are a cell wide, wherever the wall is in its cell, and means of a cell.
+void expand_cavity(CavityByPoints points) {
     points.end = points.turn() + points.ramp + 0.16;
     CavityByElements elements;
     elements.end = points.end;
@@ -77,6 +76,21 @@ TEST(SurfaceContactOfBodies, ExpandsACavityInSandWithTheStressOfFiniteElements) 
         if (row.r0 < 2.0 * CavityProblem::a) {
             EXPECT_NEAR(row.sigma_rr / exact.stress_at(row.r0), 1.0, 0.05) << row.r0;
         }
+}
+
+TEST(SurfaceContactOfBodies, ExpandsACavityInSandWithTheStressOfFiniteElements) {
+    CavityByPoints points;
+    points.cell_mean = true;
+    expand_cavity(points);
+}
+
+TEST(SurfaceContactOfBodies, ExpandsACavityOfParticlesOneACellWithTheStressOfFiniteElements) {
+    for (const double phase : {0.0, 0.5}) {
+        CavityByPoints points;
+        points.per_cell = 1;
+        points.phase = phase;
+        expand_cavity(points);
+    }
 }
 
 KeyedNumbers domain(std::uint64_t id, double r, double z, const double (&sides)[4]) {

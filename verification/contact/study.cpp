@@ -104,19 +104,30 @@ void cavity() {
                 "| e %.2f, damping %.1f | elements: %.1f, back %.1f ... %.1f kPa | | | | | | |"
                 "\n",
                 e, damping, kPa(elements.turn() - 0.001), kPa(turned), kPa(elements.end));
-            for (const bool mean : {false, true}) {
+            struct Variant {
+                const char* name;
+                int per_cell;
+                bool cell_mean;
+            };
+            for (const Variant& variant : {Variant{"two a cell", 2, false},
+                                           {"two a cell, cell mean", 2, true},
+                                           {"one a cell", 1, false},
+                                           {"three a cell", 3, false},
+                                           {"four a cell", 4, false}}) {
+                if (variant.per_cell > 2 && (e > 0.6 || damping > 0.0)) continue;
                 CavityByPoints points;
                 static_cast<CavityProblem&>(points) = elements;
-                points.cell_mean = mean;
+                points.per_cell = variant.per_cell;
+                points.cell_mean = variant.cell_mean;
                 char what[80];
-                std::snprintf(what, sizeof what, "e %.2f, damping %.1f%s", e, damping,
-                              mean ? ", cell mean" : "");
+                std::snprintf(what, sizeof what, "e %.2f, damping %.1f, %s", e, damping,
+                              variant.name);
                 for (const double phase : {0.0, 0.25, 0.5, 0.75}) {
                     points.phase = phase;
                     cavity_row(what, points, exact);
                     if (e > 0.6 || damping > 0.0) break;
                 }
-                if (e > 0.6 || damping > 0.0) continue;
+                if (e > 0.6 || damping > 0.0 || variant.per_cell > 2) continue;
                 points.phase = 0.0;
                 points.kind = ContactKind::penalty;
                 cavity_row(what, points, exact);

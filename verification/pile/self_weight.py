@@ -5,7 +5,8 @@ weight after 0.5 s, with the Geo-contact k = 2 in time (ADR 11) and CFL numbers,
 each, whose density of the pile differs by 1e-9: mean, and standard error of the mean. What has ended in DIR
 (results/self_weight) is not run again.
 
-LAW: published, rate (a relaxation time), spring (that, and 0.1 M/h); default: all."""
+LAW: published; rate (a relaxation time of 15 us, half the step at CFL 0.4), spring (that, and 0.1 M/h); rate_30us (the whole
+step), spring_{3,10,30}_30us (that, and percents of M/h); default: all."""
 import argparse
 import concurrent.futures
 import math
@@ -25,6 +26,10 @@ LAWS = {
     "spring": {"contact.1.relaxation_time_s": 15e-6, "contact.1.modulus_kPa": 5e4,
                "contact.1.contact_stiffness_multiple": 0.1},
 }
+LAWS["rate_30us"] = {"contact.1.relaxation_time_s": 30e-6}
+for percent in (3, 10, 30):
+    LAWS[f"spring_{percent}_30us"] = LAWS["rate_30us"] | {"contact.1.modulus_kPa": 5e4,
+                                                          "contact.1.contact_stiffness_multiple": percent / 100}
 ALL = {"stage.self_weight.until.time_s": END, "stage.drive.until.time_s": 1e-4, "contact.1.gated": "true",
        "contact.1.penalty_power": 2}
 

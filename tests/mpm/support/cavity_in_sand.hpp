@@ -178,7 +178,8 @@ struct CavityByElements : CavityProblem {
 // Material points, one cell high.
 struct CavityByPoints : CavityProblem {
     ContactKind kind = ContactKind::surface;
-    int cells = 6;  // in a
+    int cells = 6;     // in a
+    int per_cell = 2;  // particles along r
     bool cell_mean = false;
     double pic_rate = 0.0;
     double phase = 0.0;  // of the wall against the grid at the start [cells]
@@ -229,18 +230,16 @@ struct CavityByPoints : CavityProblem {
                 body.particles.add(
                     {0.5 * (from + to), z * h, 0.5 * (to - from), 0.25 * h, density()}, true);
         };
-        // Half cells from the wall on; beyond the fine part, halves of the grid's.
+        // Parts of h from the wall on; beyond the fine part, parts of the grid's cells.
+        const double width = h / per_cell;
         double at = a;
-        for (; at < 4.0 * a - 1e-9; at += 0.5 * h) add(at, at + 0.5 * h);
+        for (; at < 4.0 * a - 1e-9; at += width) add(at, at + width);
         for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
             if (nodes[i + 1] < at + 1e-9) continue;
-            const double from = std::max(nodes[i], at), middle = 0.5 * (from + nodes[i + 1]);
-            if (middle - from < 0.1 * h) {
-                add(from, nodes[i + 1]);
-                continue;
-            }
-            add(from, middle);
-            add(middle, nodes[i + 1]);
+            const double from = std::max(nodes[i], at), whole = nodes[i + 1] - from;
+            const int parts = whole < 0.2 * h ? 1 : per_cell;
+            for (int k = 0; k < parts; ++k)
+                add(from + whole * k / parts, from + whole * (k + 1) / parts);
         }
         body.material = std::move(material);
         for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p) start(body.particles.view(), p);
