@@ -145,6 +145,7 @@ WaterPlan read_water(TomlTable table, const Case& plan, const MaterialPlan& mate
     WaterPlan out;
     if (const auto drainage = choice_if(table, case_word("body.water", "drainage")))
         out.drainage = static_cast<Drainage>(*drainage);
+    out.implicit = choice_if(table, case_word("body.water", "pressure")).value_or(0) != 0;
     out.porosity = number_if(table, case_word("body.water", "porosity")).value_or(0.0);
     out.bulk_modulus = number_or_default(table, case_word("body.water", "bulk_modulus_kPa"));
     out.density = number_or_default(table, case_word("body.water", "density_kg_per_m3"));

@@ -7,6 +7,7 @@
 #include <random>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include <adapters/mpm/case/initial_state.hpp>
 #include <adapters/mpm/io/checkpoint.hpp>
@@ -117,9 +118,14 @@ Case under_a_piston(const Column& column) {
     return plan;
 }
 
-TEST(FlowingWater, PressesOnAPistonBesideTheEffectiveStress) {
+class UnderAPiston : public testing::TestWithParam<bool> {};
+INSTANTIATE_TEST_SUITE_P(Pressure, UnderAPiston, testing::Bool(), [](const auto& of) {
+    return std::string(of.param ? "Implicit" : "Explicit");
+});
+
+TEST_P(UnderAPiston, WaterPressesBesideTheEffectiveStress) {
     for (const double k : {1e-3, 1e-6}) {
-        const Column column{.conductivity = k};
+        const Column column{.conductivity = k, .implicit = GetParam()};
         Runner runner(under_a_piston(column));
         Simulation& simulation = runner.simulation();
         double pore = 0.0, grains = 0.0, p_w = 0.0;
@@ -145,8 +151,8 @@ TEST(FlowingWater, PressesOnAPistonBesideTheEffectiveStress) {
     }
 }
 
-TEST(FlowingWater, UnderAPistonGoesOnFromACheckpointBitForBit) {
-    const Case plan = under_a_piston({.cells = 16, .conductivity = 1e-4});
+TEST_P(UnderAPiston, GoesOnFromACheckpointBitForBit) {
+    const Case plan = under_a_piston({.cells = 16, .conductivity = 1e-4, .implicit = GetParam()});
     Runner all(plan), first(plan), second(plan);
     for (int i = 0; i < 300; ++i) all.step();
     for (int i = 0; i < 150; ++i) first.step();
@@ -214,9 +220,94 @@ TEST(SaturatedColumn, UnderItsWaterTableStaysAtRest) {
 }
 
 TEST(UndrainedSand, DoesNotLockInAThickCylinder) {
-    const SaturatedCylinder cylinder = inflate_saturated_cylinder();
-    EXPECT_NEAR(cylinder.widening, 1.0, 0.003);
-    EXPECT_LT(cylinder.pressure_error, 0.002);
+    for (const bool implicit : {false, true}) {
+        const SaturatedCylinder cylinder = inflate_saturated_cylinder(implicit);
+        EXPECT_NEAR(cylinder.widening, 1.0, 0.003);
+        EXPECT_LT(cylinder.pressure_error, 0.002);
+    }
+}
+
+// 30 ms after a load came within 20 ms.
+struct Loaded {
+    double pressure, settlement, dt, residual, alternating;
+};
+Loaded after_a_load(const Column& column) {
+    BuiltCase built = build_case(column.plan());
+    Simulation& simulation = *built.simulation;
+    while (simulation.time() < 0.03) simulation.step();
+    const std::vector<double> p = pore_pressures(simulation, column.cells);
+    const Particles& q = simulation.body(0).particles;
+    const std::ptrdiff_t top = simulation.find(0, static_cast<int>(q.size()) - 1);
+    const Energy energy = simulation.energy();
+    return {p[0], column.height - q(column::z, top) - q(column::F_zz, top) * q(column::l_z, top),
+            simulation.next_step(), energy.residual() / energy.external_work, alternating(p)};
+}
+
+TEST(ImplicitPressure, TakesTheStepOfTheGrainsWithTheResultOfTheExplicitOne) {
+    constexpr double load = 1e4;
+    for (const double k : {0.0, 1e-9, 1e-6, 1e-4, 1e-3, 1e-2}) {
+        Column column{.cells = 16, .conductivity = k, .load = load, .ramp = 0.02};
+        const Loaded in_short_steps = after_a_load(column);
+        column.implicit = true;
+        const Loaded now = after_a_load(column);
+        EXPECT_GT(now.dt, 20.0 * in_short_steps.dt) << k;
+        EXPECT_LT(now.alternating, 0.01 * load) << k;
+        EXPECT_NEAR(now.residual, 0.0, 5e-3) << k;
+        // The explicit one still swings by 2 %.
+        if (k < 1e-3) EXPECT_NEAR(now.pressure, Column::p_0(load), 1e-3 * load) << k;
+        else EXPECT_NEAR(now.pressure, in_short_steps.pressure, 0.01 * load) << k;
+        EXPECT_NEAR(now.settlement, in_short_steps.settlement,
+                    0.01 * load * column.height / Column::E)
+            << k;
+    }
+}
+
+TEST(ImplicitPressure, ConsolidatesAsTerzaghiSays) {
+    for (const Consolidation& now :
+         consolidate({.cells = 32, .conductivity = 1e-3, .implicit = true}, {0.1, 0.2, 0.5, 1.0})) {
+        EXPECT_NEAR(now.pressure, now.exact_pressure, 0.005 * now.exact_pressure) << now.T;
+        EXPECT_NEAR(now.settlement, now.exact_settlement, 0.005 * now.exact_settlement) << now.T;
+        EXPECT_LT(now.alternating, 0.001);
+        EXPECT_NEAR(now.residual, 0.0, 1e-3);
+    }
+}
+
+// In steps as short as the explicit ones it carries waves at their speed, and takes from them what it tells.
+TEST(ImplicitPressure, CarriesWavesInShortSteps) {
+    const double share = std::sqrt(Column::E / Column::rho) / Column::c_u();
+    const Wave wave = standing_wave({.cells = 64, .cfl = 0.1 * share, .implicit = true}, 1.0);
+    EXPECT_NEAR(wave.speed, Column::c_u(), 0.005 * Column::c_u());
+    EXPECT_NEAR(wave.residual, 0.0, 1e-3);
+}
+
+// Pulled by twice what the water bears, and let go: where a cavity closes the water hits.
+TEST(ImplicitPressure, CavitatesAndBearsAgainOnceTheCavityHasClosed) {
+    for (const double k : {0.0, 1e-6}) {
+        double hit[2];
+        for (const bool implicit : {false, true}) {
+            Column column{.cells = 16, .conductivity = k, .implicit = implicit, .load = 1.0};
+            Case plan = column.plan();
+            plan.tractions[0].stress = TimeTable{{0.0, 0.02, 0.04, 0.06}, {0.0, -2e5, -2e5, 1e5}};
+            BuiltCase built = build_case(plan);
+            Simulation& simulation = *built.simulation;
+            while (simulation.time() < 0.04) simulation.step();
+            for (const double p : pore_pressures(simulation, column.cells)) EXPECT_GE(p, -1e5);
+            EXPECT_LT(pore_pressures(simulation, column.cells)[0], -0.99e5);
+            double largest = 0.0;
+            while (simulation.time() < 0.2) {
+                simulation.step();
+                for (const double p : pore_pressures(simulation, column.cells))
+                    largest = std::max(largest, p);
+            }
+            hit[implicit ? 1 : 0] = largest;
+            const Energy energy = simulation.energy();
+            EXPECT_NEAR(energy.residual(), 0.0, 5e-3 * energy.external_work) << k;
+            if (!implicit) continue;  // the explicit one still swings
+            EXPECT_NEAR(pore_pressures(simulation, column.cells)[0], 1e5, 0.02e5) << k;
+        }
+        EXPECT_GT(hit[1], 1e6) << k;
+        EXPECT_LT(hit[1], hit[0]) << k;
+    }
 }
 
 // Sand that is looser at the top: its effective stress is the buoyant weight of what lies above.
@@ -436,11 +527,12 @@ std::string saved(const Simulation& simulation) {
     return out.str();
 }
 
-Case loaded(double conductivity, int threads) {
+Case loaded(double conductivity, int threads, bool implicit = false) {
     Column column{.cells = 40,
                   .conductivity = conductivity,
                   .threads = threads,
                   .axisymmetric = true,
+                  .implicit = implicit,
                   .load = 1e4,
                   .ramp = 1e-3,
                   .gravity = 9.81};
@@ -448,21 +540,23 @@ Case loaded(double conductivity, int threads) {
 }
 
 TEST(SaturatedSand, IsTheSameWhateverTheThreads) {
-    for (const double k : {0.0, 1e-3}) {
-        std::string one;
-        for (const int threads : {1, 2, 3}) {
-            BuiltCase built = build_case(loaded(k, threads));
-            for (int i = 0; i < 300; ++i) built.simulation->step();
-            const std::string now = saved(*built.simulation);
-            if (threads == 1) one = now;
-            EXPECT_TRUE(now == one) << k << ", " << threads << " threads";
+    for (const bool implicit : {false, true})
+        for (const double k : {0.0, 1e-3}) {
+            std::string one;
+            for (const int threads : {1, 2, 3}) {
+                BuiltCase built = build_case(loaded(k, threads, implicit));
+                for (int i = 0; i < 300; ++i) built.simulation->step();
+                const std::string now = saved(*built.simulation);
+                if (threads == 1) one = now;
+                EXPECT_TRUE(now == one) << k << ", " << threads << " threads";
+            }
         }
-    }
 }
 
 TEST(SaturatedSand, GoesOnFromACheckpointBitForBit) {
-    for (const double k : {0.0, 1e-3}) {
-        const Case plan = loaded(k, 1);
+    for (const auto& [k, implicit] :
+         {std::pair{0.0, false}, {1e-3, false}, {0.0, true}, {1e-3, true}}) {
+        const Case plan = loaded(k, 1, implicit);
         BuiltCase all = build_case(plan), first = build_case(plan), second = build_case(plan);
         for (int i = 0; i < 300; ++i) all.simulation->step();
         for (int i = 0; i < 150; ++i) first.simulation->step();

@@ -37,13 +37,14 @@ void waves() {
     }
 }
 
-void terzaghi() {
+void terzaghi(bool implicit) {
     std::printf(
         "\n| cells | T | p/p_0, lowest cell | exact | error | U | exact | error | alternating "
         "p/p_0 | energy residual |\n|---|---|---|---|---|---|---|---|---|---|\n");
     for (const int cells : {8, 16, 32})
         for (const Consolidation& c :
-             consolidate({.cells = cells, .conductivity = 1e-3}, {0.1, 0.2, 0.5, 1.0})) {
+             consolidate({.cells = cells, .conductivity = 1e-3, .implicit = implicit},
+                         {0.1, 0.2, 0.5, 1.0})) {
             std::printf("| %d | %.1f | %.4f | %.4f | %+.2f %% | %.4f | %.4f | %+.2f %% | %.0e | "
                         "%+.1e |\n",
                         cells, c.T, c.pressure, c.exact_pressure,
@@ -67,13 +68,13 @@ void disk() {
 }
 
 // Of a column under a load that comes within 20 ms: after 30 ms.
-void conductivities() {
+void conductivities(bool implicit) {
     std::printf(
         "\n| k [m/s] | Δt [µs] | largest p/p_0 | settlement / load·L/E | alternating p/p_0 | "
         "energy residual |\n|---|---|---|---|---|---|\n");
     constexpr double load = 1e4;
     for (const double k : {0.0, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1}) {
-        Column column{.conductivity = k, .load = load, .ramp = 0.02};
+        Column column{.conductivity = k, .implicit = implicit, .load = load, .ramp = 0.02};
         BuiltCase built = build_case(column.plan());
         Simulation& simulation = *built.simulation;
         while (simulation.time() < 0.03) simulation.step();
@@ -93,7 +94,7 @@ void conductivities() {
 }
 
 // A block on rollers, half of whose top is loaded within 20 ms, after 30 ms.
-void block() {
+void block(bool implicit) {
     constexpr int cells = 24;
     constexpr double load = 1e4;
     std::printf(
@@ -105,6 +106,7 @@ void block() {
             Column column{.cells = cells,
                           .conductivity = k,
                           .axisymmetric = axisymmetric,
+                          .implicit = implicit,
                           .load = load,
                           .ramp = 0.02};
             Case plan = column.plan();
@@ -142,7 +144,7 @@ void block() {
                         energy.residual() / energy.external_work);
             std::fflush(stdout);
         }
-    const SaturatedCylinder cylinder = inflate_saturated_cylinder();
+    const SaturatedCylinder cylinder = inflate_saturated_cylinder(implicit);
     std::printf(
         "\n| thick undrained cylinder | widening by Lamé's | largest error of p by the pressure "
         "inside |\n|---|---|---|\n| eight cells | %.4f | %.4f |\n",
@@ -162,9 +164,14 @@ Case of_sand(Case plan) {
 }
 
 // Of 64 by 64 cells with four particles each, under their weight.
-double microseconds_per_step(double conductivity, bool has_water, bool is_sand) {
+struct Cost {
+    double per_step, dt;  // [µs]
+};
+
+Cost cost_of(double conductivity, bool has_water, bool is_sand, bool implicit) {
     constexpr int cells = 64;
-    Column column{.cells = cells, .conductivity = conductivity, .gravity = 9.81};
+    Column column{
+        .cells = cells, .conductivity = conductivity, .implicit = implicit, .gravity = 9.81};
     Case plan = column.plan();
     plan.r = {0.0, {{column.height, cells, 1.0}}};
     plan.bodies[0].outlines[0].corners = {
@@ -181,20 +188,26 @@ double microseconds_per_step(double conductivity, bool has_water, bool is_sand) 
         const double spent = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
         best = std::min(best, spent / 20);
     }
-    return 1e6 * best;
+    return {1e6 * best, 1e6 * built.simulation->next_step()};
 }
 
-// What a step costs beside that of the dry body.
+// What a step costs beside that of the dry body, and how long it is.
 void cost() {
-    std::printf("\n| processor's µs per step of 16384 particles | dry | undrained | flow "
-                "|\n|---|---|---|---|\n");
+    std::printf("\n| processor's µs per step of 16384 particles, Δt [µs] | dry | undrained | flow "
+                "| undrained, "
+                "implicit | flow, implicit |\n|---|---|---|---|---|---|\n");
     for (const bool is_sand : {false, true}) {
-        const double dry = microseconds_per_step(0.0, false, is_sand);
-        const double undrained = microseconds_per_step(0.0, true, is_sand);
-        const double flow = microseconds_per_step(1e-4, true, is_sand);
-        std::printf("| %s | %.0f | %.0f, ×%.2f | %.0f, ×%.2f |\n",
-                    is_sand ? "Lausitz sand" : "elastic", dry, undrained, undrained / dry, flow,
-                    flow / dry);
+        const Cost dry = cost_of(0.0, false, is_sand, false);
+        std::printf("| %s | %.0f, %.1f |", is_sand ? "Lausitz sand" : "elastic", dry.per_step,
+                    dry.dt);
+        for (const bool implicit : {false, true})
+            for (const double k : {0.0, 1e-4}) {
+                const Cost now = cost_of(k, true, is_sand, implicit);
+                std::printf(" %.0f, ×%.2f, %.1f |", now.per_step, now.per_step / dry.per_step,
+                            now.dt);
+            }
+        std::printf("\n");
+        std::fflush(stdout);
     }
 }
 
@@ -202,10 +215,13 @@ void cost() {
 
 int main() {
     waves();
-    terzaghi();
     disk();
-    conductivities();
-    block();
+    for (const bool implicit : {false, true}) {
+        std::printf("\n%s pressure\n", implicit ? "Implicit" : "Explicit");
+        terzaghi(implicit);
+        conductivities(implicit);
+        block(implicit);
+    }
     cost();
     return 0;
 }

@@ -195,6 +195,7 @@ inline constexpr CaseWord all[] = {
            "of an update, relative", "0.001"),
 
     choice("body.water", "drainage", drainages, "", "`undrained`"),
+    choice("body.water", "pressure", pore_pressures, "", "`explicit`"),
     number("body.water", "porosity", {0.01, 0.99}, none, "at the start", "needed but for sand"),
     number("body.water", "bulk_modulus_kPa", above_zero, kilopascal, "K_w", "2200000"),
     number("body.water", "density_kg_per_m3", above_zero, kg_per_m3, "", "1000"),

@@ -164,6 +164,7 @@ PoreWater make_water(const BodyPlan& body, const Material& material) {
     const WaterPlan& plan = *body.water;
     PoreWater out;
     out.flows = plan.drainage == Drainage::flow;
+    out.implicit = plan.implicit;
     out.bulk_modulus = plan.bulk_modulus;
     out.density = plan.density;
     out.largest_tension = plan.largest_tension;

@@ -91,14 +91,17 @@ Objections objection_to(const Case& plan, const MaterialPlan& material, const Wa
     if (is_sand && given("porosity"))
         return Objection{"porosity", ": sand has a void ratio instead"};
     if (!is_sand && !given("porosity")) return Objection{"porosity", " is missing"};
+    const bool absorbs =
+        std::find(plan.boundary, plan.boundary + 4, Boundary::absorbing) != plan.boundary + 4;
+    if (water.implicit && absorbs)
+        return Objection{"pressure", ": absorbing sides know no implicit one yet"};
     if (water.drainage == Drainage::undrained) {
         for (const char* key : {"conductivity_m_per_s", "conductivity_law"})
             if (given(key)) return Objection{key, " belongs to drainage = \"flow\""};
         return {};
     }
     if (!given("conductivity_m_per_s")) return Objection{"conductivity_m_per_s", " is missing"};
-    if (std::find(plan.boundary, plan.boundary + 4, Boundary::absorbing) != plan.boundary + 4)
-        return Objection{"drainage", ": absorbing sides know no water that flows yet"};
+    if (absorbs) return Objection{"drainage", ": absorbing sides know no water that flows yet"};
     return {};
 }
 
@@ -111,6 +114,9 @@ Objections objection_to_contact(const Case& plan, std::size_t contact, const Key
         const auto& water = plan.bodies[plan.body(body)].water;
         if (water && water->drainage == Drainage::flow && (c.penalty || c.at_surfaces))
             return Objection{"law", ": water that flows, in \"" + body +
+                                        "\", knows contact at nodes alone"};
+        if (water && water->implicit && (c.penalty || c.at_surfaces))
+            return Objection{"law", ": implicit pore pressure, in \"" + body +
                                         "\", knows contact at nodes alone"};
     }
     for (std::size_t i = 0; i < contact; ++i) {

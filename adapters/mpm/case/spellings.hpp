@@ -28,6 +28,9 @@ inline constexpr Spelling boundaries[] = {
 inline constexpr Spelling drainages[] = {
     spelling("undrained", Drainage::undrained, "it moves with the grains"),
     spelling("flow", Drainage::flow, "it moves through them, with a velocity of its own")};
+inline constexpr Spelling pore_pressures[] = {
+    spelling("explicit", false, "waves of the water limit the step"),
+    spelling("implicit", true, "solved for in each step, which is that of the grains")};
 inline constexpr Spelling conductivity_laws[] = {
     spelling("constant", false, ""),
     spelling("kozeny_carman", true, "k ~ e³/(1 + e), as given at the void ratio of the plan")};

@@ -176,6 +176,7 @@ struct GatherSums {
 struct WaterScatterCall;
 struct WaterGatherCall;
 struct WaterSums;
+struct PatchCall;
 
 // The kernels of one instruction set: bitwise the same results, for nothing is contracted.
 struct Kernels {
@@ -187,6 +188,9 @@ struct Kernels {
     // Of pore_water.hpp.
     void (*scatter_water)(Shape, bool axisymmetric, const WaterScatterCall&);
     void (*gather_water)(Shape, bool axisymmetric, const WaterGatherCall&, WaterSums&);
+    // Forces of pressures, added to nodes; how fast the volumes of cells grow at velocities of nodes.
+    void (*push_by_pressures)(const PatchCall&, const double* pressure, double* nodes);
+    void (*find_swelling)(const PatchCall&, const double* nodes, double* swelling);
 };
 
 // The best that this processor has, and those of any.

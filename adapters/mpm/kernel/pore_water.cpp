@@ -49,6 +49,7 @@ std::vector<std::string> PoreWater::words() const {
                   "porosity %.17g",
                   bulk_modulus, density, largest_tension, porosity);
     std::vector<std::string> out{text};
+    if (implicit) out.emplace_back("water: pressure implicit");
     if (!flows) return out;
     std::snprintf(text, sizeof text, "water flows: conductivity %.17g m/s at void ratio %.17g",
                   conductivity, conductivity_at);
@@ -89,8 +90,9 @@ void update_pressures(const ParticleView& q, std::ptrdiff_t begin, std::ptrdiff_
                 " m has no pores left, its void ratio is " + std::to_string(e_middle));
         const double before = water.pressure(q, p);
         q[water.first][p] -= water.bulk_modulus / PoreWater::porosity_of(e_middle) * strain;
-        sums.work.add(-0.5 * (before + water.pressure(q, p)) * strain * (q[column::V0][p] * q.J(p)),
-                      false);
+        const double V = q[column::V0][p] * q.J(p), now = water.pressure(q, p);
+        sums.work.add(-0.5 * (before + now) * strain * V, false);
+        sums.half.add(-0.5 * now * strain * V, false);
     }
 }
 

@@ -17,6 +17,7 @@ inline constexpr double standard_gravity = 9.81;
 
 struct PoreWater {
     bool flows = false;  // through the grains; the mass of particles is then that of grains alone
+    bool implicit = false;         // the pressure: its waves do not limit the step
     double bulk_modulus = 2.2e9;   // K_w [Pa]
     double density = 1000.0;       // rho_w [kg/m3]
     double largest_tension = 1e5;  // beyond which it cavitates [Pa]
@@ -69,8 +70,9 @@ struct PoreWater {
         return 0.5 * mass(q, p) * (v_r * v_r + v_z * v_z);
     }
     // What it adds to M/rho, the square of the speed of waves of a skeleton whose particle has this mass by
-    // volume (W3): an upper bound, c_1^2 + c_2^2, of water that flows.
+    // volume (W3): an upper bound, c_1^2 + c_2^2, of water that flows; nothing where its pressure is implicit.
     double speed2(double e, double skeleton_density) const {
+        if (implicit) return 0.0;
         const double n = porosity_of(e);
         if (!flows) return bulk_modulus / (n * skeleton_density);
         return (1.0 - n) * (1.0 - n) * bulk_modulus / (n * skeleton_density) +
@@ -98,12 +100,29 @@ enum : int {
 };
 }  // namespace water_record
 
+// What the particles of a cell leave at the 4 by 4 nodes around it, the first of them a row and a column before the cell,
+// for a pressure of 1 Pa: the force (r, z of each node) [m2]. Its product with velocities is the rate of the cell's volume.
+struct alignas(64) CellPatch {
+    double force[32];
+};
+
+// Cells by the patch each has and the first of its nodes, in arrays of nodes with rows of this length.
+struct PatchedCell {
+    std::size_t patch, first;
+};
+struct PatchCall {
+    const CellPatch* patches;
+    const PatchedCell* cells;
+    std::size_t count, row;
+};
+
 // In the mirror r -> -r, besides the material.
 void reflect(const PoreWater& water, const ParticleView& particles, std::ptrdiff_t p);
 
 // Sums over a strip of particles or nodes, of a step.
 struct WaterSums {
     Total work;          // taken by the water's compression [J]
+    Total half;          // of that, by the pressure of the end in half a step [J]
     Total drag;          // taken by drag, at nodes and within particles [J]
     Total gravity_work;  // [J]
     Total change;        // as those of NodeSums and GatherSums, of water that flows [J]
@@ -116,8 +135,9 @@ struct WaterScatterCall {
     ParticleView particles;
     std::ptrdiff_t begin, end;
     const PoreWater* water;
-    const CellIntegers* cells;  // mean pressures, of add_pressures
-    NodeRecord* nodes;          // added to
+    const CellIntegers* cells;     // mean pressures, of add_pressures
+    NodeRecord* nodes;             // added to
+    CellPatch* patches = nullptr;  // added to, of implicit pressure
 };
 
 struct WaterGatherCall {

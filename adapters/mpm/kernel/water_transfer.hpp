@@ -8,6 +8,35 @@
 
 GRIT_KERNEL_BEGIN_OF(mpm)
 
+// As sums of nodes, into the patch of a cell.
+struct PatchSums {
+    double* force;
+    std::ptrdiff_t row, column, n_r;  // of its first node, even outside of the grid
+
+    GRIT_INLINE PatchSums(CellPatch& patch, const Place& place, std::ptrdiff_t nodes_r)
+        : force(patch.force), row(place.cell_z - 1), column(place.cell_r - 1), n_r(nodes_r) {}
+    GRIT_INLINE void add(std::ptrdiff_t node, const Vec8& P) {
+        if (P[0] == 0.0 && P[1] == 0.0) return;  // weights that are nothing may lie anywhere
+        const std::ptrdiff_t j = node / n_r, i = node - j * n_r;
+        const std::ptrdiff_t at = 2 * (4 * (j - row) + i - column);
+        force[at] += P[0];
+        force[at + 1] += P[1];
+    }
+};
+
+template <bool axisymmetric, class Stencil>
+GRIT_INLINE void add_to_patch(const WaterScatterCall& call, const Place& place, const Stencil& w,
+                              std::ptrdiff_t p) {
+    const ParticleView& q = call.particles;
+    CellPatch& patch = call.patches[place.cell_z * call.grid.r.cells + place.cell_r];
+    PatchSums sums(patch, place, call.grid.nodes_r());
+    const double V = q[column::V0][p] * q.J(p);
+    for (int k = 0; k < Stencil::points; ++k) {
+        const double hoop = axisymmetric ? w.hoop(k) : 0.0;
+        w.add(k, Vec8{V * (w.G_r[k] + hoop), V * w.G_z[k], 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, sums);
+    }
+}
+
 template <Shape shape, bool axisymmetric> void scatter_water_by(const WaterScatterCall& call) {
     using Stencil = typename StencilOf<shape, axisymmetric>::type;
     namespace c = column;
@@ -29,6 +58,7 @@ template <Shape shape, bool axisymmetric> void scatter_water_by(const WaterScatt
             m_v_r = mass * (q[c::v_r][p] + q[water.velocity_column()][p]);
             m_v_z = mass * (q[c::v_z][p] + q[water.velocity_column() + 1][p]);
         }
+        if (call.patches) add_to_patch<axisymmetric>(call, place, w, p);
         for (int k = 0; k < Stencil::points; ++k) {
             const double S = w.S[k];
             double f_r = force * w.G_r[k];

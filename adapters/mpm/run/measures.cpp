@@ -142,14 +142,16 @@ Energy times(const Energy& e, double factor) {
             factor * e.stored_0,   factor * e.external_work, factor * e.traction_work,
             factor * e.rigid_work, factor * e.contact,       factor * e.damping,
             factor * e.viscosity,  factor * e.absorbed,      factor * e.transfer,
-            factor * e.pic,        factor * e.pore_water,    factor * e.drag};
+            factor * e.pic,        factor * e.pore_water,    factor * e.half,
+            factor * e.drag,       factor * e.implicit};
 }
 
 double turned_over(const Energy& e, double least) {
     return std::max({least, e.kinetic, e.kinetic_0, std::abs(e.stored - e.stored_0),
                      std::abs(e.external_work), std::abs(e.rigid_work), std::abs(e.contact),
                      std::abs(e.damping), std::abs(e.viscosity), std::abs(e.absorbed),
-                     std::abs(e.transfer), std::abs(e.pore_water), std::abs(e.drag)});
+                     std::abs(e.transfer), std::abs(e.pore_water), std::abs(e.drag),
+                     std::abs(e.implicit)});
 }
 
 // Positive conditions, so that NaN fails them.

@@ -40,6 +40,7 @@ void Account::add_step(const Gather& gather, const Momentum& momentum, const Loa
         pic,
         transfer,
         pore_water,
+        half,
         drag,
         count
     };
@@ -62,6 +63,7 @@ void Account::add_step(const Gather& gather, const Momentum& momentum, const Loa
             step[external_work] += w.gravity_work;
             ((step[transfer] += w.change) -= w.kept) += w.mapped_away;
             step[pore_water] += w.work;
+            step[half] += w.half;
             step[drag] += w.drag;
         }
     (step[external_work] += loads.work()) += sides.held_work();
@@ -76,6 +78,7 @@ void Account::add_step(const Gather& gather, const Momentum& momentum, const Loa
     energies.pic += step[pic].value();
     energies.transfer += step[transfer].value();
     energies.pore_water += step[pore_water].value();
+    energies.half = step[half].value();
     energies.drag += step[drag].value();
     const double count_lost = step[lost].value();
     if (count_lost > 0.0) report_lost(static_cast<long>(count_lost));

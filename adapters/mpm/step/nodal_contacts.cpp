@@ -28,6 +28,32 @@ void NodalContacts::bear_pore_pressure(std::size_t contact) {
     }
 }
 
+void NodalContacts::change_pressures(Energy& sums) {
+    for (std::size_t body = 0; body < model.parts.size(); ++body) {
+        if (!water.is_implicit(body)) continue;
+        std::vector<Water::Pressed> pressed;
+        std::vector<std::size_t> of;  // contact of each
+        for (std::size_t i = 0; i < contacts.size(); ++i) {
+            const ContactLaw& law = contacts[i].law();
+            if (law.a != body && law.b != body) continue;
+            contacts[i].each_pressed([&](std::size_t node, const double* normal) {
+                pressed.push_back({node, law.a == body ? law.b : law.a, {normal[0], normal[1]}});
+                of.push_back(i);
+            });
+        }
+        water.change(body, pressed, sums);
+        for (std::size_t k = 0; k < pressed.size(); ++k) {
+            const Water::Pressed& p = pressed[k];
+            const double sign = contacts[of[k]].law().a == body ? 1.0 : -1.0;
+            const double force = sign * p.impulse / model.dt;
+            Faces& faces = pore[of[k]];
+            const bool faces_z = Faces::is_along_z(p.normal[0], p.normal[1]);
+            Vector2& sum = faces_z ? faces.along_z : faces.along_r;
+            sum = {sum[0] + force * p.normal[0], sum[1] + force * p.normal[1]};
+        }
+    }
+}
+
 void NodalContacts::correct(Energy& sums) {
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         ContactPair& pair = contacts[i];

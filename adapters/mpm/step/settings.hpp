@@ -59,11 +59,13 @@ struct Energy {
     double transfer = 0.0;       // lost between nodes and particles, PIC share included
     double pic = 0.0;            // that share alone
     double pore_water = 0.0;     // taken by the compression of pore water
-    double drag = 0.0;           // of pore water against grains
+    double half = 0.0;      // ... by pressures that velocities, half a step behind, do not know yet
+    double drag = 0.0;      // of pore water against grains
+    double implicit = 0.0;  // what an implicit pore pressure takes of waves
 
     double residual() const {
         return kinetic - kinetic_0 + stored - stored_0 + contact + damping + viscosity + absorbed +
-               transfer + pore_water + drag - external_work - rigid_work;
+               transfer + pore_water - half + drag + implicit - external_work - rigid_work;
     }
 };
 

@@ -32,6 +32,8 @@ void Simulation::step() {
     contacts.correct(account.sums());
     surfaces.correct(account.sums());
     watch.lap(spent.contact);
+    contacts.change_pressures(account.sums());
+    watch.lap(spent.nodes);
     sides.find_work(model, momentum);
     momentum.close();
     loads.find_work();

@@ -3,9 +3,11 @@
 // neither the other passes nor particles know how.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "adapters/mpm/kernel/pore_water.hpp"
+#include "adapters/mpm/step/implicit_pressure.hpp"
 #include "adapters/mpm/step/momentum.hpp"
 
 namespace grit::mpm {
@@ -26,6 +28,17 @@ class Water {
     // pressure, so that grains meet it with their effective stress, and water has its velocity across, too.
     // Returns the impulse on the other body along the normal, of either sign [N s].
     double press(std::size_t body, std::size_t other, std::size_t node, const Vector2& normal);
+    // A node of a body where another one presses on it now: across, they have one velocity.
+    struct Pressed {
+        std::size_t node, other;
+        Vector2 normal;
+        double impulse = 0.0;  // out: on the other body along the normal [N s]
+    };
+    bool is_implicit(std::size_t body) const {
+        return has(body) && model.parts[body].body.water->implicit;
+    }
+    // After contact, of a body with implicit pressure: it gets what the pressure changes by in the step.
+    void change(std::size_t body, std::vector<Pressed>& pressed, Energy& energies);
     // After contact, before the particles move: pressures and velocities of water. Adds what press took.
     void update(Energy& energies);
     // Speeds of particles as they are, before the first step.
@@ -54,6 +67,9 @@ class Water {
         std::vector<NodeMotion> flowing = {}, volume = {};  // of water that flows
         std::vector<WaterSums> sums = {};                   // of each strip
         std::vector<double> speed2 = {};
+        std::optional<ImplicitPressure> implicit = {};
+        std::vector<Vector2> volume_velocity = {}, impulse = {};
+        std::vector<NodeAnswer> answers = {};
     };
     bool has(std::size_t body) const { return model.parts[body].body.water.has_value(); }
     // Impulses of press along a normal [N s]; those on the other body make their sum zero.
@@ -62,7 +78,14 @@ class Water {
         Vector2 normal;
         double on_grains, on_water;
     };
+    void account_for(const Wall& wall, Energy& energies) const;
     void account_for_walls(Energy& energies);
+    // One direction of a node: what an impulse of the pressure changes the velocities by [1/kg].
+    struct Answer {
+        double grains, water, drag;  // drag: impulse on the grains, by the pressure's [-]
+    };
+    Answer answer(std::size_t body, std::size_t node, bool grains_free, bool water_free) const;
+    double porosity(std::size_t body, std::size_t node) const;
     bool is_anywhere() const;
     WaterNodeCall nodes(std::size_t body, int strip);
     void scatter();

@@ -25,6 +25,7 @@ struct SaturatedColumn {
     bool axisymmetric = false;
     bool closed = false;          // its top is a wall
     bool drained_bottom = false;  // flow may leave there as well
+    bool implicit = false;        // its pore pressure
     double load = 0.0;            // on its top [Pa] ...
     double ramp = 0.0;            // ... within this time [s]
     double gravity = 0.0;
@@ -55,6 +56,7 @@ struct SaturatedColumn {
         WaterPlan water;
         water.drainage = flows() ? Drainage::flow : Drainage::undrained;
         water.conductivity = conductivity;
+        water.implicit = implicit;
         water.porosity = n;
         water.grain_density = rho_s;
         if (gravity > 0.0) {
@@ -164,7 +166,7 @@ struct SaturatedCylinder {
     double widening, pressure_error;
 };
 
-inline SaturatedCylinder inflate_saturated_cylinder() {
+inline SaturatedCylinder inflate_saturated_cylinder(bool implicit = false) {
     constexpr double a = 0.5, b = 1.0, h = 0.0625, pressure = 1000.0, E = 1e7, nu = 0.3;
     constexpr double n = 0.4, K_w = 2.2e9;
     Case plan;
@@ -181,6 +183,7 @@ inline SaturatedCylinder inflate_saturated_cylinder() {
     body.density = 2000.0;
     body.material = ElasticPlan{E, nu};
     body.water = WaterPlan{.bulk_modulus = K_w, .grain_density = 2650.0, .porosity = n};
+    body.water->implicit = implicit;
     plan.bodies = {body};
     plan.tractions = {{.body = "wall",
                        .edge = Edge::left,
