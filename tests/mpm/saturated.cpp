@@ -280,6 +280,54 @@ TEST(ImplicitPressure, CarriesWavesInShortSteps) {
     EXPECT_NEAR(wave.residual, 0.0, 1e-3);
 }
 
+// A dry block hits a saturated one, both free: across nodes that they share the pressure moves both.
+TEST(ImplicitPressure, KeepsMomentumAndEnergyWhereBodiesMeet) {
+    for (const double k : {0.0, 1e-4}) {
+        const Column column{.cells = 16, .conductivity = k, .implicit = true};
+        Case plan = column.plan();
+        const double h = column.cell(), L = column.height;
+        plan.boundary[static_cast<int>(Side::bottom)] = Boundary::free;
+        plan.z = {-4.0 * h, {{2.0 * L, 36, 1.0}}};
+        BodyPlan block{};
+        block.name = "block";
+        block.outlines = {Outline{{{0.0, L}, {h, L}, {h, 1.5 * L}, {0.0, 1.5 * L}}}};
+        block.density = 2000.0;
+        block.material = ElasticPlan{1e8, 0.0};
+        plan.bodies.push_back(block);
+        ContactPlan contact;
+        contact.stiff = "block";
+        contact.soft = "sand";
+        contact.law = GRIT_CONTACT_FRICTIONAL;
+        plan.contacts = {contact};
+        BuiltCase built = build_case(plan);
+        Simulation& simulation = *built.simulation;
+        const ParticleView q = simulation.body(1).particles.view();
+        for (std::ptrdiff_t p = 0; p < simulation.body(1).particles.size(); ++p)
+            q[column::v_z][p] = -0.1;
+        const auto momentum = [&](std::size_t which) {
+            Body& body = simulation.body(which);
+            const ParticleView of = body.particles.view();
+            double sum = 0.0;
+            for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p) {
+                sum += of[column::mass][p] * of[column::v_z][p];
+                if (body.water && body.water->flows)
+                    sum += body.water->mass(of, p) *
+                           (of[column::v_z][p] + of[body.water->velocity_column() + 1][p]);
+            }
+            return sum;
+        };
+        const double before = momentum(0) + momentum(1);
+        while (simulation.time() < 0.004) simulation.step();
+        EXPECT_GT(std::fabs(momentum(0)), 0.1 * std::fabs(before)) << k;
+        EXPECT_NE(simulation.pore_faces(0).along_z[1], 0.0);
+        // What water weighs in a particle is that of the moment.
+        EXPECT_NEAR(momentum(0) + momentum(1), before, (k > 0.0 ? 1e-3 : 1e-12) * -before) << k;
+        const Energy energy = simulation.energy();
+        EXPECT_NEAR(energy.residual(), 0.0, 0.01 * energy.kinetic_0) << k;
+        EXPECT_GT(energy.implicit, 0.0);
+    }
+}
+
 // Pulled by twice what the water bears, and let go: where a cavity closes the water hits.
 TEST(ImplicitPressure, CavitatesAndBearsAgainOnceTheCavityHasClosed) {
     for (const double k : {0.0, 1e-6}) {

@@ -27,7 +27,8 @@ void Water::add_body() {
         const std::size_t nodes = body.implicit->nodes();
         body.volume_velocity.resize(nodes);
         body.impulse.resize(nodes);
-        body.answers.resize(nodes);
+        body.node_answers.resize(nodes);
+        body.answers.resize(model.fixed_nodes.size());
     }
     if (!flows(i)) return;
     body.flowing.resize(model.fixed_nodes.size());
@@ -217,122 +218,135 @@ Water::Answer Water::answer(std::size_t i, std::size_t node, bool grains_free,
     return out;
 }
 
-void Water::change(std::size_t i, std::vector<Pressed>& pressed, Energy& energies) {
+bool Water::has_pores(std::size_t i, std::size_t node) const {
+    const Part& part = model.parts[i];
+    return part.records[node][record::m] > part.least_mass &&
+           (!flows(i) || bodies[i].records[node][water_record::m] > 0.0);
+}
+
+double Water::water_mass(std::size_t i, std::size_t node) const {
+    return flows(i) ? bodies[i].records[node][water_record::m] : 0.0;
+}
+
+// (1 - n) of the grains' and n of the water's, of the sum of two lanes of each.
+double Water::volume_velocity(std::size_t i, std::size_t node, int lane, int other_lane) const {
+    const double n = porosity(i, node);
+    const auto sum = [&](const NodeMotion& v) { return v[lane] + v[other_lane]; };
+    const double grains = sum(model.parts[i].motions[node]);
+    return flows(i) ? (1.0 - n) * grains + n * sum(bodies[i].flowing[node]) : grains;
+}
+
+void Water::find_answers(std::size_t i) {
     OfBody& body = bodies[i];
-    Part& part = model.parts[i];
-    const bool two = flows(i);
-    const auto has_pores = [&](std::size_t node) {
-        return part.records[node][record::m] > part.least_mass &&
-               (!two || body.records[node][water_record::m] > 0.0);
-    };
-    const auto free_of = [&](std::size_t node, int k) {
-        const int bit = k == 0 ? fixed::r : fixed::z;
-        const bool grains = !(model.fixed_nodes[node] & bit);
-        return std::pair{grains, grains || (!drained.empty() && (drained[node] & bit))};
-    };
-    ImplicitPressure& implicit = *body.implicit;
-    std::vector<std::array<Answer, 2>> answers(model.fixed_nodes.size());
-    for (std::size_t node = 0; node < answers.size(); ++node) {
-        const std::size_t in = implicit.node(node);
-        body.answers[in] = {};
+    for (std::size_t node = 0; node < body.answers.size(); ++node) {
+        const std::size_t in = body.implicit->node(node);
+        body.node_answers[in] = {};
         body.volume_velocity[in] = {};
-        if (!has_pores(node)) continue;
+        if (!has_pores(i, node)) continue;
         const double n = porosity(i, node);
         double share[2];
         for (int k = 0; k < 2; ++k) {
-            const auto [grains, water] = free_of(node, k);
-            const auto at = static_cast<std::size_t>(k);
-            const Answer& a = answers[node][at] = answer(i, node, grains, water);
+            const int bit = k == 0 ? fixed::r : fixed::z;
+            const bool grains_free = !(model.fixed_nodes[node] & bit);
+            const bool water_free = grains_free || (!drained.empty() && (drained[node] & bit));
+            const Answer& a = body.answers[node][static_cast<std::size_t>(k)] =
+                answer(i, node, grains_free, water_free);
             share[k] = (1.0 - n) * a.grains + n * a.water;
-            body.volume_velocity[in][at] = (1.0 - n) * part.motions[node][motion::v_r + k] +
-                                           (two ? n * body.flowing[node][motion::v_r + k] : 0.0);
+            body.volume_velocity[in][k] =
+                0.5 * volume_velocity(i, node, motion::v_r + k, motion::v_r + k);
         }
-        body.answers[in] = {share[0], 0.0, share[1]};
+        body.node_answers[in] = {share[0], 0.0, share[1]};
     }
-    // Where another body presses, all of them move alike across.
-    struct Together {
-        Pressed* at;
-        Vector2 n;
-        double per_mass;
-    };
-    std::vector<Together> together;
-    std::vector<char> taken(pressed.empty() ? 0 : answers.size());
+}
+
+// Where another body presses, all that meets there moves alike across; beside, what is free answers as it did.
+std::vector<Water::Together> Water::hold_together(std::size_t i, std::vector<Pressed>& pressed) {
+    OfBody& body = bodies[i];
+    std::vector<Together> out;
     for (Pressed& p : pressed) {
         const Part& other = model.parts[p.other];
         const double m_o = other.records[p.node][record::m];
-        if (taken[p.node] || !has_pores(p.node) || !(m_o > other.least_mass)) continue;
+        if (!has_pores(i, p.node) || !(m_o > other.least_mass)) continue;
         Vector2 n = free_part(p.normal, model.fixed_nodes[p.node]);
         const double size = std::sqrt(along(n, n));
         if (size == 0.0) continue;
         n = {n[0] / size, n[1] / size};
-        taken[p.node] = 1;
-        const double mass = part.records[p.node][record::m] +
-                            (two ? body.records[p.node][water_record::m] : 0.0) + m_o;
-        const double per_mass = other.body.rigid() ? 0.0 : 1.0 / mass;
-        // Across, and along what is left of the directions that are free.
-        NodeAnswer& a = body.answers[implicit.node(p.node)];
-        const bool both = n[0] != 0.0 && n[1] != 0.0;
-        const double beside_r = both ? a.rr : n[0] == 0.0 ? a.rr : 0.0;
-        const double beside_z = both ? a.zz : n[1] == 0.0 ? a.zz : 0.0;
-        a = {per_mass * n[0] * n[0] + beside_r * (1.0 - n[0] * n[0]),
-             (per_mass - (both ? beside_r : 0.0)) * n[0] * n[1],
-             per_mass * n[1] * n[1] + beside_z * (1.0 - n[1] * n[1])};
-        together.push_back({&p, n, per_mass});
+        const double mass = model.parts[i].records[p.node][record::m] + water_mass(i, p.node) + m_o;
+        out.push_back({&p, n, other.body.rigid() ? 0.0 : 1.0 / mass});
     }
-    implicit.solve(*part.body.water, model.grid(), part.body.particles, model.dt,
-                   body.volume_velocity, body.answers, body.impulse);
+    const auto node_of = [](const Together& t) { return t.at->node; };
+    std::stable_sort(out.begin(), out.end(),
+                     [&](const Together& a, const Together& b) { return node_of(a) < node_of(b); });
+    // Of several bodies the first one.
+    out.erase(
+        std::unique(out.begin(), out.end(),
+                    [&](const Together& a, const Together& b) { return node_of(a) == node_of(b); }),
+        out.end());
+    for (const Together& t : out) {
+        NodeAnswer& a = body.node_answers[body.implicit->node(node_of(t))];
+        const double r = t.normal[0], z = t.normal[1];
+        const double beside = r != 0.0 && z != 0.0 ? a.rr : 0.0;  // both are free, and alike
+        a = {t.per_mass * r * r + (r == 0.0 ? a.rr : beside * z * z), (t.per_mass - beside) * r * z,
+             t.per_mass * z * z + (z == 0.0 ? a.zz : beside * r * r)};
+    }
+    return out;
+}
 
-    Total work;
-    const auto push = [&](std::size_t node, const Vector2& J) {
-        for (std::size_t k = 0; k < 2; ++k) {
-            const Answer& a = answers[node][k];
-            const int lane = motion::v_r + static_cast<int>(k);
-            part.motions[node][lane] += a.grains * J[k];
-            if (!two) continue;
-            body.flowing[node][lane] += a.water * J[k];
-            body.volume[node][motion::other_r + static_cast<int>(k)] += a.drag * J[k];
-        }
+// An impulse of the pressure on a node [N s].
+void Water::push_by(std::size_t i, std::size_t node, const Vector2& J) {
+    OfBody& body = bodies[i];
+    for (int k = 0; k < 2; ++k) {
+        const Answer& a = body.answers[node][static_cast<std::size_t>(k)];
+        model.parts[i].motions[node][motion::v_r + k] += a.grains * J[k];
+        if (!flows(i)) continue;
+        body.flowing[node][motion::v_r + k] += a.water * J[k];
+        body.volume[node][motion::other_r + k] += a.drag * J[k];
+    }
+}
+
+// ... across which all move alike: what is left along it moves grains and water, what they do not take bears on the other.
+Water::Wall Water::push_together(std::size_t i, const Together& together, const Vector2& J) {
+    const Vector2& n = together.normal;
+    const std::size_t node = together.at->node, other = together.at->other;
+    const double across = along(J, n), way = together.per_mass * across;
+    push_by(i, node, {J[0] - across * n[0], J[1] - across * n[1]});
+    const auto move = [&](NodeMotion& v) {
+        v[motion::v_r] += way * n[0];
+        v[motion::v_z] += way * n[1];
     };
-    std::size_t next = 0;
-    std::sort(together.begin(), together.end(),
-              [](const Together& a, const Together& b) { return a.at->node < b.at->node; });
+    move(model.parts[i].motions[node]);
+    if (flows(i)) move(bodies[i].flowing[node]);
+    if (!model.parts[other].body.rigid()) move(model.parts[other].motions[node]);
+    const double porosity_there = porosity(i, node);
+    const Wall wall{i,
+                    other,
+                    node,
+                    n,
+                    model.parts[i].records[node][record::m] * way - (1.0 - porosity_there) * across,
+                    water_mass(i, node) * way - porosity_there * across};
+    together.at->impulse = -(wall.on_grains + wall.on_water);
+    return wall;
+}
+
+void Water::change(std::size_t i, std::vector<Pressed>& pressed, Energy& energies) {
+    OfBody& body = bodies[i];
+    find_answers(i);
+    const std::vector<Together> together = hold_together(i, pressed);
+    Part& part = model.parts[i];
+    body.implicit->solve(*part.body.water, model.grid(), part.body.particles, model.dt,
+                         body.volume_velocity, body.node_answers, body.impulse);
+    auto next = together.begin();
     std::vector<Wall> borne;
-    for (std::size_t node = 0; node < answers.size(); ++node) {
-        const Vector2 J = body.impulse[implicit.node(node)];
-        if (!has_pores(node)) continue;
-        if (next < together.size() && together[next].at->node == node) {
-            const Together& t = together[next++];
-            const double across = along(J, t.n), way = t.per_mass * across;
-            push(node, {J[0] - across * t.n[0], J[1] - across * t.n[1]});
-            const auto move = [&](NodeMotion& v) {
-                v[motion::v_r] += way * t.n[0];
-                v[motion::v_z] += way * t.n[1];
-            };
-            move(part.motions[node]);
-            if (two) move(body.flowing[node]);
-            Part& other = model.parts[t.at->other];
-            if (!other.body.rigid()) move(other.motions[node]);
-            const double n = porosity(i, node);
-            const double m_s = part.records[node][record::m];
-            const double m_w = two ? body.records[node][water_record::m] : 0.0;
-            borne.push_back({i, t.at->other, node, t.n, m_s * way - (1.0 - n) * across,
-                             m_w * way - n * across});
-            t.at->impulse = across - (m_s + m_w) * way;
-        } else {
-            push(node, J);
-        }
-        // Its work, on the mean of the velocities before and after.
-        const double n = porosity(i, node);
-        for (std::size_t k = 0; k < 2; ++k) {
-            const int lane = static_cast<int>(k);
-            const NodeMotion& v = part.motions[node];
-            double mean = 0.5 * (1.0 - n) * (v[motion::v_r + lane] + v[motion::other_r + lane]);
-            if (two) {
-                const NodeMotion& w = body.flowing[node];
-                mean += 0.5 * n * (w[motion::v_r + lane] + w[motion::other_r + lane]);
-            }
-            work.add(J[k] * mean, false);
-        }
+    Total work;  // on the mean of the velocities before and after
+    for (std::size_t node = 0; node < body.answers.size(); ++node) {
+        if (!has_pores(i, node)) continue;
+        const Vector2& J = body.impulse[body.implicit->node(node)];
+        if (next != together.end() && next->at->node == node)
+            borne.push_back(push_together(i, *next++, J));
+        else push_by(i, node, J);
+        for (int k = 0; k < 2; ++k)
+            work.add(0.5 * J[k] * volume_velocity(i, node, motion::v_r + k, motion::other_r + k),
+                     false);
     }
     for (const Wall& wall : borne) account_for(wall, energies);
     energies.implicit -= work.value();

@@ -3,6 +3,7 @@
 // neither the other passes nor particles know how.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -60,6 +61,10 @@ class Water {
     }
 
   private:
+    // One direction of a node: what an impulse of the pressure changes the velocities by [1/kg].
+    struct Answer {
+        double grains, water, drag;  // drag: impulse on the grains, by the pressure's [-]
+    };
     struct OfBody {
         std::vector<CellIntegers> cells = {};
         std::vector<int> cell = {};  // of each particle
@@ -69,7 +74,8 @@ class Water {
         std::vector<double> speed2 = {};
         std::optional<ImplicitPressure> implicit = {};
         std::vector<Vector2> volume_velocity = {}, impulse = {};
-        std::vector<NodeAnswer> answers = {};
+        std::vector<std::array<Answer, 2>> answers = {};  // of a node along r, z
+        std::vector<NodeAnswer> node_answers = {};
     };
     bool has(std::size_t body) const { return model.parts[body].body.water.has_value(); }
     // Impulses of press along a normal [N s]; those on the other body make their sum zero.
@@ -80,12 +86,21 @@ class Water {
     };
     void account_for(const Wall& wall, Energy& energies) const;
     void account_for_walls(Energy& energies);
-    // One direction of a node: what an impulse of the pressure changes the velocities by [1/kg].
-    struct Answer {
-        double grains, water, drag;  // drag: impulse on the grains, by the pressure's [-]
-    };
     Answer answer(std::size_t body, std::size_t node, bool grains_free, bool water_free) const;
     double porosity(std::size_t body, std::size_t node) const;
+    double water_mass(std::size_t body, std::size_t node) const;
+    bool has_pores(std::size_t body, std::size_t node) const;
+    double volume_velocity(std::size_t body, std::size_t node, int lane, int other_lane) const;
+    // A node that another body presses on: the normal along which it is free, and what an impulse moves all by.
+    struct Together {
+        Pressed* at;
+        Vector2 normal;
+        double per_mass;  // [1/kg]
+    };
+    void find_answers(std::size_t body);
+    std::vector<Together> hold_together(std::size_t body, std::vector<Pressed>& pressed);
+    void push_by(std::size_t body, std::size_t node, const Vector2& impulse);
+    Wall push_together(std::size_t body, const Together& together, const Vector2& impulse);
     bool is_anywhere() const;
     WaterNodeCall nodes(std::size_t body, int strip);
     void scatter();
