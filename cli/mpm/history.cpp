@@ -44,34 +44,37 @@ std::vector<std::string> history_comments(const grit::mpm::Runner& runner) {
     const grit::mpm::Case& plan = runner.description();
     const char* whole =
         plan.settings.axisymmetric ? "of the whole bodies (2 pi radians)" : "per metre";
-    return {fmt::format("Grit {}, case {}: {}", version(), plan.name, plan.title),
-            fmt::format("{} particles, driven body: {}{}", runner.particles(), plan.history.body,
-                        runner.driven_mass() > 0.0
-                            ? fmt::format(", {:.12g} kg", runner.driven_mass())
-                            : ", rigid"),
-            fmt::format(
-                "depth and velocity of the driven body, downwards; depth of its {} since the start",
-                plan.history.depth_of == grit::mpm::DepthOf::lowest_point ? "lowest point"
-                                                                          : "centre of mass"),
-            fmt::format(
-                "forces and energies {}; forces are means since the row before: of contacts on the "
-                "driven body, upwards, tip where surfaces face along z, shaft where along r; "
-                "hammer: tractions on it, downwards; base: reaction of the grid's bottom, upwards; "
-                "damping: local damping on it, upwards",
-                whole),
-            "stored_energy is the work that stresses took since the start, driven_stored_energy "
-            "what the driven body holds now; external_work includes traction_work; losses count "
-            "down from the "
-            "work done; energy_residual = kinetic (less that of the start) + stored + contact + "
-            "damping + viscosity + absorbed + transfer + pore water + drag - external - rigid; "
-            "transfer includes pic; "
-            "residual_share: "
-            "of the largest of them",
-            "unbalanced_share: largest |m dv/dt| at a node / largest nodal force of its body; "
-            "largest_gap: nan where no distance is measured; pore_water_work: that the compression "
-            "of pore water took, drag_loss: that the grains took from water that flows; pore "
-            "pressures: nan where no body has water",
-            "how the run ended stands below the last row"};
+    return {
+        fmt::format("Grit {}, case {}: {}", version(), plan.name, plan.title),
+        fmt::format("{} particles, driven body: {}{}", runner.particles(), plan.history.body,
+                    runner.driven_mass() > 0.0 ? fmt::format(", {:.12g} kg", runner.driven_mass())
+                                               : ", rigid"),
+        fmt::format(
+            "depth and velocity of the driven body, downwards; depth of its {} since the start",
+            plan.history.depth_of == grit::mpm::DepthOf::lowest_point ? "lowest point"
+                                                                      : "centre of mass"),
+        fmt::format(
+            "forces and energies {}; forces are means since the row before: of contacts on the "
+            "driven body, upwards, tip where surfaces face along z, shaft where along r; "
+            "hammer: tractions on it, downwards; base: reaction of the grid's bottom, upwards; "
+            "damping: local damping on it, upwards",
+            whole),
+        "stored_energy is the work that stresses took since the start, driven_stored_energy "
+        "what the driven body holds now; external_work includes traction_work; losses count "
+        "down from the "
+        "work done; energy_residual = kinetic (less that of the start) + stored + contact + "
+        "damping + viscosity + absorbed + transfer + pore water + drag + "
+        "implicit pressure - external - rigid, without half a step's work of the pore pressures "
+        "of the end; "
+        "transfer includes pic; "
+        "residual_share: "
+        "of the largest of them",
+        "unbalanced_share: largest |m dv/dt| at a node / largest nodal force of its body; "
+        "largest_gap: nan where no distance is measured; pore_water_work: that the compression "
+        "of pore water took, drag_loss: that the grains took from water that flows, "
+        "implicit_pressure_loss: that an implicit pressure took of waves; pore "
+        "pressures: nan where no body has water",
+        "how the run ended stands below the last row"};
 }
 
 }  // namespace cli

@@ -35,9 +35,9 @@ constexpr HistoryColumn columns[] = {
     {"damping_force", "N", [](const HistoryRow& r) { return r.damping_force; }},
     {"pore_water_work", "J", [](const HistoryRow& r) { return r.energy.pore_water; }},
     {"drag_loss", "J", [](const HistoryRow& r) { return r.energy.drag; }},
-    {"implicit_pressure_loss", "J", [](const HistoryRow& r) { return r.energy.implicit; }},
     {"least_pore_pressure", "Pa", [](const HistoryRow& r) { return r.least_pore_pressure; }},
     {"largest_pore_pressure", "Pa", [](const HistoryRow& r) { return r.largest_pore_pressure; }},
+    {"implicit_pressure_loss", "J", [](const HistoryRow& r) { return r.energy.implicit; }},
 };
 
 }  // namespace

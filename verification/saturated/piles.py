@@ -1,0 +1,93 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""piles.py [--grit FILE] [--out DIR] [--jobs N] [CASE ...]: piles driven into sand below the water table, the cases
+pile_*.toml of this folder, and the table of docs/saturated.md.
+
+What has ended in DIR (results/saturated) is not run again."""
+import argparse
+import concurrent.futures
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "pile"))
+from results import Frame, History  # noqa: E402
+
+RADIUS, EMBEDMENT = 0.15, 0.5  # [m]
+
+
+def run(grit, case, out):
+    with (out / f"{case}.log").open("w") as log:
+        subprocess.run([grit, "mpm", str(HERE / f"{case}.toml"), "--out", str(out), "--no-plot", "--threads", "1"],
+                       stdout=log, stderr=subprocess.STDOUT, check=True)
+
+
+def has_ended(out, case):
+    log = out / f"{case}.log"
+    return log.exists() and "stage drive ended" in log.read_text()
+
+
+def frames(out, case):
+    """(time, file) of the sand."""
+    entries = re.findall(r'timestep="([^"]*)"[^>]*file="([^"]*_sand\.vtu)"', (out / f"{case}.pvd").read_text())
+    return [(float(time), out / file) for time, file in entries]
+
+
+def excess(frame, depth, inside):
+    """Mean of what the pore pressure has beyond that at rest, by volume of the ring, where inside(r, below) [kPa]."""
+    total = volume = 0.0
+    for corners, p in zip(frame.corners, frame.values["pore_pressure"]):
+        r, z = (sum(c[k] for c in corners) / 4 for k in (0, 1))
+        if inside(r, -EMBEDMENT - depth - z):
+            area = 0.5 * abs(sum(corners[k - 1][0] * corners[k][1] - corners[k][0] * corners[k - 1][1]
+                                 for k in range(4)))
+            total += (p - 9.81 * max(0.0, -z)) * area * r
+            volume += area * r
+    return total / volume if volume else float("nan")
+
+
+def row(out, case):
+    history = History(out / f"{case}.csv")
+    blows, depth = history.blows(), history["depth"]
+    sets = [1e3 * (depth[b] - depth[a]) for a, b in blows]
+    cells = [case.removeprefix("pile_"), f"{1e3 * depth[history.drive()]:.0f}", f"{sum(sets):.0f}",
+             ", ".join(f"{s:.0f}" for s in sets)]
+    peak = max(range(*blows[-1]), key=lambda i: history["hammer_force"][i])
+    if "pore_pressure" in Frame(frames(out, case)[-1][1]).values:
+        time, file = min(frames(out, case), key=lambda f: abs(f[0] - history["t"][peak]))
+        now, at = Frame(file), min(range(len(history)), key=lambda i: abs(history["t"][i] - time))
+        below = excess(now, depth[at], lambda r, z: r < RADIUS and 0.0 < z < 2 * RADIUS)
+        beside = excess(now, depth[at], lambda r, z: RADIUS < r < 2 * RADIUS and -2 * RADIUS < z < 0.0)
+        cells += [f"{below:.0f}", f"{beside:.0f}"]
+    else:
+        cells += ["–", "–"]
+    cells += [f"{max(history['tip_force'][slice(*blows[-1])]):.0f}", f"{max(history['residual_share']):.0e}"]
+    return "| " + " | ".join(cells) + " |"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--grit", default=str(HERE.parents[1] / "build/run/cli/grit"))
+    parser.add_argument("--out", type=pathlib.Path, default=HERE.parents[1] / "results/saturated")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("cases", nargs="*", metavar="CASE")
+    args = parser.parse_args()
+    known = sorted(p.stem for p in HERE.glob("pile_*.toml"))
+    for case in args.cases:
+        if case not in known:
+            sys.exit(f"piles.py: no case {case}: one of {', '.join(known)}")
+    cases = args.cases or known
+    args.out.mkdir(parents=True, exist_ok=True)
+    with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
+        list(pool.map(lambda case: run(args.grit, case, args.out), [c for c in cases if not has_ended(args.out, c)]))
+    print("| case | by its weight [mm] | by five blows [mm] | sets [mm] | excess pore pressure at the last peak, below the tip [kPa] "
+          "| beside it [kPa] | tip, most of the last blow [kN] | energy residual, most |\n|---|---|---|---|---|---|---|---|")
+    for case in cases:
+        print(row(args.out, case), flush=True)
+
+
+if __name__ == "__main__":
+    main()
