@@ -76,7 +76,7 @@ struct generic_product_impl<grit::mpm::PressureOperator, Rhs, SparseShape, Dense
     template <class To>
     static void scaleAndAddTo(To& to, const grit::mpm::PressureOperator& of, const Rhs& x,
                               const double& factor) {
-        const VectorXd in = x;
+        const Ref<const VectorXd> in(x);
         VectorXd out(in.size());
         of.apply(in.data(), out.data());
         to += factor * out;
