@@ -20,6 +20,13 @@ contains
       call holds(words//', not: '//grit_message(error), index(grit_message(error), words) > 0)
       error = grit_error()
    end subroutine
+   type(grit_sand) function lausitz() result(prepared)
+      type(grit_sand_parameters) :: parameters
+      call holds('parameters', grit_sand_parameters_init(parameters) == grit_ok)
+      call holds('record', grit_sand_record_parameters(grit_sand_record_find('lausitz'), 1d0, &
+                                                      parameters) == grit_ok)
+      call holds('prepare', grit_sand_prepare(parameters, prepared) == grit_ok)
+   end function
    subroutine finish()
       if (wrong > 0) error stop 1
    end subroutine

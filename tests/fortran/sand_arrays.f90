@@ -75,14 +75,6 @@ program sand_arrays
 
 contains
 
-   type(grit_sand) function lausitz() result(prepared)
-      type(grit_sand_parameters) :: parameters
-      call holds('parameters', grit_sand_parameters_init(parameters) == grit_ok)
-      call holds('record', grit_sand_record_parameters(grit_sand_record_find('lausitz'), 1d0, &
-                                                      parameters) == grit_ok)
-      call holds('prepare', grit_sand_prepare(parameters, prepared) == grit_ok)
-   end function
-
    subroutine begin(stress, state)
       real(c_double), intent(out) :: stress(:, :), state(:, :)
       stress = spread(start(:size(stress, 1)), 2, size(stress, 2))

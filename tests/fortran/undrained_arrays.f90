@@ -87,14 +87,6 @@ program undrained_arrays
 
 contains
 
-   type(grit_sand) function lausitz() result(prepared)
-      type(grit_sand_parameters) :: parameters
-      call holds('parameters', grit_sand_parameters_init(parameters) == grit_ok)
-      call holds('record', grit_sand_record_parameters(grit_sand_record_find('lausitz'), 1d0, &
-                                                      parameters) == grit_ok)
-      call holds('prepare', grit_sand_prepare(parameters, prepared) == grit_ok)
-   end function
-
    subroutine begin(stress, state, p_w, total)
       real(c_double), intent(out) :: stress(:, :), state(:, :), p_w(:), total(:, :)
       stress = spread(start, 2, n)

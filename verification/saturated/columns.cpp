@@ -74,21 +74,13 @@ void conductivities(bool implicit) {
         "energy residual |\n|---|---|---|---|---|---|\n");
     constexpr double load = 1e4;
     for (const double k : {0.0, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1}) {
-        Column column{.conductivity = k, .implicit = implicit, .load = load, .ramp = 0.02};
-        BuiltCase built = build_case(column.plan());
-        Simulation& simulation = *built.simulation;
-        while (simulation.time() < 0.03) simulation.step();
-        const std::vector<double> p = pore_pressures(simulation, column.cells);
-        const Particles& q = simulation.body(0).particles;
-        const std::ptrdiff_t top = simulation.find(0, static_cast<int>(q.size()) - 1);
-        const double settled =
-            column.height - q(column::z, top) - q(column::F_zz, top) * q(column::l_z, top);
-        const Energy energy = simulation.energy();
+        const Column column{.conductivity = k, .implicit = implicit, .load = load, .ramp = 0.02};
+        const Loaded now = after_a_load(column);
         std::printf("| %s%.0e | %.3f | %.4f | %.4f | %.0e | %+.1e |\n",
-                    k > 0.0 ? "" : "undrained: ", k, 1e6 * simulation.next_step(),
-                    *std::max_element(p.begin(), p.end()) / Column::p_0(load),
-                    settled / (load * column.height / column.E), alternating(p) / Column::p_0(load),
-                    energy.residual() / energy.external_work);
+                    k > 0.0 ? "" : "undrained: ", k, 1e6 * now.dt,
+                    now.largest_pressure / Column::p_0(load),
+                    now.settlement / (load * column.height / column.E),
+                    now.alternating / Column::p_0(load), now.residual);
         std::fflush(stdout);
     }
 }

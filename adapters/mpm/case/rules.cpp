@@ -112,11 +112,12 @@ Objections objection_to_contact(const Case& plan, std::size_t contact, const Key
         return Objection{"soft", ": both bodies are rigid"};
     for (const std::string& body : {c.stiff, c.soft}) {
         const auto& water = plan.bodies[plan.body(body)].water;
-        if (water && water->drainage == Drainage::flow && (c.penalty || c.at_surfaces))
-            return Objection{"law", ": water that flows, in \"" + body +
-                                        "\", knows contact at nodes alone"};
-        if (water && water->implicit && (c.penalty || c.at_surfaces))
-            return Objection{"law", ": implicit pore pressure, in \"" + body +
+        if (!water || !(c.penalty || c.at_surfaces)) continue;
+        const char* what = water->drainage == Drainage::flow ? "water that flows"
+                           : water->implicit                 ? "implicit pore pressure"
+                                                             : nullptr;
+        if (what)
+            return Objection{"law", std::string(": ") + what + ", in \"" + body +
                                         "\", knows contact at nodes alone"};
     }
     for (std::size_t i = 0; i < contact; ++i) {

@@ -44,6 +44,9 @@ struct alignas(32) NodeMotion {
 struct GridView {
     AxisView r, z;
     GRIT_INLINE std::ptrdiff_t nodes_r() const { return r.cells + 1; }
+    GRIT_INLINE std::ptrdiff_t cell_of(double at_r, double at_z) const {
+        return z.cell_of(at_z) * static_cast<std::ptrdiff_t>(r.cells) + r.cell_of(at_r);
+    }
 };
 
 // Which sums a scatter adds to.

@@ -41,9 +41,7 @@ template <bool axisymmetric> double add_mean_stresses_in(const MeanStressCall& c
         const double stress = mean_stress<axisymmetric>(q, p), size = std::fabs(stress);
         largest = size > largest ? size : largest;
         if (!call.mean.cells) continue;
-        CellIntegers& cell = call.mean.cells[call.grid.z.cell_of(q[column::z][p]) *
-                                                 static_cast<std::ptrdiff_t>(call.grid.r.cells) +
-                                             call.grid.r.cell_of(q[column::r][p])];
+        CellIntegers& cell = call.mean.cells[call.grid.cell_of(q[column::r][p], q[column::z][p])];
         const double V = q[column::V0][p] * q.J(p) * call.mean.per_volume;
         cell.volume += cell_share(0.125 * V);
         cell.weighted += cell_share(0.125 * V * (stress * call.mean.per_stress));

@@ -65,9 +65,7 @@ void add_pressures(const GridView& grid, const ParticleView& q, std::ptrdiff_t b
                    std::ptrdiff_t end, const PoreWater& water, double per_volume,
                    CellIntegers* cells) {
     for (std::ptrdiff_t p = begin; p < end; ++p) {
-        CellIntegers& cell =
-            cells[grid.z.cell_of(q[column::z][p]) * static_cast<std::ptrdiff_t>(grid.r.cells) +
-                  grid.r.cell_of(q[column::r][p])];
+        CellIntegers& cell = cells[grid.cell_of(q[column::r][p], q[column::z][p])];
         const double V = q[column::V0][p] * q.J(p) * per_volume;
         cell.volume += cell_share_rounded(0.125 * V);
         cell.weighted +=

@@ -15,6 +15,19 @@ namespace grit::mpm {
 // Of water, whose weight conductivities are measured with [m/s2].
 inline constexpr double standard_gravity = 9.81;
 
+// Lanes of a node's record of water.
+namespace water_record {
+enum : int {
+    m,  // of water that flows [kg]
+    p_r,
+    p_z,  // ... its momentum [kg m/s]
+    f_r,
+    f_z,     // of the pore pressure, on grains and water together [N]
+    volume,  // of the body [m3]
+    drag     // [N s/m]
+};
+}  // namespace water_record
+
 struct PoreWater {
     bool flows = false;  // through the grains; the mass of particles is then that of grains alone
     bool implicit = false;         // the pressure: its waves do not limit the step
@@ -42,6 +55,10 @@ struct PoreWater {
         return void_ratio_column >= 0 ? q[void_ratio_column][p] : q.J(p) / (1.0 - porosity) - 1.0;
     }
     static GRIT_INLINE double porosity_of(double e) { return e / (1.0 + e); }
+    // Of a node with this record of water that flows.
+    double porosity_at(const NodeRecord& w) const {
+        return w[water_record::m] / (density * w[water_record::volume]);
+    }
     // What bears, compression positive [Pa].
     GRIT_INLINE double pressure(const ParticleView& q, std::ptrdiff_t p) const {
         const double p_w = q[first][p];
@@ -86,19 +103,6 @@ GRIT_INLINE std::int64_t cell_share_rounded(double x) {
                ? static_cast<std::int64_t>(x * CellIntegers::scale + (x < 0.0 ? -0.5 : 0.5))
                : 0;
 }
-
-// Lanes of a node's record of water.
-namespace water_record {
-enum : int {
-    m,  // of water that flows [kg]
-    p_r,
-    p_z,  // ... its momentum [kg m/s]
-    f_r,
-    f_z,     // of the pore pressure, on grains and water together [N]
-    volume,  // of the body [m3]
-    drag     // [N s/m]
-};
-}  // namespace water_record
 
 // What the particles of a cell leave at the 4 by 4 nodes around it, the first of them a row and a column before the cell,
 // for a pressure of 1 Pa: the force (r, z of each node) [m2]. Its product with velocities is the rate of the cell's volume.
@@ -172,10 +176,7 @@ struct WaterNodeCall {
     NodeMotion* volume;   // (1 - n) v_s + n v_w, and the impulse of drag on the grains [N s]
     const std::uint8_t* drained;  // bits of components that are free though the grains are fixed
 
-    double porosity(std::ptrdiff_t i) const {
-        const NodeRecord& w = water_records[i];
-        return w[water_record::m] / (water->density * w[water_record::volume]);
-    }
+    double porosity(std::ptrdiff_t i) const { return water->porosity_at(water_records[i]); }
 };
 
 // Motions and volume are those of the step before. The grains' share of the pressure's force goes to their

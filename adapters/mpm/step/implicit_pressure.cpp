@@ -107,9 +107,7 @@ void ImplicitPressure::find_cells(const PoreWater& water, const GridView& grid,
                                   Particles& particles) {
     const ParticleView q = particles.view();
     const auto cell_of = [&](std::ptrdiff_t p) {
-        return static_cast<std::size_t>(grid.z.cell_of(q[column::z][p])) *
-                   static_cast<std::size_t>(cells_r) +
-               static_cast<std::size_t>(grid.r.cell_of(q[column::r][p]));
+        return static_cast<std::size_t>(grid.cell_of(q[column::r][p], q[column::z][p]));
     };
     std::fill(count_of.begin(), count_of.end(), 0);
     for (std::ptrdiff_t p = 0; p < particles.size(); ++p) ++count_of[cell_of(p)];

@@ -148,7 +148,7 @@ double Water::press(std::size_t i, std::size_t other, std::size_t node, const Ve
     const auto velocity = [&n](const NodeMotion& v) {
         return along({v[motion::v_r], v[motion::v_z]}, n);
     };
-    const double porosity = m_w / (part.body.water->density * w[water_record::volume]);
+    const double porosity = part.body.water->porosity_at(w);
     const double pressed =
         model.dt * along({w[water_record::f_r], w[water_record::f_z]}, n) / size2;
     // As drag, which has acted, shares it out.
@@ -193,9 +193,7 @@ void Water::account_for_walls(Energy& energies) {
 }
 
 double Water::porosity(std::size_t i, std::size_t node) const {
-    if (!flows(i)) return 0.0;
-    const NodeRecord& w = bodies[i].records[node];
-    return w[water_record::m] / (model.parts[i].body.water->density * w[water_record::volume]);
+    return flows(i) ? model.parts[i].body.water->porosity_at(bodies[i].records[node]) : 0.0;
 }
 
 // The pressure pushes grains by 1 - n and water by n; drag is implicit.
@@ -404,7 +402,7 @@ double Water::force_z(std::size_t body, std::size_t node) const {
     const NodeRecord& w = bodies[body].records[node];
     const double m = w[water_record::m];
     if (!(m > 0.0)) return 0.0;
-    const double n = m / (model.parts[body].body.water->density * w[water_record::volume]);
+    const double n = model.parts[body].body.water->porosity_at(w);
     return n * w[water_record::f_z] + m * model.settings.gravity_z;
 }
 

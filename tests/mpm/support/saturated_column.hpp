@@ -117,6 +117,28 @@ inline double alternating(const std::vector<double>& p) {
     return out;
 }
 
+// 30 ms after a load, all of which came before: largest pressure and that of the lowest cell [Pa], what the top has sunk
+// by [m], the next step [s], the energy residual by the work of the load.
+struct Loaded {
+    double largest_pressure, lowest_cell, settlement, dt, residual, alternating;
+};
+
+inline Loaded after_a_load(const SaturatedColumn& column) {
+    BuiltCase built = build_case(column.plan());
+    Simulation& simulation = *built.simulation;
+    while (simulation.time() < 0.03) simulation.step();
+    const std::vector<double> p = pore_pressures(simulation, column.cells);
+    const Particles& q = simulation.body(0).particles;
+    const std::ptrdiff_t top = simulation.find(0, static_cast<int>(q.size()) - 1);
+    const Energy energy = simulation.energy();
+    return {*std::max_element(p.begin(), p.end()),
+            p[0],
+            column.height - q(column::z, top) - q(column::F_zz, top) * q(column::l_z, top),
+            simulation.next_step(),
+            energy.residual() / energy.external_work,
+            alternating(p)};
+}
+
 struct Wave {
     double speed, residual, dt;
 };
