@@ -1,31 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/mpm/step/nodal_contacts.hpp"
 
-#include <tuple>
-
 namespace grit::mpm {
 
 ContactBody NodalContacts::body(std::size_t i) {
     Part& part = model.parts[i];
-    return {part.records.data(), part.motions.data(), part.body.particles.view(),
-            part.body.particles.size(), part.body.rigid()};
+    return {part.records.data(),        water.flows(i) ? water.met_motions(i) : part.motions.data(),
+            part.body.particles.view(), part.body.particles.size(),
+            part.body.rigid(),          water.flows(i) ? water.met_masses(i) : nullptr};
 }
 
-// Of water that flows in one body, at the nodes where the other one presses.
-void NodalContacts::bear_pore_pressure(std::size_t contact) {
-    const ContactLaw& law = contacts[contact].law();
-    Faces& faces = pore[contact];
-    for (const auto& [of, other, sign] : {std::tuple{law.a, law.b, 1.0}, {law.b, law.a, -1.0}}) {
-        if (!water.flows(of)) continue;
-        contacts[contact].each_pressed(
-            [&, of = of, other = other, sign = sign](std::size_t node, const double* normal) {
-                const double impulse = water.press(of, other, node, {normal[0], normal[1]});
-                const double force = sign * impulse / model.dt;
-                const bool faces_z = Faces::is_along_z(normal[0], normal[1]);
-                Vector2& sum = faces_z ? faces.along_z : faces.along_r;
-                sum = {sum[0] + force * normal[0], sum[1] + force * normal[1]};
+// Grains and water of either body meet the other one together, and rub with what the grains carry.
+void NodalContacts::join(ContactPair& contact) {
+    const ContactLaw& law = contact.law();
+    if (!water.has(law.a) && !water.has(law.b)) return;
+    contact.each_found([&](std::size_t node, const Vector2& normal) {
+        const double on_b = water.impulse(law.a, node, normal);
+        const double on_a = -water.impulse(law.b, node, normal);
+        contact.bear(node,
+                     water.has(law.a) && water.has(law.b) ? 0.5 * (on_a + on_b) : on_a + on_b);
+        for (const std::size_t i : {law.a, law.b})
+            if (water.flows(i)) water.join(i, node, normal);
+    });
+}
+
+void NodalContacts::part(const ContactPair& contact, Energy& sums) {
+    const ContactLaw& law = contact.law();
+    for (const std::size_t i : {law.a, law.b})
+        if (water.flows(i))
+            contact.each_pressed([&](std::size_t node, const Vector2& normal) {
+                water.part(i, node, normal, sums);
             });
-    }
 }
 
 void NodalContacts::change_pressures(Energy& sums) {
@@ -36,8 +41,8 @@ void NodalContacts::change_pressures(Energy& sums) {
         for (std::size_t i = 0; i < contacts.size(); ++i) {
             const ContactLaw& law = contacts[i].law();
             if (law.a != body && law.b != body) continue;
-            contacts[i].each_pressed([&](std::size_t node, const double* normal) {
-                pressed.push_back({node, law.a == body ? law.b : law.a, {normal[0], normal[1]}});
+            contacts[i].each_pressed([&](std::size_t node, const Vector2& normal) {
+                pressed.push_back({node, law.a == body ? law.b : law.a, normal});
                 of.push_back(i);
             });
         }
@@ -61,8 +66,9 @@ void NodalContacts::correct(Energy& sums) {
         pore[i] = {};
         const ContactBody a = body(law.a), b = body(law.b);
         if (pair.find(model.grid(), a, b, model.exchange)) {
-            bear_pore_pressure(i);
+            join(pair);
             pair.correct(a, b, model.dt, model.exchange);
+            part(pair, sums);
         }
         const grit_contact_totals& totals = pair.totals();
         sums.contact += totals.dissipation_normal + totals.dissipation_tangential;
