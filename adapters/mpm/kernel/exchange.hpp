@@ -8,6 +8,10 @@
 //   ... with tractions          sum of their forces                             16 a halo node
 //   means of cells, per body    sum of cells, of strains and of stresses        16 a halo cell each
 //   ... of mean stresses        maximum                                         8
+//   pore water, per body        sum of node records, or of integers             64 a halo node
+//   ...                         sum of cells, of pressures and of strains       16 a halo cell each
+//   ... fixed point             maxima of contributions, eight                  8 each
+//   ... that flows, per contact sums of forces                                  8 each; fixed point: 40
 //   after MUSL's second one     sum of node records                             64 a halo node
 //   contact with distances      minima of surfaces, of those beside the node,   48 a halo node
 //                               and of centres, two each
@@ -21,7 +25,7 @@
 //                               of all processes to each of them
 //   fixed point, per scatter    maxima of contributions, eight a body           8 each
 //   ... with tractions          maximum of their forces                         8
-//   each step, per body         maxima: c, v2, way along z                      8 each
+//   each step, per body         maxima: c, v2, way along z, what water adds     8 each
 //   each step                   sums of the energy balance, count of lost       8 each; fixed point: 40
 #pragma once
 

@@ -139,9 +139,10 @@ struct WaterScatterCall {
     ParticleView particles;
     std::ptrdiff_t begin, end;
     const PoreWater* water;
-    const CellIntegers* cells;     // mean pressures, of add_pressures
-    NodeRecord* nodes;             // added to
-    CellPatch* patches = nullptr;  // added to, of implicit pressure
+    const CellIntegers* cells;          // mean pressures, of add_pressures
+    NodeRecord* nodes;                  // added to
+    FixedPoint* fixed_point = nullptr;  // in place of nodes
+    CellPatch* patches = nullptr;       // added to, of implicit pressure
 };
 
 struct WaterGatherCall {
@@ -156,6 +157,7 @@ struct WaterGatherCall {
     CellIntegers* cells;  // volumetric strains, added to
     int* cell;            // [particles] out
     double per_volume;
+    bool fixed_point = false;  // of the sums
 };
 
 // The mean pressures of cells, as shares of K_w.
@@ -165,7 +167,7 @@ void add_pressures(const GridView& grid, const ParticleView& particles, std::ptr
 // (W1), (W2) of a range, each particle with the mean strain of its cell.
 void update_pressures(const ParticleView& particles, std::ptrdiff_t begin, std::ptrdiff_t end,
                       const PoreWater& water, const CellIntegers* cells, const int* cell,
-                      WaterSums& sums);
+                      bool fixed_point, WaterSums& sums);
 
 struct WaterNodeCall {
     NodeCall grains;      // of the body

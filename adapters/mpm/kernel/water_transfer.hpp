@@ -5,6 +5,7 @@
 
 #include "adapters/mpm/kernel/gather.hpp"
 #include "adapters/mpm/kernel/pore_water.hpp"
+#include "adapters/mpm/kernel/sums.hpp"
 
 GRIT_KERNEL_BEGIN_OF(mpm)
 
@@ -37,12 +38,12 @@ GRIT_INLINE void add_to_patch(const WaterScatterCall& call, const Place& place, 
     }
 }
 
-template <Shape shape, bool axisymmetric> void scatter_water_by(const WaterScatterCall& call) {
+template <Shape shape, bool axisymmetric, class Sums>
+GRIT_INLINE void scatter_water_to(const WaterScatterCall& call, Sums& sums) {
     using Stencil = typename StencilOf<shape, axisymmetric>::type;
     namespace c = column;
     const ParticleView& q = call.particles;
     const PoreWater& water = *call.water;
-    DoubleSums sums{call.nodes};
     for (std::ptrdiff_t p = call.begin; p < call.end; ++p) {
         const Place place = place_of<axisymmetric>(call.grid, q, p);
         const Stencil w(call.grid, place);
@@ -68,6 +69,15 @@ template <Shape shape, bool axisymmetric> void scatter_water_by(const WaterScatt
                   sums);
         }
     }
+}
+
+template <Shape shape, bool axisymmetric> void scatter_water_by(const WaterScatterCall& call) {
+    if (call.fixed_point)
+        return add_in_fixed_point(*call.fixed_point, [&](FixedSums& sums) {
+            scatter_water_to<shape, axisymmetric>(call, sums);
+        });
+    DoubleSums sums{call.nodes};
+    scatter_water_to<shape, axisymmetric>(call, sums);
 }
 
 // Velocities at a particle: v of the lanes v_r, v_z and of the other ones.
@@ -115,8 +125,8 @@ GRIT_INLINE void move_water(const WaterGatherCall& call, const Stencil& w, std::
         kept += change * change;
         lost += all_kept * all_kept - end_water * end_water;
     }
-    sums.kept.add(0.5 * mass * kept, false);
-    sums.drag.add(0.5 * mass * lost, false);
+    sums.kept.add(0.5 * mass * kept, call.fixed_point);
+    sums.drag.add(0.5 * mass * lost, call.fixed_point);
 }
 
 template <Shape shape, bool axisymmetric>

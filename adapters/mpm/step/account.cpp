@@ -42,6 +42,8 @@ void Account::add_step(const Gather& gather, const Momentum& momentum, const Loa
         pore_water,
         half,
         drag,
+        on_walls,
+        rigid_walls,
         count
     };
     const bool fixed_point = model.settings.fixed_point;
@@ -66,6 +68,8 @@ void Account::add_step(const Gather& gather, const Momentum& momentum, const Loa
             step[half] += w.half;
             step[drag] += w.drag;
         }
+    step[on_walls] += water.on_walls().contact;
+    step[rigid_walls] += water.on_walls().rigid_work;
     (step[external_work] += loads.work()) += sides.held_work();
     step[traction_work] += loads.work();
     step[absorption] += sides.absorbed();
@@ -80,6 +84,8 @@ void Account::add_step(const Gather& gather, const Momentum& momentum, const Loa
     energies.pore_water += step[pore_water].value();
     energies.half = step[half].value();
     energies.drag += step[drag].value();
+    energies.contact += step[on_walls].value();
+    energies.rigid_work += step[rigid_walls].value();
     const double count_lost = step[lost].value();
     if (count_lost > 0.0) report_lost(static_cast<long>(count_lost));
 }

@@ -14,18 +14,20 @@ ContactBody NodalContacts::body(std::size_t i) {
 // Of water that flows in one body, at the nodes where the other one presses.
 void NodalContacts::bear_pore_pressure(std::size_t contact) {
     const ContactLaw& law = contacts[contact].law();
-    Faces& faces = pore[contact];
+    if (!water.flows(law.a) && !water.flows(law.b)) return;
+    FaceSums sums(model.settings.fixed_point);
+    const std::uint8_t* mine = model.exchange.counted();
     for (const auto& [of, other, sign] : {std::tuple{law.a, law.b, 1.0}, {law.b, law.a, -1.0}}) {
         if (!water.flows(of)) continue;
         contacts[contact].each_pressed(
             [&, of = of, other = other, sign = sign](std::size_t node, const double* normal) {
                 const double impulse = water.press(of, other, node, {normal[0], normal[1]});
                 const double force = sign * impulse / model.dt;
-                const bool faces_z = Faces::is_along_z(normal[0], normal[1]);
-                Vector2& sum = faces_z ? faces.along_z : faces.along_r;
-                sum = {sum[0] + force * normal[0], sum[1] + force * normal[1]};
+                const double along[] = {force * normal[0], force * normal[1]};
+                if (!mine || mine[node]) sums.add(normal, along);
             });
     }
+    pore[contact] = sums.of_all(model.exchange);
 }
 
 void NodalContacts::change_pressures(Energy& sums) {

@@ -40,7 +40,7 @@ void Simulation::step() {
     watch.lap(spent.nodes);
     penalties.move(account.sums());
     watch.lap(spent.contact);
-    water.update(account.sums());
+    water.update();
     if (scheme == Scheme::musl) {
         gather(task::velocity);
         momentum.forget();

@@ -13,13 +13,14 @@ void Water::add_body() {
     const std::size_t i = bodies.size();
     OfBody& body = bodies.emplace_back();
     if (!has(i)) return;
-    if (!model.is_alone())
+    if (is_implicit(i) && !model.is_alone())
         throw std::invalid_argument("body " + model.parts[i].body.name +
-                                    ": pore water is for one process");
+                                    ": implicit pore pressure is for one process");
     const auto strips = static_cast<std::size_t>(model.strips());
     body.cells.resize(static_cast<std::size_t>(model.r.cells()) *
                       static_cast<std::size_t>(model.z.cells()));
     body.records.resize(model.fixed_nodes.size());
+    if (model.settings.fixed_point) body.integers.resize(model.fixed_nodes.size(), model.strips());
     body.sums.resize(strips);
     body.speed2.resize(strips);
     if (is_implicit(i)) {
@@ -58,7 +59,8 @@ WaterNodeCall Water::nodes(std::size_t i, int strip) {
             drained.empty() ? nullptr : drained.data()};
 }
 
-void Water::scatter() {
+// The means of cells, of all processes.
+void Water::find_pressures() {
     for (OfBody& body : bodies) std::fill(body.cells.begin(), body.cells.end(), CellIntegers{});
     model.for_strips_apart([this](std::size_t i, int strip) {
         if (!has(i)) return;
@@ -67,6 +69,34 @@ void Water::scatter() {
                       part.strips.begin(strip + 1), *part.body.water, 1.0 / part.largest_volume,
                       bodies[i].cells.data());
     });
+    sum_cells();
+}
+
+void Water::sum_cells() {
+    for (OfBody& body : bodies)
+        if (!body.cells.empty())
+            model.exchange.sum_cells(body.cells.data(),
+                                     static_cast<std::ptrdiff_t>(body.cells.size()));
+}
+
+// True if the sums must be done again.
+bool Water::check_integers() {
+    static constexpr const char* names[] = {
+        "mass of pore water", "momentum of pore water", "momentum of pore water", "pore pressure",
+        "pore pressure",      "volume with pore water", "drag of pore water"};
+    bool again = false;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (!has(i)) continue;
+        constexpr unsigned all = (1u << std::size(names)) - 1;
+        const IntegerRecords::Check found = bodies[i].integers.check(all, model.exchange);
+        if (found.failed >= 0) fail_share(model.parts[i].body, names[found.failed], model.t);
+        again = again || found.again;
+    }
+    return again;
+}
+
+void Water::scatter() {
+    find_pressures();
     model.for_strips([this](std::size_t i, int strip) {
         if (!has(i)) return;
         const Model::Rows rows = model.nodes_of(strip);
@@ -75,19 +105,33 @@ void Water::scatter() {
     });
     for (std::size_t i = 0; i < bodies.size(); ++i)
         if (is_implicit(i)) bodies[i].implicit->clear();
-    model.for_strips_apart([this](std::size_t i, int strip) {
-        if (!has(i)) return;
-        Part& part = model.parts[i];
-        kernels().scatter_water(model.settings.shape, model.settings.axisymmetric,
-                                {model.grid(), part.body.particles.view(), part.strips.begin(strip),
-                                 part.strips.begin(strip + 1), &*part.body.water,
-                                 bodies[i].cells.data(), bodies[i].records.data(),
-                                 is_implicit(i) ? bodies[i].implicit->patches() : nullptr});
-    });
+    const bool fixed_point = model.settings.fixed_point;
+    do {
+        for (OfBody& body : bodies) body.integers.begin();
+        model.for_strips_apart([&, this](std::size_t i, int strip) {
+            if (!has(i)) return;
+            Part& part = model.parts[i];
+            kernels().scatter_water(
+                model.settings.shape, model.settings.axisymmetric,
+                {model.grid(), part.body.particles.view(), part.strips.begin(strip),
+                 part.strips.begin(strip + 1), &*part.body.water, bodies[i].cells.data(),
+                 bodies[i].records.data(), fixed_point ? bodies[i].integers.strip(strip) : nullptr,
+                 is_implicit(i) ? bodies[i].implicit->patches() : nullptr});
+        });
+    } while (fixed_point && check_integers());
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        OfBody& body = bodies[i];
+        if (!has(i)) continue;
+        if (fixed_point) body.integers.add_to(body.records, model.exchange);
+        else
+            model.exchange.sum_nodes(body.records.data(),
+                                     static_cast<std::ptrdiff_t>(body.records.size()));
+    }
 }
 
 void Water::push() {
     if (!is_anywhere()) return;
+    walls_took = {};
     scatter();
     model.for_strips([this](std::size_t i, int strip) {
         if (!has(i)) return;
@@ -113,7 +157,8 @@ void Water::gather(std::size_t i, int strip) {
                             part.strips.begin(strip + 1), &*part.body.water, volume.data(),
                             part.motions.data(), body.flowing.data(), model.dt,
                             std::min(model.settings.pic_rate * model.dt, 1.0), body.cells.data(),
-                            body.cell.data(), 1.0 / part.largest_volume},
+                            body.cell.data(), 1.0 / part.largest_volume,
+                            model.settings.fixed_point},
                            body.sums[static_cast<std::size_t>(strip)]);
 }
 
@@ -171,7 +216,10 @@ double Water::press(std::size_t i, std::size_t other, std::size_t node, const Ve
 }
 
 // Work of impulses is that on the mean of the velocities before and after; what it lacks to nothing is the contact's.
-void Water::account_for(const Wall& wall, Energy& energies) const {
+void Water::account_for(const Wall& wall) {
+    const std::uint8_t* mine = model.exchange.counted();
+    if (mine && !mine[wall.node]) return;
+    const bool fixed_point = model.settings.fixed_point;
     const auto mean = [&wall](const NodeMotion& v) {
         return 0.5 *
                along({v[motion::v_r] + v[motion::other_r], v[motion::v_z] + v[motion::other_z]},
@@ -180,16 +228,10 @@ void Water::account_for(const Wall& wall, Energy& energies) const {
     const Part& other = model.parts[wall.other];
     const double on_other = -(wall.on_grains + wall.on_water);
     const double on_other_work = on_other * mean(other.motions[wall.node]);
-    energies.contact -=
-        wall.on_grains * mean(model.parts[wall.body].motions[wall.node]) + on_other_work;
-    if (flows(wall.body))
-        energies.contact -= wall.on_water * mean(bodies[wall.body].flowing[wall.node]);
-    if (other.body.rigid()) energies.rigid_work -= on_other_work;
-}
-
-void Water::account_for_walls(Energy& energies) {
-    for (const Wall& wall : walls) account_for(wall, energies);
-    walls.clear();
+    double work = wall.on_grains * mean(model.parts[wall.body].motions[wall.node]) + on_other_work;
+    if (flows(wall.body)) work += wall.on_water * mean(bodies[wall.body].flowing[wall.node]);
+    walls_took.contact.add(-work, fixed_point);
+    if (other.body.rigid()) walls_took.rigid_work.add(-on_other_work, fixed_point);
 }
 
 double Water::porosity(std::size_t i, std::size_t node) const {
@@ -346,13 +388,14 @@ void Water::change(std::size_t i, std::vector<Pressed>& pressed, Energy& energie
             work.add(0.5 * J[k] * volume_velocity(i, node, motion::v_r + k, motion::other_r + k),
                      false);
     }
-    for (const Wall& wall : borne) account_for(wall, energies);
+    for (const Wall& wall : borne) account_for(wall);
     energies.implicit -= work.value();
 }
 
-void Water::update(Energy& energies) {
+void Water::update() {
     if (!is_anywhere()) return;
-    account_for_walls(energies);
+    for (const Wall& wall : walls) account_for(wall);
+    walls.clear();
     model.for_strips([this](std::size_t i, int strip) {
         if (flows(i)) close_water(nodes(i, strip), bodies[i].sums[static_cast<std::size_t>(strip)]);
     });
@@ -365,12 +408,14 @@ void Water::update(Energy& energies) {
     model.for_strips_apart([this](std::size_t i, int strip) {
         if (has(i)) gather(i, strip);
     });
+    sum_cells();
     model.for_strips([this](std::size_t i, int strip) {
         if (!has(i)) return;
         Part& part = model.parts[i];
         update_pressures(part.body.particles.view(), part.strips.begin(strip),
                          part.strips.begin(strip + 1), *part.body.water, bodies[i].cells.data(),
-                         bodies[i].cell.data(), bodies[i].sums[static_cast<std::size_t>(strip)]);
+                         bodies[i].cell.data(), model.settings.fixed_point,
+                         bodies[i].sums[static_cast<std::size_t>(strip)]);
         measure(i, strip);
     });
 }

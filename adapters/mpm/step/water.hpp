@@ -9,6 +9,7 @@
 
 #include "adapters/mpm/kernel/pore_water.hpp"
 #include "adapters/mpm/step/implicit_pressure.hpp"
+#include "adapters/mpm/step/integer_records.hpp"
 #include "adapters/mpm/step/momentum.hpp"
 
 namespace grit::mpm {
@@ -16,7 +17,7 @@ namespace grit::mpm {
 class Water {
   public:
     Water(Model& of, Momentum& of_nodes) : model(of), momentum(of_nodes) {}
-    // Throws std::invalid_argument where other processes share the grid.
+    // Throws std::invalid_argument where its pressure is implicit and other processes share the grid.
     void add_body();
     // Water may leave across these nodes, at p_w = 0.
     void drain(int direction, std::size_t node);
@@ -40,14 +41,19 @@ class Water {
     }
     // After contact, of a body with implicit pressure: it gets what the pressure changes by in the step.
     void change(std::size_t body, std::vector<Pressed>& pressed, Energy& energies);
-    // After contact, before the particles move: pressures and velocities of water. Adds what press took.
-    void update(Energy& energies);
+    // After contact, before the particles move: pressures and velocities of water.
+    void update();
     // Speeds of particles as they are, before the first step.
     void measure();
 
     bool flows(std::size_t body) const { return has(body) && model.parts[body].body.water->flows; }
     const std::vector<WaterSums>& sums(std::size_t body) const { return bodies[body].sums; }
-    // What it adds to the square of the speed of waves, at the most [m2/s2].
+    // Of pressures on other bodies in the last step, at the nodes that this process counts [J].
+    struct OnWalls {
+        Total contact = {}, rigid_work = {};
+    };
+    const OnWalls& on_walls() const { return walls_took; }
+    // What it adds to the square of the speed of waves, at the most, here [m2/s2].
     double speed2(std::size_t body) const;
     // Of water that flows, along z on a node in the last step: of its pressure and its weight [N].
     double force_z(std::size_t body, std::size_t node) const;
@@ -55,6 +61,7 @@ class Water {
 
     template <class Self, class Archive> static void visit(Self& water, Archive& archive) {
         for (auto& body : water.bodies) {
+            IntegerRecords::visit(body.integers, archive);
             archive.nodes(body.records);
             archive.nodes(body.volume);
         }
@@ -69,6 +76,7 @@ class Water {
         std::vector<CellIntegers> cells = {};
         std::vector<int> cell = {};  // of each particle
         std::vector<NodeRecord> records = {};
+        IntegerRecords integers = {};                       // of these, in fixed point
         std::vector<NodeMotion> flowing = {}, volume = {};  // of water that flows
         std::vector<WaterSums> sums = {};                   // of each strip
         std::vector<double> speed2 = {};
@@ -84,8 +92,7 @@ class Water {
         Vector2 normal;
         double on_grains, on_water;
     };
-    void account_for(const Wall& wall, Energy& energies) const;
-    void account_for_walls(Energy& energies);
+    void account_for(const Wall& wall);
     Answer answer(std::size_t body, std::size_t node, bool grains_free, bool water_free) const;
     double porosity(std::size_t body, std::size_t node) const;
     double water_mass(std::size_t body, std::size_t node) const;
@@ -104,13 +111,17 @@ class Water {
     bool is_anywhere() const;
     WaterNodeCall nodes(std::size_t body, int strip);
     void scatter();
+    void find_pressures();
+    void sum_cells();
+    bool check_integers();
     void gather(std::size_t body, int strip);
     void measure(std::size_t body, int strip);
 
     Model& model;
     Momentum& momentum;
     std::vector<OfBody> bodies;
-    std::vector<Wall> walls;            // of this step
+    std::vector<Wall> walls;  // of this step
+    OnWalls walls_took;
     std::vector<std::uint8_t> drained;  // bits of nodes; empty: none
 };
 
