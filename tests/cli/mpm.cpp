@@ -295,12 +295,12 @@ TEST(SaturatedCase, ShowsPorePressuresAndTotalStresses) {
         EXPECT_NE(fields.find("\"" + std::string(name) + " ["), std::string::npos) << name;
 }
 
-TEST(SaturatedCase, IsRefusedByTheWriterOfScriptsForLammps) {
+TEST(SaturatedCase, WithImplicitPressureIsRefusedByTheWriterOfScriptsForLammps) {
     const Workplace here;
-    here.write("short.toml", saturated);
+    here.write("short.toml", std::string(saturated) + "'body.sand.water.pressure' = 'implicit'\n");
     const Answer answer = here.grit("mpm --quiet --to-lammps out short.toml");
     EXPECT_EQ(answer.status, 2);
-    EXPECT_TRUE(answer.says("fix grit/mpm of LAMMPS has no pore water")) << answer.text;
+    EXPECT_TRUE(answer.says("fix grit/mpm of LAMMPS has no implicit pore pressure")) << answer.text;
 }
 
 }  // namespace
