@@ -112,11 +112,10 @@ std::string of_sand(const SandPlan& plan) {
 // Pore pressures are among the points.
 void add_water(const BodyPlan& body, FixWords& fix) {
     const WaterPlan& water = *body.water;
-    if (water.implicit) throw BadInput("fix grit/mpm of LAMMPS has no implicit pore pressure");
     fix.add("water {} {}", body.name, word_of(words::drainages, water.drainage));
     for (const Member<WaterPlan>& member : water_members())
-        if (const double value = member.get(water); member.word->si_range().has(value))
-            fix.out += fmt::format(" {} {}", member.fix, exact(value));
+        if (member.word->kind != Kind::number || member.word->si_range().has(member.get(water)))
+            fix.out += fmt::format(" {} {}", member.fix, value_of(member, water));
     if (water.kozeny_carman)
         fix.out += fmt::format(" kozeny_carman {}", exact(conductivity_at(body)));
 }

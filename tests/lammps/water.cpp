@@ -15,27 +15,31 @@ namespace {
 constexpr std::size_t tip_force = 6, rigid_work = 15, contact_loss = 16, water_work = 28,
                       drag_loss = 29, largest_pressure = 31;
 
+const std::string flow =
+    "drainage = \"flow\"\nconductivity_m_per_s = 1e-3\nconductivity_law = \"kozeny_carman\"";
+const std::string undrained = "drainage = \"undrained\"";
+const std::string implicit = "\npressure = \"implicit\"";
+
 std::string pile_blows() {
     std::ostringstream out;
     out << std::ifstream(PILE_BLOWS).rdbuf();
     return out.str();
 }
 
-// Water as soft as the sand, so that it does not limit the step.
+// With explicit pressure water as soft as the sand, so that it does not limit the step; else ten times as stiff.
 std::string wet(const std::string& drainage) {
-    std::string text = replaced(pile_blows(), "[body.stress_at_rest]",
-                                "[body.water]\nbulk_modulus_kPa = 2e4\nwater_table_m = -0.1\n" +
-                                    drainage + "\n[body.stress_at_rest]");
+    std::string text =
+        replaced(pile_blows(), "[body.stress_at_rest]",
+                 "[body.water]\nwater_table_m = -0.1\n" + drainage + "\n[body.stress_at_rest]");
+    text = replaced(text, "[body.water]",
+                    drainage.ends_with(implicit) ? "[body.water]\nbulk_modulus_kPa = 2e5"
+                                                 : "[body.water]\nbulk_modulus_kPa = 2e4");
     text = replaced(text, "time_s = 0.03", "time_s = 0.012");
     text = replaced(text, "count = 2", "count = 1");
     text = replaced(text, "interval_s = 0.02", "interval_s = 0.006");
     text = replaced(text, "blows = 2", "blows = 1");
     return replaced(text, "right = \"roller\"", "right = \"roller\"\ndrained = [\"right\"]");
 }
-const std::string flow =
-    "drainage = \"flow\"\nconductivity_m_per_s = 1e-3\nconductivity_law = \"kozeny_carman\"";
-const std::string undrained = "drainage = \"undrained\"";
-
 // The pile is rigid and sinks at 1 m/s.
 std::string pushed(const std::string& drainage) {
     std::string text =
@@ -48,9 +52,12 @@ std::string pushed(const std::string& drainage) {
 }
 
 class LammpsWater : public ::testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Drainage, LammpsWater, testing::Values(undrained, flow),
+bool has_flow(const std::string& drainage) { return drainage.starts_with(flow); }
+INSTANTIATE_TEST_SUITE_P(Drainage, LammpsWater,
+                         testing::Values(undrained, flow, undrained + implicit, flow + implicit),
                          [](const auto& of) {
-                             return std::string(of.param == flow ? "Flow" : "Undrained");
+                             return std::string(has_flow(of.param) ? "Flow" : "Undrained") +
+                                    (of.param.ends_with(implicit) ? "Implicit" : "Explicit");
                          });
 
 constexpr long all = 1000000;
@@ -58,9 +65,9 @@ constexpr long all = 1000000;
 TEST_P(LammpsWater, UnderBlowsHasTheBitsOfTheDriverHoweverTheGridIsCut) {
     const BothHosts hosts(wet(GetParam()));
     const Told driver = hosts.in_driver(all);
-    ASSERT_GT(driver.rows.size(), 150u);
+    ASSERT_GT(driver.rows.size(), 100u);
     EXPECT_NE(driver.rows.back()[water_work], 0.0);
-    EXPECT_EQ(driver.rows.back()[drag_loss] > 0.0, GetParam() == flow);
+    EXPECT_EQ(driver.rows.back()[drag_loss] > 0.0, has_flow(GetParam()));
     EXPECT_GT(driver.rows.back()[largest_pressure], 1.1 * 9810.0 * 1.1);
     EXPECT_GT(driver.rows.back()[contact_loss], 0.0);
     EXPECT_EQ(first_difference(driver, hosts.in_lammps(1, 1)), "");
@@ -81,10 +88,15 @@ TEST_P(LammpsWater, UnderARigidPileHasTheBitsOfTheDriverHoweverTheGridIsCut) {
 
 TEST_P(LammpsWater, GoesOnFromARestartFileOnMoreProcesses) {
     const BothHosts hosts(pushed(GetParam()));
-    const Told before = hosts.in_lammps(2, 1, "restart 200 wet\n" + hosts.script());
-    const Told after = hosts.in_lammps(2, 2, hosts.go_on("wet.200"));
+    const Told driver = hosts.in_driver(all);
+    std::size_t first = 0;  // step of the last stage
+    while (driver.rows.at(first)[0] != driver.rows.back()[0]) ++first;
+    const std::string step = std::to_string(first + 10);
+    const Told before = hosts.in_lammps(2, 1, "restart " + step + " wet\n" + hosts.script());
+    const Told after = hosts.in_lammps(2, 2, hosts.go_on("wet." + step));
     ASSERT_FALSE(after.rows.empty());
-    EXPECT_EQ(after.rows.front()[1], 200.0);
+    EXPECT_EQ(after.rows.front()[1], static_cast<double>(first + 10));
+    EXPECT_GT(after.rows.size(), 20u);
     EXPECT_EQ(first_difference({{before.rows.back()}, before.points},
                                {{after.rows.back()}, after.points}),
               "");
@@ -98,12 +110,14 @@ TEST_P(LammpsWater, GoesOnWhereTheGridIsCutAnew) {
     EXPECT_EQ(first_difference(hosts.in_driver(all), hosts.in_lammps(2, 1, script)), "");
 }
 
-// Sums in another order are other sums, by roundoff that grows with the steps.
+// Sums in another order are other sums, by roundoff that grows with the steps; a solver that stops at 1e-5 of its
+// load may stop an iteration sooner.
 TEST_P(LammpsWater, FollowsTheDriverWithDoubleSums) {
     const BothHosts hosts(replaced(wet(GetParam()), "fixed_point = true", "fixed_point = false"));
     const Told driver = hosts.in_driver(80), lammps = hosts.in_lammps(2, 2);
     ASSERT_EQ(driver.rows.size(), 81u);
     ASSERT_GT(lammps.rows.size(), 81u);
+    const double tolerance = GetParam().ends_with(implicit) ? 1e-5 : 1e-9;
     bool any = false;
     for (std::size_t c = 0; c < driver.rows[0].size(); ++c) {
         double size = 0.0;
@@ -112,7 +126,7 @@ TEST_P(LammpsWater, FollowsTheDriverWithDoubleSums) {
         for (std::size_t i = 0; i <= 80; ++i) {
             const double here = driver.rows[i][c], there = lammps.rows[i][c];
             if (std::isnan(here) && std::isnan(there)) continue;
-            EXPECT_NEAR(there, here, 1e-9 * size) << "row " << i << ", column " << c + 1;
+            EXPECT_NEAR(there, here, tolerance * size) << "row " << i << ", column " << c + 1;
             any = any || here != there;
         }
     }

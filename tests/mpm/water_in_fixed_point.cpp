@@ -21,11 +21,10 @@ using namespace mpm_test;
 constexpr int steps = 160;
 
 // A block hits sand below its water table.
-PressedSand wet(bool flows, bool fixed_point, int threads = 1) {
+PressedSand wet(const PoreWater& water, bool fixed_point) {
     PressedSand out;
     out.settings.fixed_point = fixed_point;
-    out.settings.threads = threads;
-    out.water = PressedSand::soft_water(flows);
+    out.water = water;
     return out;
 }
 
@@ -54,14 +53,21 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
-class WaterInFixedPoint : public testing::TestWithParam<bool> {};
-INSTANTIATE_TEST_SUITE_P(Drainage, WaterInFixedPoint, testing::Bool(), [](const auto& of) {
-    return std::string(of.param ? "Flow" : "Undrained");
-});
+class WaterInFixedPoint : public testing::TestWithParam<std::tuple<bool, bool>> {
+  protected:
+    static PoreWater water() {
+        return PressedSand::soft_water(std::get<0>(GetParam()), std::get<1>(GetParam()));
+    }
+};
+INSTANTIATE_TEST_SUITE_P(Drainage, WaterInFixedPoint,
+                         testing::Combine(testing::Bool(), testing::Bool()), [](const auto& of) {
+                             return std::string(std::get<0>(of.param) ? "Flow" : "Undrained") +
+                                    (std::get<1>(of.param) ? "Implicit" : "Explicit");
+                         });
 
 TEST_P(WaterInFixedPoint, ThreadsChangeNoBit) {
     for (const bool fixed_point : {true, false}) {
-        PressedSand problem = wet(GetParam(), fixed_point);
+        PressedSand problem = wet(water(), fixed_point);
         problem.cells_z = 48;  // strips enough for many threads
         const std::vector<double> alone = run(problem);
         for (const int threads : {2, 3, 4}) {
@@ -72,14 +78,13 @@ TEST_P(WaterInFixedPoint, ThreadsChangeNoBit) {
 }
 
 TEST_P(WaterInFixedPoint, DiffersFromDoublesByRoundoff) {
-    const std::vector<double> integers = run(wet(GetParam(), true));
-    const std::vector<double> doubles = run(wet(GetParam(), false));
+    const std::vector<double> integers = run(wet(water(), true));
+    const std::vector<double> doubles = run(wet(water(), false));
     EXPECT_FALSE(same_bits(integers, doubles));
     double most[2] = {0.0, 0.0};
-    const auto simulation = wet(GetParam(), true).build();
-    const PoreWater& water = *simulation->body(1).water;
+    const auto simulation = wet(water(), true).build();
     const auto columns = static_cast<std::size_t>(simulation->body(1).particles.column_count());
-    const auto p_w = static_cast<std::size_t>(water.first);
+    const auto p_w = static_cast<std::size_t>(simulation->body(1).water->first);
     const auto count = static_cast<std::size_t>(simulation->body(1).particles.size());
     for (std::size_t p = 0; p < count; ++p) {
         const std::size_t at = p * columns + p_w;
@@ -92,7 +97,7 @@ TEST_P(WaterInFixedPoint, DiffersFromDoublesByRoundoff) {
 
 TEST_P(WaterInFixedPoint, GoesOnFromACheckpointBitForBit) {
     for (const bool fixed_point : {true, false}) {
-        const PressedSand problem = wet(GetParam(), fixed_point);
+        const PressedSand problem = wet(water(), fixed_point);
         const auto all = problem.build(), first = problem.build(), second = problem.build();
         const auto saved = [](const Simulation& simulation) {
             std::ostringstream out;
@@ -113,7 +118,7 @@ TEST(FlowInFixedPoint, RefusesAVelocityThatIsNoNumberOrInfinite) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     for (const double value : {std::nan(""), infinity, -infinity})
         for (const int k : {0, 1}) {
-            const auto simulation = wet(true, true).build();
+            const auto simulation = wet(PressedSand::soft_water(true, false), true).build();
             for (int i = 0; i < 3; ++i) simulation->step();
             Body& sand = simulation->body(1);
             const int velocity = sand.water->velocity_column() + k;

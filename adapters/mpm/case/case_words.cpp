@@ -60,6 +60,7 @@ constexpr Member<ContactPlan> of_contact[] = {
     member<ContactPlan, &ContactPlan::modulus>(case_word("contact", "modulus_kPa"), "modulus")};
 
 constexpr Member<WaterPlan> of_water[] = {
+    member<WaterPlan, &WaterPlan::implicit>(case_word("body.water", "pressure"), "pressure"),
     member<WaterPlan, &WaterPlan::porosity>(case_word("body.water", "porosity"), "porosity"),
     member<WaterPlan, &WaterPlan::bulk_modulus>(case_word("body.water", "bulk_modulus_kPa"),
                                                 "bulk_modulus"),
@@ -97,7 +98,8 @@ constexpr FixKeyword keywords[] = {
      "parameters of `grit/sand.h`, Pa and rad, and `tolerance`, `evaluation_limit`, `intergranular "
      "on`|`off`"},
     {"water",
-     "NAME {body.water.drainage} [`porosity` N] [`bulk_modulus` K_W] [`density` RHO] [`cavitation` "
+     "NAME {body.water.drainage} [`pressure` {body.water.pressure}] [`porosity` N] [`bulk_modulus` "
+     "K_W] [`density` RHO] [`cavitation` "
      "P] "
      "[`table` Z] [`conductivity` K [`kozeny_carman` E]]",
      "of a body of sand, or elastic with porosity N; as in `body.water`: Pa, kg/m³, m, m/s; E: the "

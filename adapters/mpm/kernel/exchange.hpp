@@ -59,7 +59,11 @@ class Exchange {
     virtual void sum_nodes(NodeRecord* /*records*/, std::ptrdiff_t /*nodes*/) {}
     virtual void sum_nodes(NodeIntegers* /*records*/, std::ptrdiff_t /*nodes*/) {}
     virtual void sum_nodes(Vector2* /*forces*/, std::ptrdiff_t /*nodes*/) {}
+    // [cells] 1 where this process counts a cell that particles may be in, each such cell once; null: all.
+    virtual const std::uint8_t* counted_cells() const { return nullptr; }
     virtual void sum_cells(CellIntegers* /*cells*/, std::ptrdiff_t /*count*/) {}
+    virtual void sum_cells(NodeIntegers* /*records*/, std::ptrdiff_t /*cells*/, int /*each*/) {}
+    virtual void sum_cells(double* /*values*/, std::ptrdiff_t /*cells*/, int /*each*/) {}
     virtual void min_nodes(double* /*values*/, std::ptrdiff_t /*nodes*/, int /*per_node*/) {}
     virtual void max(double* /*values*/, int /*count*/) {}
     virtual void sum(double* /*values*/, int /*count*/) {}

@@ -89,10 +89,19 @@ IntegerRecords::Check IntegerRecords::check(unsigned components, Exchange& excha
 
 void IntegerRecords::add_to(std::vector<NodeRecord>& records, Exchange& exchange) {
     exchange.sum_nodes(integers.data(), static_cast<std::ptrdiff_t>(integers.size()));
-    for (std::size_t node = 0; node < records.size(); ++node)
+    add_to(records.data());
+}
+
+void IntegerRecords::add_to(NodeRecord* records, int each, Exchange& exchange) {
+    exchange.sum_cells(integers.data(), static_cast<std::ptrdiff_t>(integers.size()) / each, each);
+    add_to(records);
+}
+
+void IntegerRecords::add_to(NodeRecord* records) const {
+    for (std::size_t i = 0; i < integers.size(); ++i)
         for (int c = 0; c < record::size; ++c)
-            records[node][c] +=
-                static_cast<double>(integers[node].value[c]) / scale[static_cast<std::size_t>(c)];
+            records[i][c] +=
+                static_cast<double>(integers[i].value[c]) / scale[static_cast<std::size_t>(c)];
 }
 
 }  // namespace grit::mpm

@@ -27,12 +27,15 @@ class IntegerRecords {
     Check check(unsigned components, Exchange& exchange);
     // Adds the sums of all processes.
     void add_to(std::vector<NodeRecord>& records, Exchange& exchange);
+    // ... that are those of cells, with so many records each.
+    void add_to(NodeRecord* records, int each, Exchange& exchange);
 
     template <class Self, class Archive> static void visit(Self& of, Archive& archive) {
         archive.value(of.scale);
     }
 
   private:
+    void add_to(NodeRecord* records) const;
     std::vector<NodeIntegers> integers;
     std::vector<FixedPoint> strips;
     std::array<double, record::size> scale{};

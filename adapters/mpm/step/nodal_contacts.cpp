@@ -30,7 +30,8 @@ void NodalContacts::bear_pore_pressure(std::size_t contact) {
     pore[contact] = sums.of_all(model.exchange);
 }
 
-void NodalContacts::change_pressures(Energy& sums) {
+void NodalContacts::change_pressures() {
+    const std::uint8_t* mine = model.exchange.counted();
     for (std::size_t body = 0; body < model.parts.size(); ++body) {
         if (!water.is_implicit(body)) continue;
         std::vector<Water::Pressed> pressed;
@@ -43,15 +44,20 @@ void NodalContacts::change_pressures(Energy& sums) {
                 of.push_back(i);
             });
         }
-        water.change(body, pressed, sums);
+        water.change(body, pressed);
+        std::vector<FaceSums> sums(contacts.size(), FaceSums(model.settings.fixed_point));
         for (std::size_t k = 0; k < pressed.size(); ++k) {
             const Water::Pressed& p = pressed[k];
             const double sign = contacts[of[k]].law().a == body ? 1.0 : -1.0;
             const double force = sign * p.impulse / model.dt;
-            Faces& faces = pore[of[k]];
-            const bool faces_z = Faces::is_along_z(p.normal[0], p.normal[1]);
-            Vector2& sum = faces_z ? faces.along_z : faces.along_r;
-            sum = {sum[0] + force * p.normal[0], sum[1] + force * p.normal[1]};
+            const double along[] = {force * p.normal[0], force * p.normal[1]};
+            if (!mine || mine[p.node]) sums[of[k]].add(p.normal.c, along);
+        }
+        for (std::size_t i = 0; i < contacts.size(); ++i) {
+            const ContactLaw& law = contacts[i].law();
+            if (law.a != body && law.b != body) continue;
+            const Faces more = sums[i].of_all(model.exchange);
+            pore[i] = {pore[i].along_r + more.along_r, pore[i].along_z + more.along_z};
         }
     }
 }

@@ -20,7 +20,7 @@ class NodalContacts {
     // Velocities after the momentum update become those after contact; adds what it took and what rigid bodies did.
     void correct(Energy& sums);
     // After all contacts: implicit pore pressures change, borne by the bodies that press.
-    void change_pressures(Energy& sums);
+    void change_pressures();
 
     const ContactPair& operator[](std::size_t i) const { return contacts[i]; }
     // Of pore pressures on b, in the last step.

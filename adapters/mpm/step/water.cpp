@@ -13,9 +13,6 @@ void Water::add_body() {
     const std::size_t i = bodies.size();
     OfBody& body = bodies.emplace_back();
     if (!has(i)) return;
-    if (is_implicit(i) && !model.is_alone())
-        throw std::invalid_argument("body " + model.parts[i].body.name +
-                                    ": implicit pore pressure is for one process");
     const auto strips = static_cast<std::size_t>(model.strips());
     body.cells.resize(static_cast<std::size_t>(model.r.cells()) *
                       static_cast<std::size_t>(model.z.cells()));
@@ -24,7 +21,8 @@ void Water::add_body() {
     body.sums.resize(strips);
     body.speed2.resize(strips);
     if (is_implicit(i)) {
-        body.implicit.emplace(model.grid());
+        body.implicit.emplace(model.grid(), model.exchange, model.settings.fixed_point,
+                              model.strips());
         const std::size_t nodes = body.implicit->nodes();
         body.volume_velocity.resize(nodes);
         body.impulse.resize(nodes);
@@ -91,6 +89,11 @@ bool Water::check_integers() {
         const IntegerRecords::Check found = bodies[i].integers.check(all, model.exchange);
         if (found.failed >= 0) fail_share(model.parts[i].body, names[found.failed], model.t);
         again = again || found.again;
+        if (!is_implicit(i)) continue;
+        const IntegerRecords::Check patches =
+            bodies[i].implicit->integers().check((1u << record::size) - 1, model.exchange);
+        if (patches.failed >= 0) fail_share(model.parts[i].body, "volume of cells", model.t);
+        again = again || patches.again;
     }
     return again;
 }
@@ -103,11 +106,12 @@ void Water::scatter() {
         const auto begin = bodies[i].records.begin();
         std::fill(begin + rows.begin, begin + rows.end, NodeRecord{});
     });
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-        if (is_implicit(i)) bodies[i].implicit->clear();
     const bool fixed_point = model.settings.fixed_point;
     do {
-        for (OfBody& body : bodies) body.integers.begin();
+        for (OfBody& body : bodies) {
+            body.integers.begin();
+            if (body.implicit) body.implicit->begin();
+        }
         model.for_strips_apart([&, this](std::size_t i, int strip) {
             if (!has(i)) return;
             Part& part = model.parts[i];
@@ -116,7 +120,9 @@ void Water::scatter() {
                 {model.grid(), part.body.particles.view(), part.strips.begin(strip),
                  part.strips.begin(strip + 1), &*part.body.water, bodies[i].cells.data(),
                  bodies[i].records.data(), fixed_point ? bodies[i].integers.strip(strip) : nullptr,
-                 is_implicit(i) ? bodies[i].implicit->patches() : nullptr});
+                 is_implicit(i) ? bodies[i].implicit->patches() : nullptr,
+                 is_implicit(i) && fixed_point ? bodies[i].implicit->integers().strip(strip)
+                                               : nullptr});
         });
     } while (fixed_point && check_integers());
     for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -126,12 +132,13 @@ void Water::scatter() {
         else
             model.exchange.sum_nodes(body.records.data(),
                                      static_cast<std::ptrdiff_t>(body.records.size()));
+        if (body.implicit) body.implicit->finish();
     }
 }
 
 void Water::push() {
     if (!is_anywhere()) return;
-    walls_took = {};
+    impulses_took = {};
     scatter();
     model.for_strips([this](std::size_t i, int strip) {
         if (!has(i)) return;
@@ -230,8 +237,8 @@ void Water::account_for(const Wall& wall) {
     const double on_other_work = on_other * mean(other.motions[wall.node]);
     double work = wall.on_grains * mean(model.parts[wall.body].motions[wall.node]) + on_other_work;
     if (flows(wall.body)) work += wall.on_water * mean(bodies[wall.body].flowing[wall.node]);
-    walls_took.contact.add(-work, fixed_point);
-    if (other.body.rigid()) walls_took.rigid_work.add(-on_other_work, fixed_point);
+    impulses_took.contact.add(-work, fixed_point);
+    if (other.body.rigid()) impulses_took.rigid_work.add(-on_other_work, fixed_point);
 }
 
 double Water::porosity(std::size_t i, std::size_t node) const {
@@ -368,7 +375,7 @@ Water::Wall Water::push_together(std::size_t i, const Together& together, const 
     return wall;
 }
 
-void Water::change(std::size_t i, std::vector<Pressed>& pressed, Energy& energies) {
+void Water::change(std::size_t i, std::vector<Pressed>& pressed) {
     OfBody& body = bodies[i];
     find_answers(i);
     const std::vector<Together> together = hold_together(i, pressed);
@@ -377,19 +384,20 @@ void Water::change(std::size_t i, std::vector<Pressed>& pressed, Energy& energie
                          body.volume_velocity, body.node_answers, body.impulse);
     auto next = together.begin();
     std::vector<Wall> borne;
-    Total work;  // on the mean of the velocities before and after
+    const std::uint8_t* mine = model.exchange.counted();
     for (std::size_t node = 0; node < body.answers.size(); ++node) {
         if (!has_pores(i, node)) continue;
         const Vector2& J = body.impulse[body.implicit->node(node)];
         if (next != together.end() && next->at->node == node)
             borne.push_back(push_together(i, *next++, J));
         else push_by(i, node, J);
-        for (int k = 0; k < 2; ++k)
-            work.add(0.5 * J[k] * volume_velocity(i, node, motion::v_r + k, motion::other_r + k),
-                     false);
+        // On the mean of the velocities before and after.
+        for (int k = 0; k < 2 && (!mine || mine[node]); ++k)
+            impulses_took.implicit.add(
+                -0.5 * J[k] * volume_velocity(i, node, motion::v_r + k, motion::other_r + k),
+                model.settings.fixed_point);
     }
     for (const Wall& wall : borne) account_for(wall);
-    energies.implicit -= work.value();
 }
 
 void Water::update() {

@@ -17,7 +17,6 @@ namespace grit::mpm {
 class Water {
   public:
     Water(Model& of, Momentum& of_nodes) : model(of), momentum(of_nodes) {}
-    // Throws std::invalid_argument where its pressure is implicit and other processes share the grid.
     void add_body();
     // Water may leave across these nodes, at p_w = 0.
     void drain(int direction, std::size_t node);
@@ -40,7 +39,7 @@ class Water {
         return has(body) && model.parts[body].body.water->implicit;
     }
     // After contact, of a body with implicit pressure: it gets what the pressure changes by in the step.
-    void change(std::size_t body, std::vector<Pressed>& pressed, Energy& energies);
+    void change(std::size_t body, std::vector<Pressed>& pressed);
     // After contact, before the particles move: pressures and velocities of water.
     void update();
     // Speeds of particles as they are, before the first step.
@@ -48,11 +47,12 @@ class Water {
 
     bool flows(std::size_t body) const { return has(body) && model.parts[body].body.water->flows; }
     const std::vector<WaterSums>& sums(std::size_t body) const { return bodies[body].sums; }
-    // Of pressures on other bodies in the last step, at the nodes that this process counts [J].
-    struct OnWalls {
-        Total contact = {}, rigid_work = {};
+    // What impulses of the pressure took in the last step, at the nodes that this process counts [J].
+    struct Taken {
+        Total contact = {}, rigid_work = {};  // those on other bodies
+        Total implicit = {};
     };
-    const OnWalls& on_walls() const { return walls_took; }
+    const Taken& taken() const { return impulses_took; }
     // What it adds to the square of the speed of waves, at the most, here [m2/s2].
     double speed2(std::size_t body) const;
     // Of water that flows, along z on a node in the last step: of its pressure and its weight [N].
@@ -62,6 +62,7 @@ class Water {
     template <class Self, class Archive> static void visit(Self& water, Archive& archive) {
         for (auto& body : water.bodies) {
             IntegerRecords::visit(body.integers, archive);
+            if (body.implicit) ImplicitPressure::visit(*body.implicit, archive);
             archive.nodes(body.records);
             archive.nodes(body.volume);
         }
@@ -121,7 +122,7 @@ class Water {
     Momentum& momentum;
     std::vector<OfBody> bodies;
     std::vector<Wall> walls;  // of this step
-    OnWalls walls_took;
+    Taken impulses_took;
     std::vector<std::uint8_t> drained;  // bits of nodes; empty: none
 };
 

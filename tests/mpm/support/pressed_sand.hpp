@@ -85,8 +85,8 @@ struct PressedSand {
     }
 
     // Water as soft as the sand: it does not limit the step.
-    static PoreWater soft_water(bool flows) {
-        return {.flows = flows, .bulk_modulus = 1e7, .conductivity = 1e-3};
+    static PoreWater soft_water(bool flows, bool implicit) {
+        return {.flows = flows, .implicit = implicit, .bulk_modulus = 1e7, .conductivity = 1e-3};
     }
 
   private:
