@@ -11,6 +11,10 @@
 //   pore water, per body        sum of node records, or of integers             64 a halo node
 //   ...                         sum of cells, of pressures and of strains       16 a halo cell each
 //   ... fixed point             maxima of contributions, eight                  8 each
+//   ... implicit                sum of patches, of cells                        256 a halo cell
+//   ... ..., each change        sums of laws, of cells                          16 a halo cell
+//   ... ..., each iteration     sum of forces                                   16 a halo node
+//   ... ...                     products; fixed point: maximum, too             8 each; fixed point: 40
 //   ... that flows, per contact sums of forces                                  8 each; fixed point: 40
 //   after MUSL's second one     sum of node records                             64 a halo node
 //   contact with distances      minima of surfaces, of those beside the node,   48 a halo node
