@@ -10,7 +10,7 @@ module grit_contact_arrays
 
    ! status = grit_contact_correct(mass_a, mass_b, normal, velocity_a, velocity_b [, distance,
    !    cell_size, spacing, gap, contact_area, acceleration_a, acceleration_b, previous_velocity_a,
-   !    previous_velocity_b, position, index, options, reports, sums, error])
+   !    previous_velocity_b, position, pore_impulse, index, options, reports, sums, error])
    !   vectors (c, n), c = options%components; numbers per node (n); spacing (c, n) or (c, 1) for all;
    !   index: nodes to be taken, from 0; reports (n), with index of its size. Or with views, as C has it:
    !   grit_contact_correct(options, n, nodes, reports, sums, error).
@@ -19,7 +19,7 @@ module grit_contact_arrays
    end interface
 
    ! m bodies, p pairs: mass (n, m), velocity (c, n, m), pairs (2, p) bodies from 0, normal (c, n, p),
-   ! distance, gap, contact_area, cell_size (n, p), spacing (c), options (p), reports (p, n), sums (p).
+   ! distance, gap, contact_area, cell_size, pore_impulse (n, p), spacing (c), options (p), reports (p, n), sums (p).
    interface grit_contact_correct_many
       procedure correct_many, c_contact_correct_many
    end interface
@@ -34,12 +34,14 @@ contains
    integer(c_int) function correct_nodes(mass_a, mass_b, normal, velocity_a, velocity_b, distance, &
                                          cell_size, spacing, gap, contact_area, acceleration_a, &
                                          acceleration_b, previous_velocity_a, previous_velocity_b, &
-                                         position, index, options, reports, sums, error) &
+                                         position, index, options, reports, sums, error, &
+                                         pore_impulse) &
       result(status)
       real(c_double), intent(in), target :: mass_a(:), mass_b(:), normal(:, :)
       real(c_double), intent(inout), target :: velocity_a(:, :), velocity_b(:, :)
       real(c_double), intent(in), target, optional :: distance(:), cell_size(:), spacing(:, :)
       real(c_double), intent(in), target, optional :: gap(:), contact_area(:), position(:, :)
+      real(c_double), intent(in), target, optional :: pore_impulse(:)
       real(c_double), intent(inout), target, optional :: acceleration_a(:, :), acceleration_b(:, :)
       real(c_double), intent(in), target, optional :: previous_velocity_a(:, :)
       real(c_double), intent(in), target, optional :: previous_velocity_b(:, :)
@@ -72,6 +74,7 @@ contains
       nodes%previous_velocity_a = vectors('previous_velocity_a', previous_velocity_a)
       nodes%previous_velocity_b = vectors('previous_velocity_b', previous_velocity_b)
       nodes%position = vectors('position', position)
+      nodes%pore_impulse = numbers('pore_impulse', pore_impulse)
       if (present(spacing)) then
          if (size(spacing, 2) == 1) then  ! of one cell: stride 0
             if (fit) fit = grit_fits('spacing', shape(spacing), [c, 1], error)
@@ -113,13 +116,15 @@ contains
    integer(c_int) function correct_many(pairs, mass, velocity, normal, options, distance, gap, &
                                         contact_area, cell_size, spacing, acceleration, &
                                         previous_velocity, position, index, sweep_tolerance, &
-                                        sweep_limit, reports, sums, error) result(status)
+                                        sweep_limit, reports, sums, error, pore_impulse) &
+      result(status)
       integer, intent(in) :: pairs(:, :)
       real(c_double), intent(in), target :: mass(:, :), normal(:, :, :)
       real(c_double), intent(inout), target :: velocity(:, :, :)
       type(grit_contact_options), intent(in), target, contiguous :: options(:)
       real(c_double), intent(in), target, optional :: distance(:, :), gap(:, :)
       real(c_double), intent(in), target, optional :: contact_area(:, :), cell_size(:, :)
+      real(c_double), intent(in), target, optional :: pore_impulse(:, :)
       real(c_double), intent(in), target, contiguous, optional :: spacing(:)
       real(c_double), intent(inout), target, optional :: acceleration(:, :, :)
       real(c_double), intent(in), target, optional :: previous_velocity(:, :, :), position(:, :)
@@ -149,6 +154,7 @@ contains
       if (.not. fits_pairs('gap', gap)) return
       if (.not. fits_pairs('contact_area', contact_area)) return
       if (.not. fits_pairs('cell_size', cell_size)) return
+      if (.not. fits_pairs('pore_impulse', pore_impulse)) return
       if (present(spacing)) then
          if (.not. grit_fits('spacing', shape(spacing), [c], error)) return
       end if
@@ -189,6 +195,7 @@ contains
          if (present(gap)) each(i)%gap = grit_view_of(gap(:, i))
          if (present(contact_area)) each(i)%contact_area = grit_view_of(contact_area(:, i))
          if (present(cell_size)) each(i)%cell_size = grit_view_of(cell_size(:, i))
+         if (present(pore_impulse)) each(i)%pore_impulse = grit_view_of(pore_impulse(:, i))
          if (present(spacing)) each(i)%spacing = grit_view(c_loc(spacing), 0, 1)
       end do
       if (present(index)) then

@@ -28,11 +28,11 @@ module grit_contact_interface
    end type
 
    type, bind(c) :: grit_contact_nodes
-      integer(c_size_t) :: struct_size = 376
+      integer(c_size_t) :: struct_size = 400
       type(c_ptr) :: index = c_null_ptr
       type(grit_view) :: mass_a, mass_b, normal, distance, cell_size, spacing, gap, contact_area
       type(grit_mutable_view) :: velocity_a, velocity_b, acceleration_a, acceleration_b
-      type(grit_view) :: previous_velocity_a, previous_velocity_b, position
+      type(grit_view) :: previous_velocity_a, previous_velocity_b, position, pore_impulse
    end type
 
    type, bind(c) :: grit_contact_report
@@ -58,10 +58,10 @@ module grit_contact_interface
    end type
 
    type, bind(c) :: grit_contact_pair
-      integer(c_size_t) :: struct_size = 168
+      integer(c_size_t) :: struct_size = 192
       integer(c_int) :: a = 0, b = 0
       type(c_ptr) :: options = c_null_ptr
-      type(grit_view) :: normal, distance, cell_size, spacing, gap, contact_area
+      type(grit_view) :: normal, distance, cell_size, spacing, gap, contact_area, pore_impulse
    end type
 
    type, bind(c) :: grit_contact_bodies

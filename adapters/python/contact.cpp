@@ -23,6 +23,7 @@ frictional contact. One impulse per node: momentum is kept, energy never grows.
     spacing             (c,), (n, c)  edges of the cell [length]
     gap                 (n,)          surface of A to that of B along the normal [length]
     contact_area        (n,)          [area], with adhesion or contact_stiffness
+    pore_impulse        (n,)          of pore water between the bodies, which does not rub [mass velocity]
     acceleration_a, _b  (n, c)        corrected alike; needs time_step
     index               (m,) int64    the nodes to be taken
     law                 "geo" or "frictional"
@@ -55,11 +56,11 @@ py::array correct(const py::object& mass_a, const py::object& mass_b, const py::
                   const py::object& velocity_a, const py::object& velocity_b,
                   const py::object& distance, const py::object& cell_size,
                   const py::object& spacing, const py::object& gap, const py::object& contact_area,
-                  const py::object& acceleration_a, const py::object& acceleration_b,
-                  const py::object& index, const std::string& law, double penalty_power,
-                  double friction_coefficient, double adhesion, double time_step,
-                  double relaxation_time, double contact_stiffness, const py::object& rigid,
-                  bool allow_zero_normal) {
+                  const py::object& pore_impulse, const py::object& acceleration_a,
+                  const py::object& acceleration_b, const py::object& index, const std::string& law,
+                  double penalty_power, double friction_coefficient, double adhesion,
+                  double time_step, double relaxation_time, double contact_stiffness,
+                  const py::object& rigid, bool allow_zero_normal) {
     Arrays arrays("normal", normal, {2, 3});
     const int c = arrays.components();
     for (const auto& [name, object] : {std::pair{"mass_a", &mass_a},
@@ -89,6 +90,7 @@ py::array correct(const py::object& mass_a, const py::object& mass_b, const py::
     nodes.spacing = arrays.read_same_or_each("spacing", spacing, c);
     nodes.gap = arrays.read("gap", gap, 0);
     nodes.contact_area = arrays.read("contact_area", contact_area, 0);
+    nodes.pore_impulse = arrays.read("pore_impulse", pore_impulse, 0);
     nodes.velocity_a = arrays.write("velocity_a", velocity_a, c);
     nodes.velocity_b = arrays.write("velocity_b", velocity_b, c);
     nodes.acceleration_a = arrays.write("acceleration_a", acceleration_a, c);
@@ -131,7 +133,7 @@ void add_contact(py::module_& module) {
     module.def("contact_correct", &correct, arg("mass_a"), arg("mass_b"), arg("normal"),
                arg("velocity_a"), arg("velocity_b"), py::kw_only(), arg("distance") = none,
                arg("cell_size") = none, arg("spacing") = none, arg("gap") = none,
-               arg("contact_area") = none, arg("acceleration_a") = none,
+               arg("contact_area") = none, arg("pore_impulse") = none, arg("acceleration_a") = none,
                arg("acceleration_b") = none, arg("index") = none, arg("law") = "geo",
                arg("penalty_power") = 6.0, arg("friction_coefficient") = 0.0, arg("adhesion") = 0.0,
                arg("time_step") = 0.0, arg("relaxation_time") = 0.0, arg("contact_stiffness") = 0.0,

@@ -79,6 +79,9 @@ grit_status describe_node(const grit_contact_nodes& q, const grit_contact_option
         !c_api::good_area(number(q.contact_area, at)))
         return say("node %td: contact_area must be in [0, 1e100] [area], got %g",
                    number(q.contact_area, at));
+    if (q.pore_impulse.base && !c_api::good_impulse(number(q.pore_impulse, at)))
+        return say("node %td: pore_impulse must be in [-1e100, 1e100] [mass velocity], got %g",
+                   number(q.pore_impulse, at));
     const auto check_optional = [&](const char* name, const auto& view, const char* unit) {
         return view.base ? check_vector(name, view, unit) : grit_status(GRIT_OK);
     };

@@ -102,7 +102,8 @@ grit_status check_nodes(const grit_contact_nodes& q, const grit_contact_options&
         {"spacing", false, q.spacing, o.components},
         {"previous_velocity_a", false, q.previous_velocity_a, o.components},
         {"previous_velocity_b", false, q.previous_velocity_b, o.components},
-        {"position", false, q.position, o.components}};
+        {"position", false, q.position, o.components},
+        {"pore_impulse", false, q.pore_impulse, 1}};
     for (const auto& input : inputs) {
         if (input.needed) GRIT_CHECK(check_base(input.view, input.name, error));
         if (input.view.base)

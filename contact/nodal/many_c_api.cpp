@@ -34,6 +34,7 @@ grit_contact_nodes nodes_of(const grit_contact_bodies& b, const grit_contact_pai
     q.spacing = pair.spacing;
     q.gap = pair.gap;
     q.contact_area = pair.contact_area;
+    q.pore_impulse = pair.pore_impulse;
     return q;
 }
 

@@ -34,5 +34,8 @@ template <class Real> GRIT_INLINE MaskOf<Real> good_length(const Real& d) {
 template <class Real> GRIT_INLINE MaskOf<Real> good_area(const Real& area) {
     return (area >= Real(0.0)) & (area <= Real(largest_number));
 }
+template <class Real> GRIT_INLINE MaskOf<Real> good_impulse(const Real& J) {
+    return fabs(J) <= Real(largest_number);
+}
 
 GRIT_KERNEL_END

@@ -110,6 +110,8 @@ template <class Real, int C> struct Approach {
     Cell<Real> cell = {Real(1.0), Real(1.0)};
     Real gap;               // -infinity where none is known
     Real area = Real(0.0);  // with adhesion or springs only
+    bool has_pores = false;
+    Real pore_impulse = Real(0.0);  // what of J_n is water's, which does not rub
 };
 
 template <class Real, int C> struct Response {
@@ -122,7 +124,10 @@ template <class Real, int C> struct Response {
 template <class Real, int C>
 GRIT_INLINE Real friction_limit(const Law& law, const Shares<Real>& shares,
                                 const Approach<Real, C>& x, const Response<Real, C>& r) {
-    const Real friction = Real(law.mu) * r.u_n;
+    Real bearing = r.u_n;
+    if (x.has_pores)
+        bearing = max(r.u_n - x.pore_impulse / max(shares.m_r, Real(no_mass)), Real(0.0));
+    const Real friction = Real(law.mu) * bearing;
     if (!law.adheres) return friction;
     return friction + r.f_p * Real(law.c_a_dt) * x.area / max(shares.m_r, Real(no_mass));
 }

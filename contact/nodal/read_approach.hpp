@@ -70,6 +70,11 @@ GRIT_INLINE ReadApproach<Real, C> read_approach(const Views& views, const Law& l
         r.x.area = only(load<Real>(views.contact_area, 0, indices));
         r.good = r.good & good_area(r.x.area);
     }
+    r.x.has_pores = views.pore_impulse.base != nullptr;
+    if (r.x.has_pores) {
+        r.x.pore_impulse = only(load<Real>(views.pore_impulse, 0, indices));
+        r.good = r.good & good_impulse(r.x.pore_impulse);
+    }
     return r;
 }
 

@@ -80,6 +80,9 @@ typedef struct grit_contact_nodes {
     grit_view previous_velocity_a; /* [c] optional: before the step's forces, for the dissipation */
     grit_view previous_velocity_b;
     grit_view position; /* [c] optional: of the node, for the moments in the sums */
+    grit_view
+        pore_impulse; /* [1] optional: of pore water's pressure between A and B in the step, dt p_w
+                                   A_c [mass velocity], tension negative: the rest of J_n rubs */
 } grit_contact_nodes;
 
 enum {
@@ -142,7 +145,8 @@ GRIT_API grit_status grit_contact_sums_read(const grit_contact_sums* sums,
                                             grit_contact_totals* totals);
 
 /* Remove the approach velocity of bodies A and B at n nodes, with one impulse per node, (C1)-(C6).
- *   Each node alone: momentum is kept, energy never grows, friction obeys Coulomb after the penalty.
+ *   Each node alone: momentum is kept, energy never grows, friction obeys Coulomb after the penalty: J_t <=
+ *   mu max(0, J_n - pore_impulse) + adhesion.
  *   With contact_stiffness, C = m_r f_p / ((1 - f_p) tau), K = epsilon A_c and delta = max(0, -gap):
  *   J_n = dt [(C + K dt) w_n + K delta] / [1 + (C + K dt) dt / m_r] where that is > 0, (C9): spring and
  *   dashpot, implicit; energy is that of velocities and of K delta^2 / 2 then.
@@ -171,12 +175,13 @@ typedef struct grit_contact_pair {
     size_t struct_size;
     int a, b;                            /* bodies 0 ... count - 1 */
     const grit_contact_options* options; /* components, instruction_set, validate_only: not read */
-    grit_view normal;                    /* these six as in grit_contact_nodes */
+    grit_view normal;                    /* these seven as in grit_contact_nodes */
     grit_view distance;
     grit_view cell_size;
     grit_view spacing;
     grit_view gap;
     grit_view contact_area;
+    grit_view pore_impulse;
 } grit_contact_pair;
 
 typedef struct grit_contact_bodies {

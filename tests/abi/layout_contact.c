@@ -32,7 +32,7 @@ PLACE(grit_contact_options, validate_only, 76);
 PLACE(grit_contact_options, relaxation_time, 80);
 PLACE(grit_contact_options, contact_stiffness, 88);
 
-SIZE(grit_contact_nodes, 376);
+SIZE(grit_contact_nodes, 400);
 PLACE(grit_contact_nodes, struct_size, 0);
 PLACE(grit_contact_nodes, index, 8);
 PLACE(grit_contact_nodes, mass_a, 16);
@@ -50,6 +50,7 @@ PLACE(grit_contact_nodes, acceleration_b, 280);
 PLACE(grit_contact_nodes, previous_velocity_a, 304);
 PLACE(grit_contact_nodes, previous_velocity_b, 328);
 PLACE(grit_contact_nodes, position, 352);
+PLACE(grit_contact_nodes, pore_impulse, 376);
 
 SIZE(grit_contact_report, 128);
 PLACE(grit_contact_report, status, 0);
@@ -84,7 +85,7 @@ PLACE(grit_contact_totals, stick, 200);
 PLACE(grit_contact_totals, slip, 208);
 PLACE(grit_contact_totals, failed, 216);
 
-SIZE(grit_contact_pair, 168);
+SIZE(grit_contact_pair, 192);
 PLACE(grit_contact_pair, struct_size, 0);
 PLACE(grit_contact_pair, a, 8);
 PLACE(grit_contact_pair, b, 12);
@@ -95,6 +96,7 @@ PLACE(grit_contact_pair, cell_size, 72);
 PLACE(grit_contact_pair, spacing, 96);
 PLACE(grit_contact_pair, gap, 120);
 PLACE(grit_contact_pair, contact_area, 144);
+PLACE(grit_contact_pair, pore_impulse, 168);
 
 SIZE(grit_contact_bodies, 104);
 PLACE(grit_contact_bodies, struct_size, 0);

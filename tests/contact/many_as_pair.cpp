@@ -36,6 +36,7 @@ struct AsMany {
         pair.cell_size = q.cell_size;
         pair.gap = q.gap;
         pair.contact_area = q.contact_area;
+        pair.pore_impulse = q.pore_impulse;
         nodes.reports.assign(nodes.node.size(), {});
         return grit_contact_correct_many(&bodies, 1, &pair, nodes.size(), nodes.reports.data(),
                                          &nodes.sums, &nodes.error);
@@ -52,7 +53,9 @@ grit_contact_options everything(int components) {
 
 Nodes prepared(int components) {
     Nodes nodes = random_nodes(3000, components, 71);
-    nodes.gated = nodes.accelerated = nodes.remembered = true;
+    nodes.gated = nodes.accelerated = nodes.remembered = nodes.saturated = true;
+    Random random(72);
+    for (Node& x : nodes.node) x.pore_impulse = random.uniform(-1.0, 1.0) * x.m_r();
     for (std::size_t i = 0; i < 100; ++i) nodes.node[i].m_a = 0.0;
     return nodes;
 }

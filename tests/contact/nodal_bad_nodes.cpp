@@ -23,7 +23,7 @@ void expect_bad_node(const std::function<void(Node&)>& spoil, const std::string&
     for (const std::size_t n : {std::size_t(1), std::size_t(13), std::size_t(16)}) {
         const std::size_t bad = n / 2;
         Nodes nodes = random_nodes(n, 3, 31);
-        nodes.gated = nodes.accelerated = nodes.remembered = true;
+        nodes.gated = nodes.accelerated = nodes.remembered = nodes.saturated = true;
         Nodes good = nodes;
         spoil(nodes.node[bad]);
         const Node before = nodes.node[bad];
@@ -95,6 +95,11 @@ TEST(BadNode, OfACellWithoutSizeIsNamed) {
 TEST(BadNode, OfANegativeAreaIsNamed) {
     expect_bad_node([](Node& x) { x.area = -1.0; },
                     "contact_area must be in [0, 1e100] [area], got -1");
+}
+
+TEST(BadNode, OfAPoreImpulseThatIsNotFiniteIsNamed) {
+    expect_bad_node([](Node& x) { x.pore_impulse = nan; },
+                    "pore_impulse must be in [-1e100, 1e100] [mass velocity], got nan");
 }
 
 TEST(BadNode, OfAVectorThatIsNotFiniteIsNamed) {

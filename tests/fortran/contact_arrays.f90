@@ -33,6 +33,7 @@ program contact_arrays
    call holds('sums', grit_contact_sums_read(sums, totals) == grit_ok)
    call holds('force on B', abs(totals%force_on_b(1) - 30*(1 + f_p)) < 1d-12 .and. totals%slip == 2)
    call in_time()
+   call saturated()
    call chosen_nodes()
    call many()
    call normals()
@@ -65,6 +66,18 @@ contains
                                    - 4*[0d0, 1 - f_p, 1d0]) < 1d-14))
       options%relaxation_time = 0
       call holds('stiffness of none', options%contact_stiffness == 0)
+   end subroutine
+
+   ! Water that carries half of the normal impulse does not rub.
+   subroutine saturated()
+      call meet()
+      velocity_a(2, :) = 0
+      options%friction_coefficient = 0.1d0
+      call holds('saturated', grit_contact_correct(mass_a, mass_b, normal, velocity_a, velocity_b, distance, &
+                                                   spacing=spacing, options=options, reports=reports, &
+                                                   pore_impulse=1.5d0*[1d0, f_p, 0d0]) == grit_ok)
+      call holds('friction', all(abs(reports%impulse(2) + 0.15d0*[1d0, f_p, 0d0]) < 1d-14))
+      options%friction_coefficient = 0
    end subroutine
 
    subroutine chosen_nodes()

@@ -92,7 +92,8 @@ TEST_P(WaterInFixedPoint, DiffersFromDoublesByRoundoff) {
         most[1] = larger(most[1], std::fabs(integers[at] - doubles[at]));
     }
     EXPECT_GT(most[0], 1e4);
-    EXPECT_LT(most[1], 1e-7 * most[0]);
+    // A solver that stops at 1e-5 of its load may stop an iteration sooner.
+    EXPECT_LT(most[1], (std::get<1>(GetParam()) ? 1e-5 : 1e-7) * most[0]);
 }
 
 TEST_P(WaterInFixedPoint, GoesOnFromACheckpointBitForBit) {

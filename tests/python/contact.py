@@ -69,6 +69,13 @@ class Contact(unittest.TestCase):
         J = dt * K * overlap / (1 + (C + K * dt) * dt / m)
         np.testing.assert_allclose(reports["impulse"][:, 0], [0, J, 0], rtol=1e-12)
 
+    def test_does_not_rub_with_what_water_carries(self):
+        self.nodes["velocity_a"][:, 1] = 0  # slips
+        carried = 0.25 * 3 * self.f_p
+        reports = grit.contact_correct(**self.nodes, friction_coefficient=0.1, pore_impulse=carried)
+        np.testing.assert_allclose(reports["impulse"][:, 0], 3 * self.f_p)
+        np.testing.assert_allclose(-reports["impulse"][:, 1], 0.1 * 0.75 * 3 * self.f_p)
+
     def test_refuses_what_it_cannot_take_and_changes_nothing(self):
         bad_normal = np.array([[1.0, 0], [1, 0.5], [1, 0]])
         read_only = self.nodes["velocity_b"].copy()

@@ -15,7 +15,7 @@
 //   ... ..., each change        sums of laws, of cells                          16 a halo cell
 //   ... ..., each iteration     sum of forces                                   16 a halo node
 //   ... ...                     products; fixed point: maximum, too             8 each; fixed point: 40
-//   ... that flows, per contact sums of forces                                  8 each; fixed point: 40
+//   ... ..., per contact        sums of forces                                  8 each; fixed point: 40
 //   after MUSL's second one     sum of node records                             64 a halo node
 //   contact with distances      minima of surfaces, of those beside the node,   48 a halo node
 //                               and of centres, two each

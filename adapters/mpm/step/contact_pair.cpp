@@ -55,6 +55,7 @@ ContactPair::ContactPair(const ContactLaw& law, const Settings& settings, const 
     gap.resize(n);
     gate_gap.resize(n);
     area.resize(n);
+    pore_impulse.resize(n);
     overlap_gap.resize(2 * n);
     touched.resize(n);
     is_active.resize(n);
@@ -415,8 +416,8 @@ void ContactPair::correct(const ContactBody& a, const ContactBody& b, double dt,
     grit_contact_nodes q{};
     q.struct_size = sizeof q;
     q.index = active.data();
-    q.mass_a = grit_view_of(reinterpret_cast<const double*>(a.records), record::size, 1);
-    q.mass_b = grit_view_of(reinterpret_cast<const double*>(b.records), record::size, 1);
+    q.mass_a = a.mass();
+    q.mass_b = b.mass();
     q.normal = grit_view_of(normal.data(), 2, 1);
     if (geo) {
         q.distance = grit_view_of(distance.data(), 1, 1);
@@ -429,6 +430,7 @@ void ContactPair::correct(const ContactBody& a, const ContactBody& b, double dt,
     q.previous_velocity_a = grit_view_of(motions_a + motion::other_r, motion::size, 1);
     q.previous_velocity_b = grit_view_of(motions_b + motion::other_r, motion::size, 1);
     q.position = grit_view_of(position.data(), 2, 1);
+    if (bears) q.pore_impulse = grit_view_of(pore_impulse.data(), 1, 1);
     sums = {};
     const auto first = static_cast<std::ptrdiff_t>(counted);
     require(grit_contact_correct(&options, first, &q, reports.data(), &sums, &error), error,

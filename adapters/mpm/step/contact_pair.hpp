@@ -36,6 +36,12 @@ struct ContactBody {
     ParticleView particles;
     std::ptrdiff_t count;
     bool rigid;
+    const double* met_masses =
+        nullptr;  // of what has these motions, where records have another one's
+    grit_view mass() const {
+        if (met_masses) return grit_view_of(met_masses, 1, 1);
+        return grit_view_of(reinterpret_cast<const double*>(records), record::size, 1);
+    }
 };
 
 class ContactPair {
@@ -44,11 +50,23 @@ class ContactPair {
                 const std::vector<std::uint8_t>& fixed);
     // Where the bodies meet, with normals and gaps; false: nowhere.
     bool find(const GridView& grid, const ContactBody& a, const ContactBody& b, Exchange& exchange);
-    // work(node, normal) for the nodes that find has found and that pressed in the step before, too.
+    // work(node, normal from a to b) for the nodes that find has found.
+    template <class Work> void each_found(const Work& work) const {
+        for (const std::ptrdiff_t i : active) {
+            const auto node = static_cast<std::size_t>(i);
+            work(node, Vector2{normal[2 * node], normal[2 * node + 1]});
+        }
+    }
+    // ... and that press: until correct as in the step before.
     template <class Work> void each_pressed(const Work& work) const {
-        for (const std::ptrdiff_t node : active)
-            if (touched[static_cast<std::size_t>(node)])
-                work(static_cast<std::size_t>(node), &normal[2 * static_cast<std::size_t>(node)]);
+        each_found([&](std::size_t node, const Vector2& n) {
+            if (touched[node]) work(node, n);
+        });
+    }
+    // What pore water presses with at a node that find has found, which does not rub [N s].
+    void bear(std::size_t node, double impulse) {
+        pore_impulse[node] = impulse;
+        bears = true;
     }
     // Velocities after the momentum update become those after contact, once they are found.
     void correct(const ContactBody& a, const ContactBody& b, double dt, Exchange& exchange);
@@ -99,9 +117,10 @@ class ContactPair {
     bool axisymmetric, fixed_point;
     std::vector<int> fixed_bits;
     std::vector<double> position, spacing, normal, surface, near_surface, centre, reach, distance,
-        gap, gate_gap, overlap_gap, area;
+        gap, gate_gap, overlap_gap, area, pore_impulse;
     static constexpr int directions = 4;  // that may part two corners
     std::vector<double> direction[directions], direction_surface;
+    bool bears = false;  // pore water
     std::vector<char> is_active, touched;  // touched: pressed in the step before
     std::vector<char> is_closed;           // along its normal
     NearCells near;                        // to active nodes

@@ -1,33 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/mpm/step/nodal_contacts.hpp"
 
-#include <tuple>
-
 namespace grit::mpm {
 
 ContactBody NodalContacts::body(std::size_t i) {
     Part& part = model.parts[i];
-    return {part.records.data(), part.motions.data(), part.body.particles.view(),
-            part.body.particles.size(), part.body.rigid()};
+    return {part.records.data(),        water.flows(i) ? water.met_motions(i) : part.motions.data(),
+            part.body.particles.view(), part.body.particles.size(),
+            part.body.rigid(),          water.flows(i) ? water.met_masses(i) : nullptr};
 }
 
-// Of water that flows in one body, at the nodes where the other one presses.
-void NodalContacts::bear_pore_pressure(std::size_t contact) {
-    const ContactLaw& law = contacts[contact].law();
-    if (!water.flows(law.a) && !water.flows(law.b)) return;
-    FaceSums sums(model.settings.fixed_point);
-    const std::uint8_t* mine = model.exchange.counted();
-    for (const auto& [of, other, sign] : {std::tuple{law.a, law.b, 1.0}, {law.b, law.a, -1.0}}) {
-        if (!water.flows(of)) continue;
-        contacts[contact].each_pressed(
-            [&, of = of, other = other, sign = sign](std::size_t node, const double* normal) {
-                const double impulse = water.press(of, other, node, {normal[0], normal[1]});
-                const double force = sign * impulse / model.dt;
-                const double along[] = {force * normal[0], force * normal[1]};
-                if (!mine || mine[node]) sums.add(normal, along);
-            });
-    }
-    pore[contact] = sums.of_all(model.exchange);
+// Grains and water of either body meet the other one together, and rub with what the grains carry.
+void NodalContacts::join(ContactPair& contact) {
+    const ContactLaw& law = contact.law();
+    if (!water.has(law.a) && !water.has(law.b)) return;
+    contact.each_found([&](std::size_t node, const Vector2& normal) {
+        const double on_b = water.impulse(law.a, node, normal);
+        const double on_a = -water.impulse(law.b, node, normal);
+        contact.bear(node,
+                     water.has(law.a) && water.has(law.b) ? 0.5 * (on_a + on_b) : on_a + on_b);
+        for (const std::size_t i : {law.a, law.b})
+            if (water.flows(i)) water.join(i, node, normal);
+    });
+}
+
+void NodalContacts::part(const ContactPair& contact) {
+    const ContactLaw& law = contact.law();
+    for (const std::size_t i : {law.a, law.b})
+        if (water.flows(i))
+            contact.each_pressed(
+                [&](std::size_t node, const Vector2& normal) { water.part(i, node, normal); });
 }
 
 void NodalContacts::change_pressures() {
@@ -39,8 +41,8 @@ void NodalContacts::change_pressures() {
         for (std::size_t i = 0; i < contacts.size(); ++i) {
             const ContactLaw& law = contacts[i].law();
             if (law.a != body && law.b != body) continue;
-            contacts[i].each_pressed([&](std::size_t node, const double* normal) {
-                pressed.push_back({node, law.a == body ? law.b : law.a, {normal[0], normal[1]}});
+            contacts[i].each_pressed([&](std::size_t node, const Vector2& normal) {
+                pressed.push_back({node, law.a == body ? law.b : law.a, normal});
                 of.push_back(i);
             });
         }
@@ -69,8 +71,9 @@ void NodalContacts::correct(Energy& sums) {
         pore[i] = {};
         const ContactBody a = body(law.a), b = body(law.b);
         if (pair.find(model.grid(), a, b, model.exchange)) {
-            bear_pore_pressure(i);
+            join(pair);
             pair.correct(a, b, model.dt, model.exchange);
+            part(pair);
         }
         const grit_contact_totals& totals = pair.totals();
         sums.contact += totals.dissipation_normal + totals.dissipation_tangential;

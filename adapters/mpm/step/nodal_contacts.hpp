@@ -23,7 +23,7 @@ class NodalContacts {
     void change_pressures();
 
     const ContactPair& operator[](std::size_t i) const { return contacts[i]; }
-    // Of pore pressures on b, in the last step.
+    // Of implicit pore pressures on b beyond those of the start of the step, in the last one.
     const Faces& pore_faces(std::size_t i) const { return pore[i]; }
     std::size_t count() const { return contacts.size(); }
     template <class Self, class Archive> static void visit(Self& of, Archive& archive) {
@@ -33,7 +33,8 @@ class NodalContacts {
 
   private:
     ContactBody body(std::size_t i);
-    void bear_pore_pressure(std::size_t contact);
+    void join(ContactPair& contact);
+    void part(const ContactPair& contact);
 
     Model& model;
     Water& water;

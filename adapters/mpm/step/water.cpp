@@ -32,6 +32,8 @@ void Water::add_body() {
     if (!flows(i)) return;
     body.flowing.resize(model.fixed_nodes.size());
     body.volume.resize(model.fixed_nodes.size());
+    body.met_masses.resize(model.fixed_nodes.size());
+    body.met_motions.resize(model.fixed_nodes.size());
 }
 
 void Water::drain(int direction, std::size_t node) {
@@ -180,52 +182,56 @@ Vector2 free_part(const Vector2& normal, std::uint8_t bits) {
     return {bits & fixed::r ? 0.0 : normal[0], bits & fixed::z ? 0.0 : normal[1]};
 }
 
+Vector2 now(const NodeMotion& v) { return {v[motion::v_r], v[motion::v_z]}; }
+Vector2 before(const NodeMotion& v) { return {v[motion::other_r], v[motion::other_z]}; }
+
 }  // namespace
 
-double Water::press(std::size_t i, std::size_t other, std::size_t node, const Vector2& normal) {
-    Part &part = model.parts[i], &wall = model.parts[other];
+double Water::impulse(std::size_t i, std::size_t node, const Vector2& normal) const {
+    if (!has(i)) return 0.0;
     const NodeRecord& w = bodies[i].records[node];
-    const double m_w = w[water_record::m], m_s = part.records[node][record::m];
-    const double m_o = wall.records[node][record::m];
-    if (!(m_w > 0.0 && m_s > part.least_mass && m_o > wall.least_mass)) return 0.0;
-    const Vector2 n = free_part(normal, model.fixed_nodes[node]);
-    const double size2 = along(n, n);
-    if (size2 == 0.0) return 0.0;
-    NodeMotion &grains = part.motions[node], &water = bodies[i].flowing[node];
-    NodeMotion& others = wall.motions[node];
-    const auto push = [&n](NodeMotion& v, double impulse, double m) {
-        v[motion::v_r] += impulse * n[0] / m;
-        v[motion::v_z] += impulse * n[1] / m;
-    };
-    const auto velocity = [&n](const NodeMotion& v) {
-        return along({v[motion::v_r], v[motion::v_z]}, n);
-    };
-    const double porosity = part.body.water->porosity_at(w);
-    const double pressed =
-        model.dt * along({w[water_record::f_r], w[water_record::f_z]}, n) / size2;
-    // As drag, which has acted, shares it out.
-    const double C = model.dt * w[water_record::drag];
-    const double dragged = C * (porosity / m_w - (1.0 - porosity) / m_s) * pressed /
-                           (1.0 + C * (1.0 / m_s + 1.0 / m_w));
-    const double on_grains = -(1.0 - porosity) * pressed - dragged;
-    double on_water = -porosity * pressed + dragged;
-    push(grains, on_grains, m_s);
-    push(water, on_water, m_w);
-    if (!wall.body.rigid()) push(others, pressed, m_o);
-    // Across, water and the other body then move alike.
-    const double reduced = wall.body.rigid() ? m_w : m_w * m_o / (m_w + m_o);
-    const double met = reduced * (velocity(water) - velocity(others)) / size2;
-    push(water, -met, m_w);
-    on_water -= met;
-    if (!wall.body.rigid()) push(others, met, m_o);
-    walls.push_back({i, other, node, n, on_grains, on_water});
-    return -(on_grains + on_water);
+    return model.dt * along({w[water_record::f_r], w[water_record::f_z]}, normal);
+}
+
+void Water::join(std::size_t i, std::size_t node, const Vector2& n) {
+    const double m_s = model.parts[i].records[node][record::m], m_w = water_mass(i, node);
+    const NodeMotion &grains = model.parts[i].motions[node], &water = bodies[i].flowing[node];
+    const double share = m_w > 0.0 ? m_w / (m_s + m_w) : 0.0;
+    const double faster = share * along(now(water) - now(grains), n);
+    const double faster_before = share * along(before(water) - before(grains), n);
+    bodies[i].met_masses[node] = m_s + m_w;
+    NodeMotion& met = bodies[i].met_motions[node] = grains;
+    met[motion::v_r] += faster * n[0];
+    met[motion::v_z] += faster * n[1];
+    met[motion::other_r] += faster_before * n[0];
+    met[motion::other_z] += faster_before * n[1];
+}
+
+void Water::part(std::size_t i, std::size_t node, const Vector2& n) {
+    const double m_s = model.parts[i].records[node][record::m], m_w = water_mass(i, node);
+    NodeMotion &grains = model.parts[i].motions[node], &water = bodies[i].flowing[node];
+    const Vector2 met = now(bodies[i].met_motions[node]);
+    const double against = along(now(water) - now(grains), n);
+    const Vector2 change = met - now(grains), rubbed = change - along(change, n) * n;
+    const double follows = along(met - now(water), n);
+    grains[motion::v_r] = met[0];
+    grains[motion::v_z] = met[1];
+    if (!(m_w > 0.0)) return;
+    water[motion::v_r] += rubbed[0] + follows * n[0];
+    water[motion::v_z] += rubbed[1] + follows * n[1];
+    const double dragged = m_s * m_w / (m_s + m_w) * against;  // on the grains, along n
+    NodeMotion& volume = bodies[i].volume[node];
+    volume[motion::other_r] += dragged * n[0];
+    volume[motion::other_z] += dragged * n[1];
+    // The contact has counted friction as if water had the grains' velocity.
+    const Vector2 slid = now(water) + before(water) - now(grains) - before(grains);
+    if (counts(node))
+        impulses_took.contact.add(-0.5 * m_w * along(rubbed, slid), model.settings.fixed_point);
 }
 
 // Work of impulses is that on the mean of the velocities before and after; what it lacks to nothing is the contact's.
 void Water::account_for(const Wall& wall) {
-    const std::uint8_t* mine = model.exchange.counted();
-    if (mine && !mine[wall.node]) return;
+    if (!counts(wall.node)) return;
     const bool fixed_point = model.settings.fixed_point;
     const auto mean = [&wall](const NodeMotion& v) {
         return 0.5 *
@@ -239,6 +245,11 @@ void Water::account_for(const Wall& wall) {
     if (flows(wall.body)) work += wall.on_water * mean(bodies[wall.body].flowing[wall.node]);
     impulses_took.contact.add(-work, fixed_point);
     if (other.body.rigid()) impulses_took.rigid_work.add(-on_other_work, fixed_point);
+}
+
+bool Water::counts(std::size_t node) const {
+    const std::uint8_t* mine = model.exchange.counted();
+    return !mine || mine[node];
 }
 
 double Water::porosity(std::size_t i, std::size_t node) const {
@@ -384,7 +395,6 @@ void Water::change(std::size_t i, std::vector<Pressed>& pressed) {
                          body.volume_velocity, body.node_answers, body.impulse);
     auto next = together.begin();
     std::vector<Wall> borne;
-    const std::uint8_t* mine = model.exchange.counted();
     for (std::size_t node = 0; node < body.answers.size(); ++node) {
         if (!has_pores(i, node)) continue;
         const Vector2& J = body.impulse[body.implicit->node(node)];
@@ -392,7 +402,7 @@ void Water::change(std::size_t i, std::vector<Pressed>& pressed) {
             borne.push_back(push_together(i, *next++, J));
         else push_by(i, node, J);
         // On the mean of the velocities before and after.
-        for (int k = 0; k < 2 && (!mine || mine[node]); ++k)
+        for (int k = 0; k < 2 && counts(node); ++k)
             impulses_took.implicit.add(
                 -0.5 * J[k] * volume_velocity(i, node, motion::v_r + k, motion::other_r + k),
                 model.settings.fixed_point);
@@ -402,8 +412,6 @@ void Water::change(std::size_t i, std::vector<Pressed>& pressed) {
 
 void Water::update() {
     if (!is_anywhere()) return;
-    for (const Wall& wall : walls) account_for(wall);
-    walls.clear();
     model.for_strips([this](std::size_t i, int strip) {
         if (flows(i)) close_water(nodes(i, strip), bodies[i].sums[static_cast<std::size_t>(strip)]);
     });

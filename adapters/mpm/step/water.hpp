@@ -25,16 +25,22 @@ class Water {
     void push();
     // After the forces: grains and water drag each other.
     void drag();
-    // At a node where another body presses on grains through which water flows, before their contact: it bears the
-    // pressure, so that grains meet it with their effective stress, and water has its velocity across, too.
-    // Returns the impulse on the other body along the normal, of either sign [N s].
-    double press(std::size_t body, std::size_t other, std::size_t node, const Vector2& normal);
+    // Impulse of the pressure on a node, along a normal [N s].
+    double impulse(std::size_t body, std::size_t node, const Vector2& normal) const;
+    // Where another body is, too, before their contact: grains and water meet it as one mass, which has the mean of
+    // their velocities along the normal and the grains' beside it.
+    void join(std::size_t body, std::size_t node, const Vector2& normal);
+    const double* met_masses(std::size_t body) const { return bodies[body].met_masses.data(); }
+    NodeMotion* met_motions(std::size_t body) { return bodies[body].met_motions.data(); }
+    // After it, where that body presses: what it changed them by; along the normal they move alike.
+    void part(std::size_t body, std::size_t node, const Vector2& normal);
     // A node of a body where another one presses on it now: across, they have one velocity.
     struct Pressed {
         std::size_t node, other;
         Vector2 normal;
         double impulse = 0.0;  // out: on the other body along the normal [N s]
     };
+    bool has(std::size_t body) const { return model.parts[body].body.water.has_value(); }
     bool is_implicit(std::size_t body) const {
         return has(body) && model.parts[body].body.water->implicit;
     }
@@ -79,21 +85,23 @@ class Water {
         std::vector<NodeRecord> records = {};
         IntegerRecords integers = {};                       // of these, in fixed point
         std::vector<NodeMotion> flowing = {}, volume = {};  // of water that flows
-        std::vector<WaterSums> sums = {};                   // of each strip
+        std::vector<double> met_masses = {};                // as other bodies meet it
+        std::vector<NodeMotion> met_motions = {};
+        std::vector<WaterSums> sums = {};  // of each strip
         std::vector<double> speed2 = {};
         std::optional<ImplicitPressure> implicit = {};
         std::vector<Vector2> volume_velocity = {}, impulse = {};
         std::vector<std::array<Answer, 2>> answers = {};  // of a node along r, z
         std::vector<NodeAnswer> node_answers = {};
     };
-    bool has(std::size_t body) const { return model.parts[body].body.water.has_value(); }
-    // Impulses of press along a normal [N s]; those on the other body make their sum zero.
+    // Impulses of the pressure along a normal [N s]; those on the other body make their sum zero.
     struct Wall {
         std::size_t body, other, node;
         Vector2 normal;
         double on_grains, on_water;
     };
     void account_for(const Wall& wall);
+    bool counts(std::size_t node) const;  // in sums of this process
     Answer answer(std::size_t body, std::size_t node, bool grains_free, bool water_free) const;
     double porosity(std::size_t body, std::size_t node) const;
     double water_mass(std::size_t body, std::size_t node) const;
@@ -121,7 +129,6 @@ class Water {
     Model& model;
     Momentum& momentum;
     std::vector<OfBody> bodies;
-    std::vector<Wall> walls;  // of this step
     Taken impulses_took;
     std::vector<std::uint8_t> drained;  // bits of nodes; empty: none
 };

@@ -26,7 +26,7 @@ inline double norm(const Vec& a) { return std::sqrt(dot(a, a)); }
 struct Node {
     double m_a = 1.0, m_b = 1.0;
     Vec n = {1.0, 0.0, 0.0};
-    double s = 0.0, d = 1.0, gap = 0.0, area = 1.0;
+    double s = 0.0, d = 1.0, gap = 0.0, area = 1.0, pore_impulse = 0.0;
     Vec v_a = {}, v_b = {}, a_a = {}, a_b = {}, old_a = {}, old_b = {}, x = {};
     Vec w() const { return v_a - v_b; }
     Vec momentum() const { return m_a * v_a + m_b * v_b; }
@@ -46,7 +46,7 @@ struct Nodes {
     std::vector<grit_contact_report> reports;
     grit_contact_sums sums{};
     grit_error error{};
-    bool gated = false, accelerated = false, remembered = false;
+    bool gated = false, accelerated = false, remembered = false, saturated = false;
 
     Nodes() = default;
     explicit Nodes(std::vector<Node> nodes) : node(std::move(nodes)) {}
@@ -71,6 +71,7 @@ struct Nodes {
         q.velocity_a = out(x.v_a.data());
         q.velocity_b = out(x.v_b.data());
         if (gated) q.gap = in(&x.gap);
+        if (saturated) q.pore_impulse = in(&x.pore_impulse);
         if (accelerated) {
             q.acceleration_a = out(x.a_a.data());
             q.acceleration_b = out(x.a_b.data());
