@@ -21,15 +21,6 @@ namespace {
 using mpm::Case;
 using mpm::case_word;
 
-// The first one with this word.
-template <class Plan>
-const mpm::Member<Plan>* member_called(std::span<const mpm::Member<Plan>> members,
-                                       const std::string& word) {
-    for (const mpm::Member<Plan>& member : members)
-        if (!member.fix.empty() && member.fix == word) return &member;
-    return nullptr;
-}
-
 using mpm::KeyName;
 
 std::string as_in_files(std::string_view key) { return std::string(key); }
@@ -115,6 +106,11 @@ const std::map<std::string, Reader>& readers() {
         {"grid", [](Words& w, FixCase& c) { read_segment(w, c.plan); }},
         {"boundary", [](Words& w, FixCase& c) { read_boundary(w, c.plan); }},
         {"body", read_body},
+        {"water", read_water},
+        {"drained",
+         [](Words& w, FixCase& c) {
+             c.plan.drained[w.choice("a drained side of the grid", mpm::words::sides)] = true;
+         }},
         {"motion", read_motion},
         {"points", read_points},
         {"traction", read_traction},
@@ -154,12 +150,29 @@ void check_grid(const mpm::AxisPlan& axis, double end, const char* name) {
                                     std::to_string(end) + " m");
 }
 
+void check_water(const Case& plan, const mpm::BodyPlan& body) {
+    const mpm::WaterPlan& water = *body.water;
+    const auto given = [&water](std::string_view key) {
+        if (key == "porosity") return water.porosity > 0.0;
+        if (key == "conductivity_m_per_s") return water.conductivity > 0.0;
+        return key == "conductivity_law" && water.kozeny_carman;
+    };
+    const auto name = [](std::string_view key) -> std::string {
+        if (key.empty()) return {};
+        return ": " + (key == "conductivity_law" ? std::string("kozeny_carman")
+                                                 : fix_words(mpm::water_members())(key));
+    };
+    refuse("water " + body.name, mpm::objection_to(plan, body.material, water, given), name);
+}
+
 void check_names(const Case& plan) {
     if (plan.bodies.empty()) throw std::invalid_argument("there is no body");
     for (const mpm::TractionPlan& traction : plan.tractions) {
         refuse("traction: ", mpm::objection_to(plan, traction), as_in_files);
         if (!traction.from_stage.empty()) plan.stage(traction.from_stage);
     }
+    for (const mpm::BodyPlan& body : plan.bodies)
+        if (body.water) check_water(plan, body);
     for (const mpm::BodyPlan& body : plan.bodies)
         if (const auto* rigid = std::get_if<mpm::RigidPlan>(&body.material))
             if (!rigid->from_stage.empty()) plan.stage(rigid->from_stage);

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <exception>
 #include <fstream>
+#include <iterator>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -15,7 +16,9 @@
 
 #include "adapters/lammps/points_file.hpp"
 #include "adapters/lammps/run_bytes.hpp"
+#include "adapters/mpm/case/initial_state.hpp"
 #include "adapters/mpm/run/history.hpp"
+#include "adapters/mpm/step/column_names.hpp"
 #include "adapters/mpm/step/thread_pool.hpp"
 
 namespace grit::lammps {
@@ -33,6 +36,14 @@ std::string next_lines(std::ifstream& file) {
     std::string out, line;
     while (out.size() < chunk && std::getline(file, line)) out += line + '\n';
     return out;
+}
+
+// mpm::pore_fields, where any body has water behind the columns of the longest.
+void show_pores(const mpm::PoreWater* water, const mpm::ParticleView& q, std::ptrdiff_t p,
+                double* to) {
+    const double p_w = water ? water->pressure(q, p) : 0.0;
+    to[0] = p_w;
+    for (int k = 0; k < 3; ++k) to[k + 1] = q[mpm::column::S_rr + k][p] - p_w;
 }
 
 // A row among doubles: their count with this one, the body, the columns.
@@ -86,6 +97,8 @@ FixGritMpm::FixGritMpm(LAMMPS* host, int count, char** words) : Fix(host, count,
             most_columns = std::max(most_columns, run->column_names(b).size());
     });
     const FixCase& plan = run->description();
+    for (const mpm::BodyPlan& body : plan.plan.bodies) has_water = has_water || body.water;
+    shown_columns = most_columns + (has_water ? std::size(mpm::pore_fields) : 0);
     for (std::size_t b = 0; b < plan.members.size(); ++b) {
         const Members& of = plan.members[b];
         const int number = of.type > 0 ? 0 : group->find(of.group);
@@ -109,7 +122,7 @@ FixGritMpm::FixGritMpm(LAMMPS* host, int count, char** words) : Fix(host, count,
     global_freq = 1;
     extvector = 0;
     peratom_flag = 1;
-    size_peratom_cols = static_cast<int>(most_columns);
+    size_peratom_cols = static_cast<int>(shown_columns);
     peratom_freq = 1;
     nevery = 1;
     maxexchange = packed_size(most_columns);
@@ -325,9 +338,12 @@ void FixGritMpm::read_points(std::size_t body) {
             if (first == std::string::npos || line[first] == '#') continue;
             try {
                 if (!points) {
-                    points =
-                        std::make_unique<PointsFile>(run->column_names(body), line,
-                                                     run->description().plan.settings.axisymmetric);
+                    const mpm::Case& plan = run->description().plan;
+                    points = std::make_unique<PointsFile>(
+                        run->column_names(body), line, plan.settings.axisymmetric,
+                        [&plan, body](double z) {
+                            return mpm::pore_pressure_at(*plan.bodies[body].water, plan.gravity, z);
+                        });
                     continue;
                 }
                 const int tag = PointsFile::id_of(line.c_str());
@@ -535,40 +551,45 @@ bool FixGritMpm::is_looked_at() const {
 
 void FixGritMpm::show_columns() {
     for (std::size_t b = 0; b < run->simulation().bodies(); ++b) {
-        const mpm::Particles& particles = run->simulation().body(b).particles;
+        mpm::Particles& particles = run->simulation().body(b).particles;
+        const mpm::ParticleView q = particles.view();
         for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
             double* to = shown_rows[static_cast<std::size_t>(atom_of(particles.ids()[p]))];
             for (int c = 0; c < particles.column_count(); ++c) to[c] = particles(c, p);
+            if (has_water) show_pores(run->water(b), q, p, to + most_columns);
         }
     }
 }
 
-void FixGritMpm::show(int i, const std::vector<double>& columns) {
+void FixGritMpm::show(int i, PointRow& given) {
     set_arrays(i);
-    std::copy(columns.begin(), columns.end(), shown_rows[static_cast<std::size_t>(i)]);
+    double* to = shown_rows[static_cast<std::size_t>(i)];
+    std::copy(given.columns.begin(), given.columns.end(), to);
+    if (has_water)
+        show_pores(run->water(given.body), {given.columns.data(), 1}, 0, to + most_columns);
 }
 
 // Atoms keep their rows where LAMMPS sorts or sends them between two steps.
 void FixGritMpm::put(int i, PointRow given) {
-    show(i, given.columns);
+    show(i, given);
     run->put(atom->tag[i], std::move(given));
 }
 
 void FixGritMpm::grow_arrays(int most_atoms) {
     const auto atoms = static_cast<std::size_t>(std::max(most_atoms, 1));
-    shown.resize(atoms * most_columns, 0.0);
+    shown.resize(atoms * shown_columns, 0.0);
     shown_rows.resize(atoms);
-    for (std::size_t i = 0; i < atoms; ++i) shown_rows[i] = shown.data() + i * most_columns;
+    for (std::size_t i = 0; i < atoms; ++i) shown_rows[i] = shown.data() + i * shown_columns;
     array_atom = shown_rows.data();
 }
 
 void FixGritMpm::copy_arrays(int from, int to, int) {
-    std::copy_n(shown_rows[static_cast<std::size_t>(from)], most_columns,
+    std::copy_n(shown_rows[static_cast<std::size_t>(from)], shown_columns,
                 shown_rows[static_cast<std::size_t>(to)]);
 }
 
 void FixGritMpm::set_arrays(int i) {
-    std::fill_n(shown_rows[static_cast<std::size_t>(i)], most_columns, 0.0);
+    std::fill_n(shown_rows[static_cast<std::size_t>(i)], shown_columns, 0.0);
 }
 
 // What a variable of this fix asks for must not end the means of forces.
@@ -589,7 +610,7 @@ double FixGritMpm::compute_vector(int i) {
 }
 
 double FixGritMpm::memory_usage() {
-    return 2.0 * static_cast<double>(run->particles()) * static_cast<double>(most_columns) *
+    return 2.0 * static_cast<double>(run->particles()) * static_cast<double>(shown_columns) *
            sizeof(double);
 }
 

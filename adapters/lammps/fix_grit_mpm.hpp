@@ -62,7 +62,7 @@ class FixGritMpm : public LAMMPS_NS::Fix {
     void put(int atom, PointRow given);
     bool is_looked_at() const;
     int atom_of(int point) const;
-    void show(int atom, const std::vector<double>& columns);
+    void show(int atom, PointRow& given);
     void show_atoms();
     void show_columns();
     void report_traffic();
@@ -75,10 +75,11 @@ class FixGritMpm : public LAMMPS_NS::Fix {
     long row_step = -1;                                // ... after this step of the run
     bool row_is_taken = false;                         // it was row(), not row_so_far()
     bool is_asking = false;                            // for variables of loads and motions
-    std::vector<double> shown;        // columns of as many atoms as may be here ...
-    std::vector<double*> shown_rows;  // ... and where each begins
-    double way = 0.0;                 // since the last migration, at most [m]
-    std::size_t most_columns = 0;
+    std::vector<double> shown;                        // columns of as many atoms as may be here ...
+    std::vector<double*> shown_rows;                  // ... and where each begins
+    double way = 0.0;                                 // since the last migration, at most [m]
+    std::size_t most_columns = 0, shown_columns = 0;  // of a particle; with those of pores
+    bool has_water = false;                           // any body
     Halo::Traffic traffic_before;
     double run_began = 0.0;
     LAMMPS_NS::bigint first_step = 0;

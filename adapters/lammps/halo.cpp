@@ -30,6 +30,11 @@ int first_counted(const std::vector<Slice>& of_all, int here) {
     return i == 0 ? of_all[0].first_node : of_all[i - 1].last_node + 1;
 }
 
+int first_counted_cell(const std::vector<Slice>& of_all, int here) {
+    const auto i = static_cast<std::size_t>(here);
+    return i == 0 ? of_all[0].first_cell : of_all[i - 1].last_cell + 1;
+}
+
 }  // namespace
 
 Halo::Halo(HaloLayout given) : layout(std::move(given)) {
@@ -40,6 +45,12 @@ Halo::Halo(HaloLayout given) : layout(std::move(given)) {
     for (int j = z.first_node; j <= z.axis_last; ++j)
         for (int i = r.first_node; i <= r.axis_last; ++i)
             counts.push_back(i >= first_r && i <= r.last_node && j >= first_z && j <= z.last_node);
+    const int cell_r = first_counted_cell(layout.slices[0], layout.here[0]);
+    const int cell_z = first_counted_cell(layout.slices[1], layout.here[1]);
+    for (int j = z.first_node; j < z.axis_last; ++j)
+        for (int i = r.first_node; i < r.axis_last; ++i)
+            cell_counts.push_back(i >= cell_r && i <= r.last_cell && j >= cell_z &&
+                                  j <= z.last_cell);
 }
 
 std::vector<Halo::Shared> Halo::shared(int direction, Of what) const {
@@ -133,6 +144,16 @@ void Halo::sum_cells(mpm::CellIntegers* cells, std::ptrdiff_t count) {
     if (count > 0)
         exchange(&cells->volume, 2, Of::cells,
                  [](std::int64_t a, std::int64_t b) { return a + b; });
+}
+
+void Halo::sum_cells(mpm::NodeIntegers* records, std::ptrdiff_t cells, int each) {
+    if (cells > 0)
+        exchange(reinterpret_cast<std::uint64_t*>(records->value), each * mpm::record::size,
+                 Of::cells, [](std::uint64_t a, std::uint64_t b) { return a + b; });
+}
+
+void Halo::sum_cells(double* values, std::ptrdiff_t cells, int each) {
+    if (cells > 0) exchange(values, each, Of::cells, [](double a, double b) { return a + b; });
 }
 
 void Halo::min_nodes(double* values, std::ptrdiff_t, int per_node) {

@@ -31,7 +31,10 @@ class Halo : public mpm::Exchange {
     void sum_nodes(mpm::NodeRecord* records, std::ptrdiff_t nodes) override;
     void sum_nodes(mpm::NodeIntegers* records, std::ptrdiff_t nodes) override;
     void sum_nodes(Vector2* forces, std::ptrdiff_t nodes) override;
+    const std::uint8_t* counted_cells() const override { return cell_counts.data(); }
     void sum_cells(mpm::CellIntegers* cells, std::ptrdiff_t count) override;
+    void sum_cells(mpm::NodeIntegers* records, std::ptrdiff_t cells, int each) override;
+    void sum_cells(double* values, std::ptrdiff_t cells, int each) override;
     void min_nodes(double* values, std::ptrdiff_t nodes, int per_node) override;
     void max(double* values, int count) override;
     void sum(double* values, int count) override;
@@ -68,7 +71,7 @@ class Halo : public mpm::Exchange {
 
     HaloLayout layout;
     mpm::WholeGrid whole_grid;
-    std::vector<std::uint8_t> counts;
+    std::vector<std::uint8_t> counts, cell_counts;
     std::vector<mpm::KeyedNumbers> own_items;
     std::vector<int> words_of, first_word;  // of each process
     std::array<std::vector<std::uint64_t>, 2> outgoing, incoming;

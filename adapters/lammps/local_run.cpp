@@ -27,13 +27,15 @@ LocalRun::LocalRun(FixCase given, VariableAt values)
       axis_z(mpm::make_axis(plan.plan.z)), cut{} {
     if (plan.plan.settings.axisymmetric && axis_r[0] < 0.0)
         throw std::invalid_argument("the grid must not reach across the axis");
+    for (const mpm::BodyPlan& body : plan.plan.bodies) {
+        const auto material = mpm::make_material(body);
+        auto& water = waters.emplace_back();
+        if (body.water) water = mpm::make_water(body, *material);
+        names_of.push_back(mpm::column_names(material.get(), water ? &*water : nullptr));
+    }
 }
 
 double LocalRun::slack() const { return std::min(axis_r.shortest(), axis_z.shortest()); }
-
-std::vector<std::string> LocalRun::column_names(std::size_t body) const {
-    return mpm::column_names(mpm::make_material(plan.plan.bodies[body]).get());
-}
 
 std::ptrdiff_t LocalRun::particles() const {
     auto count = static_cast<std::ptrdiff_t>(waiting.size());
@@ -156,7 +158,8 @@ void LocalRun::add_bodies(const BuiltCase& built) {
         Body body;
         body.name = of_plan.name;
         body.material = mpm::make_material(of_plan);
-        body.particles = mpm::Particles(body.material ? body.material->own_columns() : 0);
+        body.water = waters[b];
+        body.particles = mpm::Particles(static_cast<int>(names_of[b].size()) - mpm::column::own);
         for (const auto& [id, row] : waiting)
             if (row.body == b) body.particles.add(id, row.columns.data());
         if (of_plan.rigid()) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -93,7 +94,11 @@ class LocalRun {
     const FixCase& description() const { return plan; }
     // How far particles may get since they were last sent to where they belong [m].
     double slack() const;
-    std::vector<std::string> column_names(std::size_t body) const;
+    const std::vector<std::string>& column_names(std::size_t body) const { return names_of[body]; }
+    // Null: it has none.
+    const mpm::PoreWater* water(std::size_t body) const {
+        return waters[body] ? &*waters[body] : nullptr;
+    }
     std::ptrdiff_t particles() const;
 
   private:
@@ -110,7 +115,9 @@ class LocalRun {
     VariableAt variables;
     std::vector<AskedVariable> asked;
     std::shared_ptr<mpm::Clock> clock;
-    mpm::Axis axis_r, axis_z;  // of the whole grid
+    std::vector<std::vector<std::string>> names_of;     // columns of each body
+    std::vector<std::optional<mpm::PoreWater>> waters;  // of each body
+    mpm::Axis axis_r, axis_z;                           // of the whole grid
     Cuts cut;
     std::unique_ptr<Halo> exchange;
     std::unique_ptr<mpm::Runner> runner;

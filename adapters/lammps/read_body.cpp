@@ -111,6 +111,28 @@ void read_motion(Words& words, FixCase& out) {
     if (words.take("from")) rigid->from_stage = words.word("the stage of a motion");
 }
 
+void read_water(Words& words, FixCase& out) {
+    mpm::BodyPlan& body = out.plan.bodies[out.plan.body(words.word("the body of water"))];
+    if (body.water) throw std::invalid_argument("water " + body.name + ": it has water already");
+    mpm::WaterPlan& water = body.water.emplace();
+    water.drainage =
+        static_cast<mpm::Drainage>(words.choice("the drainage of a body", mpm::words::drainages));
+    for (;;) {
+        const auto* member = member_called(mpm::water_members(), words.peek());
+        if (member) {
+            words.read(words.word("a keyword"), *member, water);
+        } else if (words.take("table")) {
+            water.table = words.number("the water table");
+        } else if (words.take("kozeny_carman")) {
+            water.kozeny_carman = true;
+            water.conductivity_at =
+                words.number("the void ratio of the conductivity", mpm::words::above_zero);
+        } else {
+            break;
+        }
+    }
+}
+
 void read_points(Words& words, FixCase& out) {
     const std::size_t body = out.plan.body(words.word("the body of points"));
     out.points[body] = words.word("the file of points");

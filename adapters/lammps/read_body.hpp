@@ -10,6 +10,8 @@ namespace grit::lammps {
 void read_body(Words& words, FixCase& out);
 // NAME FUNCTION FUNCTION, velocities of a rigid body along r and z, and perhaps from STAGE.
 void read_motion(Words& words, FixCase& out);
+// NAME undrained|flow and words of the water.
+void read_water(Words& words, FixCase& out);
 // NAME FILE
 void read_points(Words& words, FixCase& out);
 

@@ -2,6 +2,7 @@
 // The words of a command, one after the other.
 #pragma once
 
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,6 +48,15 @@ class Words {
     std::vector<std::string> words;
     std::size_t at = 0;
 };
+
+// The first member with this word; null: none.
+template <class Plan>
+const mpm::Member<Plan>* member_called(std::span<const mpm::Member<Plan>> members,
+                                       const std::string& word) {
+    for (const mpm::Member<Plan>& member : members)
+        if (!member.fix.empty() && member.fix == word) return &member;
+    return nullptr;
+}
 
 // Where that says the key already.
 std::string no_name(std::string_view key);

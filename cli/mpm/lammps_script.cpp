@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/mpm/lammps_script.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 
 #include <adapters/mpm/case/case_words.hpp>
+#include <adapters/mpm/case/initial_state.hpp>
 #include <adapters/mpm/run/history.hpp>
+#include <adapters/mpm/step/column_names.hpp>
 #include <fmt/format.h>
 #include <grit/contact.h>
 
@@ -65,6 +69,7 @@ void add_grid(const Case& plan, FixWords& fix) {
                 throw BadInput(fmt::format("fix grit/mpm of LAMMPS has no {} sides", word.word));
         if (kind != Boundary::free)
             fix.add("boundary {} {}", side.word, word_of(words::boundaries, kind));
+        if (plan.drained[side.value]) fix.add("drained {}", side.word);
     }
 }
 
@@ -104,10 +109,20 @@ std::string of_sand(const SandPlan& plan) {
                              word_of(words::on_off, plan.options.intergranular_off));
 }
 
+// Pore pressures are among the points.
+void add_water(const BodyPlan& body, FixWords& fix) {
+    const WaterPlan& water = *body.water;
+    fix.add("water {} {}", body.name, word_of(words::drainages, water.drainage));
+    for (const Member<WaterPlan>& member : water_members())
+        if (member.word->kind != Kind::number || member.word->si_range().has(member.get(water)))
+            fix.out += fmt::format(" {} {}", member.fix, value_of(member, water));
+    if (water.kozeny_carman)
+        fix.out += fmt::format(" kozeny_carman {}", exact(conductivity_at(body)));
+}
+
 void add_bodies(const Case& plan, const std::string& stem, FixWords& fix) {
     for (std::size_t i = 0; i < plan.bodies.size(); ++i) {
         const BodyPlan& body = plan.bodies[i];
-        if (body.water) throw BadInput("fix grit/mpm of LAMMPS has no pore water");
         std::string material = "rigid";
         if (const auto* elastic = std::get_if<ElasticPlan>(&body.material))
             material = fmt::format("{} {} {}", elastic->neo_hooke ? "neo_hooke" : "elastic",
@@ -117,6 +132,7 @@ void add_bodies(const Case& plan, const std::string& stem, FixWords& fix) {
         if (const auto* rigid = std::get_if<RigidPlan>(&body.material))
             fix.add("motion {} {} {}{}", body.name, of_table(rigid->velocity_r),
                     of_table(rigid->velocity_z), from(rigid->from_stage));
+        if (body.water) add_water(body, fix);
         fix.add("points {} {}_{}.points", body.name, stem, body.name);
     }
 }
@@ -191,6 +207,24 @@ std::string columns_comment() {
     return out;
 }
 
+// Of atoms, which have the columns of files of points but id behind r z v_r v_z.
+std::string pore_columns_comment(const Case& plan) {
+    std::size_t longest = 0;
+    bool any = false;
+    for (const BodyPlan& body : plan.bodies) {
+        const auto material = make_material(body);
+        const auto water =
+            body.water ? std::optional(make_water(body, *material)) : std::optional<PoreWater>();
+        longest = std::max(longest, column_names(material.get(), water ? &*water : nullptr).size());
+        any = any || water;
+    }
+    if (!any) return {};
+    std::string out = "# Of atoms:";
+    for (const char* name : pore_fields) out += fmt::format(" {} {},", ++longest, name);
+    out.back() = '\n';
+    return out;
+}
+
 }  // namespace
 
 std::string lammps_fix(const Case& plan, const std::string& stem) {
@@ -206,10 +240,10 @@ std::string lammps_fix(const Case& plan, const std::string& stem) {
     add_tractions(plan, fix);
     add_contacts(plan, fix);
     fix.add("driven {} {}", plan.history.body, word_of(words::depths, plan.history.depth_of));
-    return fmt::format("neigh_modify once yes\n{}\n\n{}"
+    return fmt::format("neigh_modify once yes\n{}\n\n{}{}"
                        "thermo_style custom step f_mpm[*]\n"
                        "thermo_modify format float %.17g line one\n",
-                       fix.out, columns_comment());
+                       fix.out, columns_comment(), pore_columns_comment(plan));
 }
 
 std::string lammps_script(const Case& plan, const std::string& stem,

@@ -70,7 +70,8 @@ void write_data(const Case& plan, Simulation& simulation, std::FILE* file) {
 // What the atoms do not have: all columns from F on.
 void write_points(Simulation& simulation, std::size_t body, std::FILE* file) {
     const Body& of = simulation.body(body);
-    const std::vector<std::string> names = column_names(of.material.get());
+    const std::vector<std::string> names =
+        column_names(of.material.get(), of.water ? &*of.water : nullptr);
     std::string line = "id";
     for (std::size_t k = c::F_rr; k < names.size(); ++k) line += " " + names[k];
     fmt::print(file, "{}\n", line);

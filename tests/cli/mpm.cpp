@@ -295,12 +295,16 @@ TEST(SaturatedCase, ShowsPorePressuresAndTotalStresses) {
         EXPECT_NE(fields.find("\"" + std::string(name) + " ["), std::string::npos) << name;
 }
 
-TEST(SaturatedCase, IsRefusedByTheWriterOfScriptsForLammps) {
+TEST(SaturatedCase, IsWrittenForLammps) {
     const Workplace here;
-    here.write("short.toml", saturated);
+    here.write("short.toml", std::string(saturated) + "'body.sand.water.pressure' = 'implicit'\n");
     const Answer answer = here.grit("mpm --quiet --to-lammps out short.toml");
-    EXPECT_EQ(answer.status, 2);
-    EXPECT_TRUE(answer.says("fix grit/mpm of LAMMPS has no pore water")) << answer.text;
+    ASSERT_EQ(answer.status, 0) << answer.text;
+    const std::string fix = here.text("out/short.fix");
+    for (const char* words : {"water sand flow pressure implicit porosity ", " cavitation 100000 ",
+                              " conductivity 0.001", "# Of atoms: 24 pore_pressure, 25 total_rr, "})
+        EXPECT_NE(fix.find(words), std::string::npos) << words << " in\n" << fix;
+    EXPECT_NE(here.text("out/short_sand.points").find(" p_w w_r w_z\n"), std::string::npos);
 }
 
 }  // namespace

@@ -441,17 +441,6 @@ TEST(SaturatedSand, StartsWithItsBuoyantWeight) {
         EXPECT_NEAR(q(Sand::work + 1, p), 1000.0 * 9.81 * (1.0 - q(column::z, p)), 20.0);
 }
 
-TEST(SaturatedSand, IsRefusedWhereProcessesShareTheGrid) {
-    Exchange others;
-    Simulation simulation(Axis::uniform(0.0, 1.0, 4), Axis::uniform(0.0, 1.0, 4), {}, &others);
-    Body body;
-    body.particles = Particles(1);
-    body.particles.add({0.5, 0.5, 0.1, 0.1, 2000.0}, true);
-    body.material = std::make_unique<LinearElastic>(1e7, 0.2);
-    body.water = PoreWater{.porosity = 0.4, .first = column::own};
-    EXPECT_THROW(simulation.add_body(std::move(body)), std::invalid_argument);
-}
-
 // Whatever the porosity does: under a hydrostatic pressure water stays where it is, and under an even one all do.
 TEST(FlowingWater, StaysAtRestInSandOfUnevenPorosity) {
     for (const double gravity : {0.0, 9.81}) {

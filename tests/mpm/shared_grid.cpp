@@ -112,6 +112,12 @@ std::vector<double> totals_of(Simulation& s) {
                             base_reaction(s),
                             unbalanced_share(s, s.next_step())};
     for (const double x : contact_totals_of(s)) out.push_back(x);
+    if (s.body(1).water) {
+        const Faces& pore = s.pore_faces(0);
+        const Extremes pressures = pore_pressures(s);
+        out.insert(out.end(), {e.pore_water, e.half, e.drag, e.implicit, pore.along_r[0],
+                               pore.along_z[1], pressures.least, pressures.largest});
+    }
     return out;
 }
 
@@ -224,6 +230,32 @@ TEST(SharedSprings, WorkAgainstTheSameOverlap) {
     for (const Cut cut : {Cut{1, 10}, Cut{1, 12}, Cut{0, 3}, Cut{0, 5}}) {
         const Result two = together(problem, cut, 120, 3);
         EXPECT_EQ(two.totals[0], one.totals[0]) << cut.direction << ' ' << cut.cell;
+        EXPECT_TRUE(same_bits(two.rows, one.rows)) << cut.direction << ' ' << cut.cell;
+    }
+}
+
+// Pore water, the contact of a block that presses on it, and particles that go from one process to the other.
+class SharedWater : public testing::TestWithParam<std::tuple<bool, bool>> {};
+INSTANTIATE_TEST_SUITE_P(FlowsImplicit, SharedWater,
+                         testing::Combine(testing::Bool(), testing::Bool()));
+
+TEST_P(SharedWater, HasTheBitsOfOneProcess) {
+    const auto [flows, implicit] = GetParam();
+    PressedSand problem;
+    problem.settings.fixed_point = true;
+    problem.growth = 1.04;
+    problem.water = PressedSand::soft_water(flows, implicit);
+    constexpr int steps = 160;
+    const Result one = alone(problem, steps);
+    const auto from_end = [&](std::size_t k) { return *(one.totals[0].end() - 8 + k); };
+    EXPECT_NE(from_end(0), 0.0);                 // compression of water
+    EXPECT_EQ(from_end(3) > 0.0, implicit);      // taken by an implicit pressure
+    EXPECT_EQ(from_end(5) != 0.0, implicit);     // ... pressed on the block [N]
+    EXPECT_GT(from_end(7), 2.0 * 9810.0 * 0.5);  // far beyond that at rest
+    for (const Cut cut : {Cut{1, 10}, Cut{1, 7}, Cut{0, 3}, Cut{0, 5}}) {
+        const Result two = together(problem, cut, steps, 3);
+        EXPECT_EQ(two.totals[0], one.totals[0]) << cut.direction << ' ' << cut.cell;
+        EXPECT_EQ(two.totals[1], one.totals[0]) << cut.direction << ' ' << cut.cell;
         EXPECT_TRUE(same_bits(two.rows, one.rows)) << cut.direction << ' ' << cut.cell;
     }
 }

@@ -71,6 +71,7 @@ struct WaterPlan {
     double porosity = 0.0;      // at the start, of elastic bodies; sand has its void ratio
     double conductivity = 0.0;  // of flow [m/s]
     bool kozeny_carman = false;
+    double conductivity_at = 0.0;      // void ratio of the law; 0: that of the start
     bool implicit = false;             // its pressure
     std::optional<double> table = {};  // level of p_w = 0 at the start [m]; none: p_w = 0
 };

@@ -59,6 +59,17 @@ constexpr Member<ContactPlan> of_contact[] = {
         case_word("contact", "contact_stiffness_multiple"), "stiffness_multiple"),
     member<ContactPlan, &ContactPlan::modulus>(case_word("contact", "modulus_kPa"), "modulus")};
 
+constexpr Member<WaterPlan> of_water[] = {
+    member<WaterPlan, &WaterPlan::implicit>(case_word("body.water", "pressure"), "pressure"),
+    member<WaterPlan, &WaterPlan::porosity>(case_word("body.water", "porosity"), "porosity"),
+    member<WaterPlan, &WaterPlan::bulk_modulus>(case_word("body.water", "bulk_modulus_kPa"),
+                                                "bulk_modulus"),
+    member<WaterPlan, &WaterPlan::density>(case_word("body.water", "density_kg_per_m3"), "density"),
+    member<WaterPlan, &WaterPlan::largest_tension>(case_word("body.water", "cavitation_kPa"),
+                                                   "cavitation"),
+    member<WaterPlan, &WaterPlan::conductivity>(case_word("body.water", "conductivity_m_per_s"),
+                                                "conductivity")};
+
 constexpr Member<StagePlan> of_stage[] = {
     member<StagePlan, &StagePlan::gravity>(case_word("stage", "gravity"), "gravity"),
     member<StagePlan, &StagePlan::local_damping>(case_word("stage", "local_damping"),
@@ -86,6 +97,14 @@ constexpr FixKeyword keywords[] = {
      "VALUE)... with the "
      "parameters of `grit/sand.h`, Pa and rad, and `tolerance`, `evaluation_limit`, `intergranular "
      "on`|`off`"},
+    {"water",
+     "NAME {body.water.drainage} [`pressure` {body.water.pressure}] [`porosity` N] [`bulk_modulus` "
+     "K_W] [`density` RHO] [`cavitation` "
+     "P] "
+     "[`table` Z] [`conductivity` K [`kozeny_carman` E]]",
+     "of a body of sand, or elastic with porosity N; as in `body.water`: Pa, kg/m³, m, m/s; E: the "
+     "void ratio that the conductivity is of; Z, where the points file has no `p_w`"},
+    {"drained", "{side}", "a side that pore water leaves freely"},
     {"motion", "NAME V_R V_Z [`from` STAGE]",
      "velocities of a rigid body [m/s], each a FUNCTION, no pulses"},
     {"points", "NAME FILE", "of a body, see below"},
@@ -118,7 +137,7 @@ std::string filled_in(std::string_view pattern) {
         if (open == std::string_view::npos) break;
         const std::size_t close = pattern.find('}', open);
         const std::string_view name = pattern.substr(open + 1, close - open - 1);
-        const std::size_t dot = name.find('.');
+        const std::size_t dot = name.rfind('.');
         Spellings found = words::sides;
         for (const CaseWord& word : words::all)
             if (dot != std::string_view::npos && word.section == name.substr(0, dot) &&
@@ -242,6 +261,7 @@ double CaseWord::otherwise_number() const {
 
 std::span<const Member<Case>> numerics_members() { return of_numerics; }
 std::span<const Member<ContactPlan>> contact_members() { return of_contact; }
+std::span<const Member<WaterPlan>> water_members() { return of_water; }
 std::span<const Member<StagePlan>> stage_members() { return of_stage; }
 std::span<const Member<StageEnd>> end_members() { return of_end; }
 std::span<const FixKeyword> fix_keywords() { return keywords; }

@@ -310,6 +310,7 @@ template <class Plan> struct Member {
 
 std::span<const Member<Case>> numerics_members();
 std::span<const Member<ContactPlan>> contact_members();  // of nodal laws
+std::span<const Member<WaterPlan>> water_members();
 std::span<const Member<StagePlan>> stage_members();
 std::span<const Member<StageEnd>> end_members();
 

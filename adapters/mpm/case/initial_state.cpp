@@ -170,10 +170,20 @@ PoreWater make_water(const BodyPlan& body, const Material& material) {
     out.largest_tension = plan.largest_tension;
     out.porosity = plan.porosity;
     out.conductivity = plan.conductivity;
-    out.conductivity_at = plan.kozeny_carman ? void_ratio_of(body) : 0.0;
+    out.conductivity_at = conductivity_at(body);
     out.first = column::own + material.own_columns();
     out.void_ratio_column = material.separation().void_ratio;
     return out;
+}
+
+double pore_pressure_at(const WaterPlan& water, double gravity, double z) {
+    return water.table ? water.density * gravity * (*water.table - z) : 0.0;
+}
+
+double conductivity_at(const BodyPlan& body) {
+    const WaterPlan& water = *body.water;
+    if (!water.kozeny_carman) return 0.0;
+    return water.conductivity_at > 0.0 ? water.conductivity_at : void_ratio_of(body);
 }
 
 void fill_pores(const BodyPlan& body, double gravity, const PoreWater& water,
@@ -185,7 +195,7 @@ void fill_pores(const BodyPlan& body, double gravity, const PoreWater& water,
         const double density =
             (1.0 - n) * plan.grain_density + (water.flows ? 0.0 : n * plan.density);
         q[c::mass][p] = density * q[c::V0][p];
-        if (plan.table) q[water.first][p] = plan.density * gravity * (*plan.table - q[c::z][p]);
+        q[water.first][p] = pore_pressure_at(plan, gravity, q[c::z][p]);
     }
 }
 

@@ -85,8 +85,6 @@ Objections objection_to(const Case& plan, const MaterialPlan& material, const Wa
         return Objection{"", ": a rigid body has no pores"};
     if (plan.settings.scheme != Scheme::usl)
         return Objection{"", ": pore water needs the scheme usl"};
-    if (plan.settings.fixed_point)
-        return Objection{"", ": pore water has no sums in fixed point yet"};
     const bool is_sand = std::holds_alternative<SandPlan>(material);
     if (is_sand && given("porosity"))
         return Objection{"porosity", ": sand has a void ratio instead"};

@@ -20,7 +20,9 @@ void push_by_pressures(const PatchCall& call, const double* pressure, double* no
         const double* force = call.patches[call.cells[c].patch].force;
         double* at = nodes + 2 * call.cells[c].first;
         for (int j = 0; j < 4; ++j, force += 8, at += 2 * call.row) {
-            const RowOfPatch sum = load_row(at) + pressure[c] * load_row(force);
+            const RowOfPatch share = pressure[c] * load_row(force);
+            const RowOfPatch sum =
+                load_row(at) + ((share + call.rounding.magic) - call.rounding.magic);
             __builtin_memcpy(at, &sum, sizeof sum);
         }
     }

@@ -8,6 +8,14 @@
 //   ... with tractions          sum of their forces                             16 a halo node
 //   means of cells, per body    sum of cells, of strains and of stresses        16 a halo cell each
 //   ... of mean stresses        maximum                                         8
+//   pore water, per body        sum of node records, or of integers             64 a halo node
+//   ...                         sum of cells, of pressures and of strains       16 a halo cell each
+//   ... fixed point             maxima of contributions, eight                  8 each
+//   ... implicit                sum of patches, of cells                        256 a halo cell
+//   ... ..., each change        sums of laws, of cells                          16 a halo cell
+//   ... ..., each iteration     sum of forces                                   16 a halo node
+//   ... ...                     products; fixed point: maximum, too             8 each; fixed point: 40
+//   ... ..., per contact        sums of forces                                  8 each; fixed point: 40
 //   after MUSL's second one     sum of node records                             64 a halo node
 //   contact with distances      minima of surfaces, of those beside the node,   48 a halo node
 //                               and of centres, two each
@@ -21,7 +29,7 @@
 //                               of all processes to each of them
 //   fixed point, per scatter    maxima of contributions, eight a body           8 each
 //   ... with tractions          maximum of their forces                         8
-//   each step, per body         maxima: c, v2, way along z                      8 each
+//   each step, per body         maxima: c, v2, way along z, what water adds     8 each
 //   each step                   sums of the energy balance, count of lost       8 each; fixed point: 40
 #pragma once
 
@@ -55,7 +63,11 @@ class Exchange {
     virtual void sum_nodes(NodeRecord* /*records*/, std::ptrdiff_t /*nodes*/) {}
     virtual void sum_nodes(NodeIntegers* /*records*/, std::ptrdiff_t /*nodes*/) {}
     virtual void sum_nodes(Vector2* /*forces*/, std::ptrdiff_t /*nodes*/) {}
+    // [cells] 1 where this process counts a cell that particles may be in, each such cell once; null: all.
+    virtual const std::uint8_t* counted_cells() const { return nullptr; }
     virtual void sum_cells(CellIntegers* /*cells*/, std::ptrdiff_t /*count*/) {}
+    virtual void sum_cells(NodeIntegers* /*records*/, std::ptrdiff_t /*cells*/, int /*each*/) {}
+    virtual void sum_cells(double* /*values*/, std::ptrdiff_t /*cells*/, int /*each*/) {}
     virtual void min_nodes(double* /*values*/, std::ptrdiff_t /*nodes*/, int /*per_node*/) {}
     virtual void max(double* /*values*/, int /*count*/) {}
     virtual void sum(double* /*values*/, int /*count*/) {}

@@ -76,7 +76,7 @@ void add_pressures(const GridView& grid, const ParticleView& q, std::ptrdiff_t b
 // Of undrained water the strain is that of the pores too, whose middle is taken.
 void update_pressures(const ParticleView& q, std::ptrdiff_t begin, std::ptrdiff_t end,
                       const PoreWater& water, const CellIntegers* cells, const int* cell,
-                      WaterSums& sums) {
+                      bool fixed_point, WaterSums& sums) {
     for (std::ptrdiff_t p = begin; p < end; ++p) {
         const CellIntegers& mean = cells[cell[p]];
         const double strain = mean.volume > 0 ? mean.mean() : 0.0, e = water.void_ratio(q, p);
@@ -89,8 +89,8 @@ void update_pressures(const ParticleView& q, std::ptrdiff_t begin, std::ptrdiff_
         const double before = water.pressure(q, p);
         q[water.first][p] -= water.bulk_modulus / PoreWater::porosity_of(e_middle) * strain;
         const double V = q[column::V0][p] * q.J(p), now = water.pressure(q, p);
-        sums.work.add(-0.5 * (before + now) * strain * V, false);
-        sums.half.add(-0.5 * now * strain * V, false);
+        sums.work.add(-0.5 * (before + now) * strain * V, fixed_point);
+        sums.half.add(-0.5 * now * strain * V, fixed_point);
     }
 }
 

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -104,6 +106,16 @@ GRIT_INLINE std::int64_t cell_share_rounded(double x) {
                : 0;
 }
 
+// To multiples of a power of two, such that sums of fewer than 2^room numbers up to a largest one are exact, in any order.
+struct Rounding {
+    double magic = 0.0;  // 0: none
+    static Rounding of_sums(double largest, int room) {
+        if (!(largest > 0.0 && largest < std::numeric_limits<double>::infinity())) return {};
+        return {std::ldexp(1.5, std::ilogb(largest) + 1 + room)};
+    }
+    GRIT_INLINE double operator()(double x) const { return (x + magic) - magic; }
+};
+
 // What the particles of a cell leave at the 4 by 4 nodes around it, the first of them a row and a column before the cell,
 // for a pressure of 1 Pa: the force (r, z of each node) [m2]. Its product with velocities is the rate of the cell's volume.
 struct alignas(64) CellPatch {
@@ -118,6 +130,7 @@ struct PatchCall {
     const CellPatch* patches;
     const PatchedCell* cells;
     std::size_t count, row;
+    Rounding rounding = {};  // of what is added to a node
 };
 
 // In the mirror r -> -r, besides the material.
@@ -139,9 +152,11 @@ struct WaterScatterCall {
     ParticleView particles;
     std::ptrdiff_t begin, end;
     const PoreWater* water;
-    const CellIntegers* cells;     // mean pressures, of add_pressures
-    NodeRecord* nodes;             // added to
-    CellPatch* patches = nullptr;  // added to, of implicit pressure
+    const CellIntegers* cells;            // mean pressures, of add_pressures
+    NodeRecord* nodes;                    // added to
+    FixedPoint* fixed_point = nullptr;    // in place of nodes
+    CellPatch* patches = nullptr;         // added to, of implicit pressure ...
+    FixedPoint* fixed_patches = nullptr;  // ... in their place: four records a cell, its rows
 };
 
 struct WaterGatherCall {
@@ -156,6 +171,7 @@ struct WaterGatherCall {
     CellIntegers* cells;  // volumetric strains, added to
     int* cell;            // [particles] out
     double per_volume;
+    bool fixed_point = false;  // of the sums
 };
 
 // The mean pressures of cells, as shares of K_w.
@@ -165,7 +181,7 @@ void add_pressures(const GridView& grid, const ParticleView& particles, std::ptr
 // (W1), (W2) of a range, each particle with the mean strain of its cell.
 void update_pressures(const ParticleView& particles, std::ptrdiff_t begin, std::ptrdiff_t end,
                       const PoreWater& water, const CellIntegers* cells, const int* cell,
-                      WaterSums& sums);
+                      bool fixed_point, WaterSums& sums);
 
 struct WaterNodeCall {
     NodeCall grains;      // of the body

@@ -50,13 +50,10 @@ GRIT_INLINE void scatter_by(const ScatterCall& call, Sums& sums) {
 }
 
 template <Shape shape, bool axisymmetric> void scatter_parts(const ScatterCall& call) {
-    if (call.fixed_point) {
-        FixedSums sums{call.fixed_point->nodes, {}, {}};
-        for (int c = 0; c < record::size; ++c) sums.scale[c] = call.fixed_point->scale[c];
-        scatter_by<shape, axisymmetric, false>(call, sums);
-        for (int c = 0; c < record::size; ++c) call.fixed_point->largest[c] = sums.largest[c];
-        return;
-    }
+    if (call.fixed_point)
+        return add_in_fixed_point(*call.fixed_point, [&](FixedSums& sums) {
+            scatter_by<shape, axisymmetric, false>(call, sums);
+        });
     DoubleSums sums{call.nodes};
     if (call.parts == part::all) scatter_by<shape, axisymmetric, true>(call, sums);
     else scatter_by<shape, axisymmetric, false>(call, sums);

@@ -42,4 +42,12 @@ struct FixedSums {
     }
 };
 
+// work(sums), which adds contributions.
+template <class Work> GRIT_INLINE void add_in_fixed_point(FixedPoint& to, const Work& work) {
+    FixedSums sums{to.nodes, {}, {}};
+    for (int c = 0; c < record::size; ++c) sums.scale[c] = to.scale[c];
+    work(sums);
+    for (int c = 0; c < record::size; ++c) to.largest[c] = sums.largest[c];
+}
+
 GRIT_KERNEL_END

@@ -3,33 +3,55 @@
 // conjugate: the force is that of the mean pressure of cells, the strain the mean of cells.
 #pragma once
 
+#include <type_traits>
+
 #include "adapters/mpm/kernel/gather.hpp"
 #include "adapters/mpm/kernel/pore_water.hpp"
+#include "adapters/mpm/kernel/sums.hpp"
 
 GRIT_KERNEL_BEGIN_OF(mpm)
 
-// As sums of nodes, into the patch of a cell.
-struct PatchSums {
-    double* force;
-    std::ptrdiff_t row, column, n_r;  // of its first node, even outside of the grid
+// As sums of nodes, into the patch of a cell. Rows: sums of its rows, four a cell.
+template <class Rows> struct PatchSums {
+    Rows& rows;
+    std::ptrdiff_t first, row, column, n_r;  // of its first node, even outside of the grid
 
-    GRIT_INLINE PatchSums(CellPatch& patch, const Place& place, std::ptrdiff_t nodes_r)
-        : force(patch.force), row(place.cell_z - 1), column(place.cell_r - 1), n_r(nodes_r) {}
+    GRIT_INLINE PatchSums(Rows& of_cells, const GridView& grid, const Place& place)
+        : rows(of_cells), first(4 * (std::ptrdiff_t{place.cell_z} * grid.r.cells + place.cell_r)),
+          row(place.cell_z - 1), column(place.cell_r - 1), n_r(grid.nodes_r()) {}
     GRIT_INLINE void add(std::ptrdiff_t node, const Vec8& P) {
         if (P[0] == 0.0 && P[1] == 0.0) return;  // weights that are nothing may lie anywhere
         const std::ptrdiff_t j = node / n_r, i = node - j * n_r;
-        const std::ptrdiff_t at = 2 * (4 * (j - row) + i - column);
-        force[at] += P[0];
-        force[at + 1] += P[1];
+        rows.add(first + (j - row), i - column, P[0], P[1]);
     }
 };
 
-template <bool axisymmetric, class Stencil>
+struct RowsInDouble {
+    CellPatch* patches;
+    GRIT_INLINE void add(std::ptrdiff_t row, std::ptrdiff_t node, double f_r, double f_z) const {
+        double* force = patches->force + 8 * row + 2 * node;
+        force[0] += f_r;
+        force[1] += f_z;
+    }
+};
+
+struct RowsInFixedPoint {
+    FixedSums& sums;
+    GRIT_INLINE void add(std::ptrdiff_t row, std::ptrdiff_t node, double f_r, double f_z) const {
+        Vec8 x{};
+        x[2 * node] = f_r;
+        x[2 * node + 1] = f_z;
+        sums.add(row, x);
+    }
+};
+
+struct NoRows {};
+
+template <bool axisymmetric, class Stencil, class Rows>
 GRIT_INLINE void add_to_patch(const WaterScatterCall& call, const Place& place, const Stencil& w,
-                              std::ptrdiff_t p) {
+                              std::ptrdiff_t p, Rows& rows) {
     const ParticleView& q = call.particles;
-    CellPatch& patch = call.patches[place.cell_z * call.grid.r.cells + place.cell_r];
-    PatchSums sums(patch, place, call.grid.nodes_r());
+    PatchSums<Rows> sums(rows, call.grid, place);
     const double V = q[column::V0][p] * q.J(p);
     for (int k = 0; k < Stencil::points; ++k) {
         const double hoop = axisymmetric ? w.hoop(k) : 0.0;
@@ -37,12 +59,12 @@ GRIT_INLINE void add_to_patch(const WaterScatterCall& call, const Place& place, 
     }
 }
 
-template <Shape shape, bool axisymmetric> void scatter_water_by(const WaterScatterCall& call) {
+template <Shape shape, bool axisymmetric, class Sums, class Rows>
+GRIT_INLINE void scatter_water_to(const WaterScatterCall& call, Sums& sums, Rows rows) {
     using Stencil = typename StencilOf<shape, axisymmetric>::type;
     namespace c = column;
     const ParticleView& q = call.particles;
     const PoreWater& water = *call.water;
-    DoubleSums sums{call.nodes};
     for (std::ptrdiff_t p = call.begin; p < call.end; ++p) {
         const Place place = place_of<axisymmetric>(call.grid, q, p);
         const Stencil w(call.grid, place);
@@ -58,7 +80,8 @@ template <Shape shape, bool axisymmetric> void scatter_water_by(const WaterScatt
             m_v_r = mass * (q[c::v_r][p] + q[water.velocity_column()][p]);
             m_v_z = mass * (q[c::v_z][p] + q[water.velocity_column() + 1][p]);
         }
-        if (call.patches) add_to_patch<axisymmetric>(call, place, w, p);
+        if constexpr (!std::is_same_v<Rows, NoRows>)
+            add_to_patch<axisymmetric>(call, place, w, p, rows);
         for (int k = 0; k < Stencil::points; ++k) {
             const double S = w.S[k];
             double f_r = force * w.G_r[k];
@@ -68,6 +91,21 @@ template <Shape shape, bool axisymmetric> void scatter_water_by(const WaterScatt
                   sums);
         }
     }
+}
+
+template <Shape shape, bool axisymmetric> void scatter_water_by(const WaterScatterCall& call) {
+    if (call.fixed_point)
+        return add_in_fixed_point(*call.fixed_point, [&](FixedSums& sums) {
+            if (!call.fixed_patches)
+                return scatter_water_to<shape, axisymmetric>(call, sums, NoRows{});
+            add_in_fixed_point(*call.fixed_patches, [&](FixedSums& rows) {
+                scatter_water_to<shape, axisymmetric>(call, sums, RowsInFixedPoint{rows});
+            });
+        });
+    DoubleSums sums{call.nodes};
+    if (call.patches)
+        return scatter_water_to<shape, axisymmetric>(call, sums, RowsInDouble{call.patches});
+    scatter_water_to<shape, axisymmetric>(call, sums, NoRows{});
 }
 
 // Velocities at a particle: v of the lanes v_r, v_z and of the other ones.
@@ -115,8 +153,8 @@ GRIT_INLINE void move_water(const WaterGatherCall& call, const Stencil& w, std::
         kept += change * change;
         lost += all_kept * all_kept - end_water * end_water;
     }
-    sums.kept.add(0.5 * mass * kept, false);
-    sums.drag.add(0.5 * mass * lost, false);
+    sums.kept.add(0.5 * mass * kept, call.fixed_point);
+    sums.drag.add(0.5 * mass * lost, call.fixed_point);
 }
 
 template <Shape shape, bool axisymmetric>

@@ -42,6 +42,9 @@ void Account::add_step(const Gather& gather, const Momentum& momentum, const Loa
         pore_water,
         half,
         drag,
+        on_walls,
+        rigid_walls,
+        implicit,
         count
     };
     const bool fixed_point = model.settings.fixed_point;
@@ -66,6 +69,9 @@ void Account::add_step(const Gather& gather, const Momentum& momentum, const Loa
             step[half] += w.half;
             step[drag] += w.drag;
         }
+    step[on_walls] += water.taken().contact;
+    step[rigid_walls] += water.taken().rigid_work;
+    step[implicit] += water.taken().implicit;
     (step[external_work] += loads.work()) += sides.held_work();
     step[traction_work] += loads.work();
     step[absorption] += sides.absorbed();
@@ -80,6 +86,9 @@ void Account::add_step(const Gather& gather, const Momentum& momentum, const Loa
     energies.pore_water += step[pore_water].value();
     energies.half = step[half].value();
     energies.drag += step[drag].value();
+    energies.contact += step[on_walls].value();
+    energies.rigid_work += step[rigid_walls].value();
+    energies.implicit += step[implicit].value();
     const double count_lost = step[lost].value();
     if (count_lost > 0.0) report_lost(static_cast<long>(count_lost));
 }

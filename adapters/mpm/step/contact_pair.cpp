@@ -446,21 +446,16 @@ void ContactPair::correct(const ContactBody& a, const ContactBody& b, double dt,
 }
 
 void ContactPair::sum_faces(bool measured, Exchange& exchange) {
-    enum { r_r, r_z, z_r, z_z, count };  // along r or z, component
-    std::array<Total, count> forces;
+    FaceSums forces(fixed_point);
     double largest = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < counted; ++i) {
         const auto node = static_cast<std::size_t>(active[i]);
-        const bool faces_z = Faces::is_along_z(normal[2 * node], normal[2 * node + 1]);
-        forces[faces_z ? z_r : r_r].add(reports[i].force[0], fixed_point);
-        forces[faces_z ? z_z : r_z].add(reports[i].force[1], fixed_point);
+        forces.add(&normal[2 * node], reports[i].force);
         if (measured && std::isfinite(gap[node])) largest = std::max(largest, gap[node]);
     }
-    exchange.sum(forces, fixed_point);
+    const Faces faces = forces.of_all(exchange);
     exchange.max(&largest, 1);
-    step_faces = {
-        {{forces[r_r].value(), forces[r_z].value()}, {forces[z_r].value(), forces[z_z].value()}},
-        std::isfinite(largest) ? largest : NAN};
+    step_faces = {faces, std::isfinite(largest) ? largest : NAN};
 }
 
 }  // namespace grit::mpm

@@ -120,7 +120,7 @@ class ContactPair {
         gap, gate_gap, overlap_gap, area, pore_impulse;
     static constexpr int directions = 4;  // that may part two corners
     std::vector<double> direction[directions], direction_surface;
-    bool bears = false;  // pore water
+    bool bears = false;                    // pore water
     std::vector<char> is_active, touched;  // touched: pressed in the step before
     std::vector<char> is_closed;           // along its normal
     NearCells near;                        // to active nodes

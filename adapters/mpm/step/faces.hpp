@@ -2,8 +2,10 @@
 // Contact forces apart by where they push.
 #pragma once
 
+#include <array>
 #include <cmath>
 
+#include "adapters/mpm/kernel/exchange.hpp"
 #include "support/vector.hpp"
 
 namespace grit::mpm {
@@ -13,6 +15,25 @@ struct Faces {
     Vector2 along_r{0.0, 0.0}, along_z{0.0, 0.0};
 
     static bool is_along_z(double n_r, double n_z) { return std::fabs(n_z) > std::fabs(n_r); }
+};
+
+// ... added up over the nodes that each process counts.
+class FaceSums {
+  public:
+    explicit FaceSums(bool in_fixed_point) : fixed_point(in_fixed_point) {}
+    void add(const double* normal, const double* force) {
+        const std::size_t first = Faces::is_along_z(normal[0], normal[1]) ? 2 : 0;
+        sums[first].add(force[0], fixed_point);
+        sums[first + 1].add(force[1], fixed_point);
+    }
+    Faces of_all(Exchange& exchange) {
+        exchange.sum(sums, fixed_point);
+        return {{sums[0].value(), sums[1].value()}, {sums[2].value(), sums[3].value()}};
+    }
+
+  private:
+    bool fixed_point;
+    std::array<Total, 4> sums;
 };
 
 }  // namespace grit::mpm

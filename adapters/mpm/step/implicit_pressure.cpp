@@ -2,173 +2,225 @@
 #include "adapters/mpm/step/implicit_pressure.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
-#include <Eigen/IterativeLinearSolvers>
-
 namespace grit::mpm {
 
-// The matrix of the system, scaled to a diagonal of 1, as Eigen's solver takes it: never assembled. Cells that do not
-// bear have no row.
-class PressureOperator;
-
-}  // namespace grit::mpm
-
-namespace Eigen::internal {
-template <> struct traits<grit::mpm::PressureOperator> : traits<SparseMatrix<double>> {};
-}  // namespace Eigen::internal
-
-namespace grit::mpm {
-
-class PressureOperator : public Eigen::EigenBase<PressureOperator> {
-  public:
-    using Scalar = double;
-    using RealScalar = double;
-    using StorageIndex = int;
-    enum {
-        ColsAtCompileTime = Eigen::Dynamic,
-        MaxColsAtCompileTime = Eigen::Dynamic,
-        IsRowMajor = false
-    };
-
-    PressureOperator(ImplicitPressure& of, double step, const std::vector<NodeAnswer>& of_nodes)
-        : pressure(of), dt(step), answers(of_nodes), scaled(of.cells.size()) {}
-    Eigen::Index rows() const { return static_cast<Eigen::Index>(pressure.cells.size()); }
-    Eigen::Index cols() const { return rows(); }
-    template <class Rhs>
-    Eigen::Product<PressureOperator, Rhs, Eigen::AliasFreeProduct>
-    operator*(const Eigen::MatrixBase<Rhs>& x) const {
-        return {*this, x.derived()};
-    }
-
-    void apply(const double* x, double* y) const {
-        const std::size_t count = pressure.cells.size();
-        for (std::size_t c = 0; c < count; ++c)
-            scaled[c] = pressure.cells[c].compliance > 0.0 ? pressure.cells[c].scale * x[c] : 0.0;
-        pressure.push(scaled.data(), pressure.at_nodes);
-        for (std::size_t i = 0; i < answers.size(); ++i)
-            pressure.at_nodes[i] = answers[i](pressure.at_nodes[i]);
-        pressure.swell(pressure.at_nodes, y);
-        for (std::size_t c = 0; c < count; ++c) {
-            const ImplicitPressure::Cell& cell = pressure.cells[c];
-            y[c] = cell.compliance > 0.0
-                       ? cell.scale * (cell.compliance * scaled[c] + dt * dt * y[c])
-                       : x[c];
-        }
-    }
-
-  private:
-    ImplicitPressure& pressure;
-    double dt;
-    const std::vector<NodeAnswer>& answers;
-    mutable std::vector<double> scaled;
-};
-
-}  // namespace grit::mpm
-
-namespace Eigen::internal {
-template <class Rhs>
-struct generic_product_impl<grit::mpm::PressureOperator, Rhs, SparseShape, DenseShape, GemvProduct>
-    : generic_product_impl_base<grit::mpm::PressureOperator, Rhs,
-                                generic_product_impl<grit::mpm::PressureOperator, Rhs>> {
-    template <class To>
-    static void scaleAndAddTo(To& to, const grit::mpm::PressureOperator& of, const Rhs& x,
-                              const double& factor) {
-        const Ref<const VectorXd> in(x);
-        VectorXd out(in.size());
-        of.apply(in.data(), out.data());
-        to += factor * out;
-    }
-};
-}  // namespace Eigen::internal
-
-namespace grit::mpm {
-
-ImplicitPressure::ImplicitPressure(const GridView& grid)
-    : row(static_cast<std::size_t>(grid.r.cells) + 3), cells_r(grid.r.cells),
+ImplicitPressure::ImplicitPressure(const GridView& grid, Exchange& processes, bool in_fixed_point,
+                                   int strips)
+    : row(static_cast<std::size_t>(grid.r.cells) + 3), cells_r(grid.r.cells), exchange(processes),
+      fixed_point(in_fixed_point),
       of_cells(static_cast<std::size_t>(grid.r.cells) * static_cast<std::size_t>(grid.z.cells)),
-      count_of(of_cells.size()), at_nodes(row * (static_cast<std::size_t>(grid.z.cells) + 3)),
-      moved(at_nodes.size()) {}
+      end_of(of_cells.size()), sums(2 * of_cells.size()),
+      at_nodes(row * (static_cast<std::size_t>(grid.z.cells) + 3)), moved(at_nodes.size()) {
+    if (fixed_point) rows_of_patches.resize(4 * of_cells.size(), strips);
+    if (exchange.whole()) shared.resize((row - 2) * (static_cast<std::size_t>(grid.z.cells) + 1));
+}
 
-void ImplicitPressure::clear() { std::fill(of_cells.begin(), of_cells.end(), CellPatch{}); }
+void ImplicitPressure::begin() {
+    std::fill(of_cells.begin(), of_cells.end(), CellPatch{});
+    rows_of_patches.begin();
+}
 
-void ImplicitPressure::push(const double* x, std::vector<Vector2>& at) const {
+void ImplicitPressure::finish() {
+    static_assert(sizeof(CellPatch) == 4 * sizeof(NodeRecord));
+    if (fixed_point)
+        return rows_of_patches.add_to(reinterpret_cast<NodeRecord*>(of_cells.data()), 4, exchange);
+    exchange.sum_cells(of_cells.data()->force, static_cast<std::ptrdiff_t>(of_cells.size()), 32);
+}
+
+// Sums at nodes that processes share; what lies outside of the grid moves nothing.
+void ImplicitPressure::share(std::vector<Vector2>& at) {
+    if (shared.empty()) return;
+    for (std::size_t i = 0; i < shared.size(); ++i) shared[i] = at[node(i)];
+    exchange.sum_nodes(shared.data(), static_cast<std::ptrdiff_t>(shared.size()));
+    for (std::size_t i = 0; i < shared.size(); ++i) at[node(i)] = shared[i];
+}
+
+void ImplicitPressure::push(const double* x, std::vector<Vector2>& at) {
+    double largest = 0.0;
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        pushing[c] = cells[c].counted ? x[c] : 0.0;
+        largest = std::max(largest, std::fabs(pushing[c]) * cells[c].reach);
+    }
+    PatchCall call{of_cells.data(), patched.data(), cells.size(), row};
+    if (fixed_point) {
+        exchange.max(&largest, 1);
+        call.rounding = Rounding::of_sums(largest, 5);  // a node has 16 cells
+    }
     std::fill(at.begin(), at.end(), Vector2{});
-    kernels().push_by_pressures(all(), x, at.data()->c);
+    kernels().push_by_pressures(call, pushing.data(), at.data()->c);
+    share(at);
 }
 
 void ImplicitPressure::swell(const std::vector<Vector2>& v, double* of) const {
-    kernels().find_swelling(all(), v.data()->c, of);
+    kernels().find_swelling({of_cells.data(), patched.data(), cells.size(), row}, v.data()->c, of);
 }
 
-void ImplicitPressure::find_cells(const PoreWater& water, const GridView& grid,
-                                  Particles& particles) {
+// Those that are here, by cells.
+void ImplicitPressure::find_particles(const PoreWater& water, const GridView& grid,
+                                      Particles& particles) {
     const ParticleView q = particles.view();
     const auto cell_of = [&](std::ptrdiff_t p) {
         return static_cast<std::size_t>(grid.cell_of(q[column::r][p], q[column::z][p]));
     };
-    std::fill(count_of.begin(), count_of.end(), 0);
-    for (std::ptrdiff_t p = 0; p < particles.size(); ++p) ++count_of[cell_of(p)];
-    cells.clear();
-    patched.clear();
+    std::fill(end_of.begin(), end_of.end(), 0);
+    for (std::ptrdiff_t p = 0; p < particles.size(); ++p) ++end_of[cell_of(p)];
     std::size_t begin = 0;
-    for (std::size_t at = 0; at < count_of.size(); ++at) {
-        const std::size_t count = count_of[at], of_row = static_cast<std::size_t>(cells_r);
-        count_of[at] = begin;
-        if (count == 0) continue;
-        patched.push_back({at, at / of_row * row + at % of_row});
-        cells.push_back({.begin = begin,
-                         .end = begin + count,
-                         .V = 0.0,
-                         .pressure = 0.0,
-                         .compliance = 0.0,
-                         .reached = 0.0,
-                         .scale = 1.0});
+    for (std::size_t& of_cell : end_of) {
+        const std::size_t count = of_cell;
+        of_cell = begin;
         begin += count;
     }
     particles_of.resize(begin);
-    for (std::ptrdiff_t p = 0; p < particles.size(); ++p)
-        particles_of[count_of[cell_of(p)]++] = {
-            q[column::V0][p] * q.J(p),
-            water.bulk_modulus / PoreWater::porosity_of(water.void_ratio(q, p)), q[water.first][p]};
-    for (Cell& cell : cells) {
+    double largest[3] = {};  // of V, V K_w/n and V p
+    for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
+        const InCell in{q[column::V0][p] * q.J(p),
+                        water.bulk_modulus / PoreWater::porosity_of(water.void_ratio(q, p)),
+                        q[water.first][p]};
+        particles_of[end_of[cell_of(p)]++] = in;
+        largest[0] = std::max(largest[0], in.V);
+        largest[1] = std::max(largest[1], in.V * in.stiffness);
+        largest[2] = std::max(largest[2], in.V * std::max(std::fabs(in.p), water.largest_tension));
+    }
+    if (!fixed_point) return;
+    exchange.max(largest, 3);
+    constexpr int room = 12;  // bits for the particles of a cell
+    of_volume = Rounding::of_sums(largest[0], room);
+    of_stiffness = Rounding::of_sums(largest[1], room);
+    of_pressure = Rounding::of_sums(largest[2], room);
+}
+
+// Those with particles, of any process.
+void ImplicitPressure::find_cells(const PoreWater& water) {
+    std::fill(sums.begin(), sums.end(), 0.0);
+    for (std::size_t at = 0, p = 0; at < end_of.size(); ++at)
+        for (; p < end_of[at]; ++p) {
+            const InCell& in = particles_of[p];
+            sums[2 * at] += of_volume(in.V);
+            sums[2 * at + 1] += of_pressure(in.V * std::max(in.p, -water.largest_tension));
+        }
+    exchange.sum_cells(sums.data(), static_cast<std::ptrdiff_t>(end_of.size()), 2);
+    const std::uint8_t* mine = exchange.counted_cells();
+    cells.clear();
+    patched.clear();
+    for (std::size_t at = 0; at < end_of.size(); ++at) {
+        const double V = sums[2 * at];
+        if (V == 0.0) continue;
+        const std::size_t of_row = static_cast<std::size_t>(cells_r);
+        const double* force = of_cells[at].force;
+        double reach = 0.0;
+        for (int k = 0; k < 32; ++k) reach = std::max(reach, std::fabs(force[k]));
+        patched.push_back({at, at / of_row * row + at % of_row});
+        cells.push_back({.begin = at == 0 ? 0 : end_of[at - 1],
+                         .end = end_of[at],
+                         .counted = !mine || mine[at],
+                         .reach = reach,
+                         .V = V,
+                         .pressure = sums[2 * at + 1] / V,
+                         .compliance = 0.0,
+                         .reached = 0.0,
+                         .scale = 1.0});
+    }
+    for (std::vector<double>* of_all : {&values, &swelling, &scaled, &pushing})
+        of_all->resize(cells.size());
+}
+
+// Of the particles that bear at the end of a step in which cells swell as they do. True: not those of before.
+bool ImplicitPressure::find_laws(const PoreWater& water, double dt) {
+    std::fill(sums.begin(), sums.end(), 0.0);
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        const Cell& cell = cells[c];
+        const double swells = dt * swelling[c];
+        double &stiffness = sums[2 * patched[c].patch], &reached = sums[2 * patched[c].patch + 1];
         for (std::size_t p = cell.begin; p < cell.end; ++p) {
             const InCell& in = particles_of[p];
-            cell.V += in.V;
-            cell.pressure += in.V * std::max(in.p, -water.largest_tension);
+            const bool bears = in.p - in.stiffness * swells / cell.V > -water.largest_tension;
+            reached += of_pressure(in.V * (bears ? in.p : -water.largest_tension));
+            if (bears) stiffness += of_stiffness(in.V * in.stiffness);
         }
-        cell.pressure /= cell.V;
-        find_law(water, cell, 0.0);
+    }
+    exchange.sum_cells(sums.data(), static_cast<std::ptrdiff_t>(end_of.size()), 2);
+    double changed = 0.0;
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        Cell& cell = cells[c];
+        const double stiffness = sums[2 * patched[c].patch];
+        const double compliance = stiffness > 0.0 ? cell.V * cell.V / stiffness : 0.0;
+        if (compliance != cell.compliance) changed = 1.0;
+        cell.compliance = compliance;
+        cell.reached = sums[2 * patched[c].patch + 1] / cell.V;
+    }
+    exchange.max(&changed, 1);
+    return changed > 0.0;
+}
+
+void ImplicitPressure::apply(const System& system, const double* x, double* y) {
+    for (std::size_t c = 0; c < cells.size(); ++c)
+        scaled[c] = cells[c].compliance > 0.0 ? cells[c].scale * x[c] : 0.0;
+    push(scaled.data(), at_nodes);
+    for (std::size_t i = 0; i < at_nodes.size(); ++i) at_nodes[i] = system.answers[i](at_nodes[i]);
+    swell(at_nodes, y);
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        const Cell& cell = cells[c];
+        y[c] = cell.compliance > 0.0
+                   ? cell.scale * (cell.compliance * scaled[c] + system.dt * system.dt * y[c])
+                   : x[c];
     }
 }
 
-// Of the particles that bear at the end of a step in which the cell swells by this [m3]. True: not those of before.
-bool ImplicitPressure::find_law(const PoreWater& water, Cell& cell, double swells) const {
-    double stiffness = 0.0, reached = 0.0;
-    for (std::size_t p = cell.begin; p < cell.end; ++p) {
-        const InCell& in = particles_of[p];
-        const bool bears = in.p - in.stiffness * swells / cell.V > -water.largest_tension;
-        reached += in.V * (bears ? in.p : -water.largest_tension);
-        if (bears) stiffness += in.V * in.stiffness;
+// Of cells, each once.
+double ImplicitPressure::dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
+    if (!fixed_point && shared.empty()) return a.dot(b);
+    std::array<Total, 1> sum;
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        const auto i = static_cast<Eigen::Index>(c);
+        if (cells[c].counted) sum[0].add(a[i] * b[i], fixed_point);
     }
-    const double compliance = stiffness > 0.0 ? cell.V * cell.V / stiffness : 0.0;
-    const bool changed = compliance != cell.compliance;
-    cell.compliance = compliance;
-    cell.reached = reached / cell.V;
-    return changed;
+    exchange.sum(sum, fixed_point);
+    return sum[0].value();
+}
+
+// Conjugate gradients. Processes that share a cell have the same numbers of it; products are those of all.
+Eigen::VectorXd ImplicitPressure::solve(const System& system, Eigen::VectorXd b) {
+    constexpr double tolerance = 1e-5;
+    constexpr int most_iterations = 2000;
+    // So that products are neither too large nor too small for integers.
+    double largest = b.size() > 0 ? b.cwiseAbs().maxCoeff() : 0.0;
+    exchange.max(&largest, 1);
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
+    if (!(largest > 0.0)) return x;
+    const double unit = std::ldexp(1.0, std::ilogb(largest));
+    b /= unit;
+    Eigen::VectorXd direction = b, product(b.size());
+    const double load2 = dot(b, b);
+    double left2 = load2;
+    for (int i = 0; i < most_iterations; ++i) {
+        apply(system, direction.data(), product.data());
+        const double along = left2 / dot(direction, product), before = left2;
+        x += along * direction;
+        b -= along * product;
+        left2 = dot(b, b);
+        if (left2 < tolerance * tolerance * load2) return unit * x;
+        direction = b + left2 / before * direction;
+    }
+    throw std::runtime_error("pore pressure: not found after " + std::to_string(most_iterations) +
+                             " iterations, what is left is " +
+                             std::to_string(std::sqrt(left2 / load2)) + " of the load");
 }
 
 void ImplicitPressure::solve(const PoreWater& water, const GridView& grid, Particles& particles,
                              double dt, const std::vector<Vector2>& u,
                              const std::vector<NodeAnswer>& answers,
                              std::vector<Vector2>& impulses) {
-    constexpr int most_changes = 10, most_iterations = 2000;
-    find_cells(water, grid, particles);
-    values.resize(cells.size());
-    swelling.resize(cells.size());
-    const PressureOperator matrix(*this, dt, answers);
+    constexpr int most_changes = 10;
+    find_particles(water, grid, particles);
+    find_cells(water);
+    std::fill(swelling.begin(), swelling.end(), 0.0);
+    find_laws(water, dt);
+    const System system{dt, answers};
     Eigen::VectorXd b(static_cast<Eigen::Index>(cells.size()));
     // u + dt A G of the values.
     const auto move = [&] {
@@ -200,25 +252,12 @@ void ImplicitPressure::solve(const PoreWater& water, const GridView& grid, Parti
                           (cell.compliance * (cell.reached - cell.pressure) - dt * swelling[c])
                     : 0.0;
         }
-        Eigen::ConjugateGradient<PressureOperator, Eigen::Lower | Eigen::Upper,
-                                 Eigen::IdentityPreconditioner>
-            solver;
-        solver.setTolerance(1e-5);
-        solver.setMaxIterations(most_iterations);
-        solver.compute(matrix);
-        const Eigen::VectorXd x = solver.solve(b);
-        if (solver.info() != Eigen::Success)
-            throw std::runtime_error(
-                "pore pressure: not found after " + std::to_string(solver.iterations()) +
-                " iterations, what is left is " + std::to_string(solver.error()) + " of the load");
+        const Eigen::VectorXd x = solve(system, b);
         for (std::size_t c = 0; c < cells.size(); ++c)
             if (cells[c].compliance > 0.0)
                 values[c] = cells[c].scale * x[static_cast<Eigen::Index>(c)];
         move();
-        bool changed = false;
-        for (std::size_t c = 0; c < cells.size(); ++c)
-            changed |= find_law(water, cells[c], dt * swelling[c]);
-        if (!changed) break;
+        if (!find_laws(water, dt)) break;
     }
     push(values.data(), impulses);
     for (Vector2& J : impulses) J = {dt * J[0], dt * J[1]};

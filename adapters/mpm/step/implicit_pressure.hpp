@@ -4,7 +4,11 @@
 
 #include <vector>
 
+#include <Eigen/Core>
+
+#include "adapters/mpm/kernel/exchange.hpp"
 #include "adapters/mpm/kernel/pore_water.hpp"
+#include "adapters/mpm/step/integer_records.hpp"
 
 namespace grit::mpm {
 
@@ -18,10 +22,13 @@ struct NodeAnswer {
 
 class ImplicitPressure {
   public:
-    explicit ImplicitPressure(const GridView& grid);
-    // Of cells, for the kernels.
+    ImplicitPressure(const GridView& grid, Exchange& processes, bool in_fixed_point, int strips);
+    // Of cells, for the kernels, in doubles or in fixed point: before particles are scattered; whether that must be done
+    // again; once it is done.
     CellPatch* patches() { return of_cells.data(); }
-    void clear();
+    IntegerRecords& integers() { return rows_of_patches; }
+    void begin();
+    void finish();
     // Index of a node of the grid in the arrays of solve: these have a node more on each side.
     std::size_t node(std::size_t of_grid) const {
         return (of_grid / (row - 2) + 1) * row + of_grid % (row - 2) + 1;
@@ -30,16 +37,21 @@ class ImplicitPressure {
 
     // The change x of the mean pressures of cells [Pa] with
     //     p + x = mean over particles of max(p - K_w/n dt G^T (u + dt A G x)/V, -largest_tension),
-    // u the volume velocity without it, A the answers of nodes; and its impulses dt G x [N s]. Throws
-    // std::runtime_error without a solution.
+    // u the volume velocity without it, A the answers of nodes; and its impulses dt G x [N s]. Every process must
+    // call it. Throws std::runtime_error without a solution.
     void solve(const PoreWater& water, const GridView& grid, Particles& particles, double dt,
                const std::vector<Vector2>& u, const std::vector<NodeAnswer>& answers,
                std::vector<Vector2>& impulses);
 
+    template <class Self, class Archive> static void visit(Self& of, Archive& archive) {
+        IntegerRecords::visit(of.rows_of_patches, archive);
+    }
+
   private:
-    friend class PressureOperator;
     struct Cell {
-        std::size_t begin, end;  // of its particles
+        std::size_t begin, end;  // of its particles here
+        bool counted;            // by this process
+        double reach;            // largest force of its patch [m2]
         double V, pressure;      // [m3], mean that bears [Pa]
         // p + x = reached - swelling/compliance, of the particles that bear; compliance 0: none does.
         double compliance, reached;
@@ -48,22 +60,37 @@ class ImplicitPressure {
     struct InCell {
         double V, stiffness, p;  // K_w/n [Pa], p as it goes on below the largest tension
     };
-    PatchCall all() const { return {of_cells.data(), patched.data(), cells.size(), row}; }
+    // The matrix of the system, scaled to a diagonal of 1: never assembled. Cells that do not bear have no row.
+    struct System {
+        double dt;
+        const std::vector<NodeAnswer>& answers;
+    };
+    void apply(const System& system, const double* x, double* y);
+    Eigen::VectorXd solve(const System& system, Eigen::VectorXd b);
+    double dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
     // G x at nodes, and G^T v of all cells.
-    void push(const double* x, std::vector<Vector2>& at) const;
+    void push(const double* x, std::vector<Vector2>& at);
+    void share(std::vector<Vector2>& at);
     void swell(const std::vector<Vector2>& v, double* of) const;
-    void find_cells(const PoreWater& water, const GridView& grid, Particles& particles);
-    bool find_law(const PoreWater& water, Cell& cell, double swells) const;
+    void find_particles(const PoreWater& water, const GridView& grid, Particles& particles);
+    void find_cells(const PoreWater& water);
+    bool find_laws(const PoreWater& water, double dt);
 
     std::size_t row;  // nodes of one in the arrays of solve
     int cells_r;
+    Exchange& exchange;
+    bool fixed_point;
+    IntegerRecords rows_of_patches;
     std::vector<CellPatch> of_cells;
     std::vector<Cell> cells;
     std::vector<PatchedCell> patched;  // ... of each
     std::vector<InCell> particles_of;
-    std::vector<std::size_t> count_of;  // of each cell of the grid
-    std::vector<Vector2> at_nodes, moved;
-    std::vector<double> values, swelling;
+    std::vector<std::size_t>
+        end_of;                // particles of each cell of the grid, one cell after the other
+    std::vector<double> sums;  // two of each cell of the grid
+    Rounding of_volume, of_stiffness, of_pressure;  // of addends of these
+    std::vector<Vector2> at_nodes, moved, shared;   // shared: of the grid
+    std::vector<double> values, swelling, scaled, pushing;
 };
 
 }  // namespace grit::mpm

@@ -24,16 +24,16 @@ void NodalContacts::join(ContactPair& contact) {
     });
 }
 
-void NodalContacts::part(const ContactPair& contact, Energy& sums) {
+void NodalContacts::part(const ContactPair& contact) {
     const ContactLaw& law = contact.law();
     for (const std::size_t i : {law.a, law.b})
         if (water.flows(i))
-            contact.each_pressed([&](std::size_t node, const Vector2& normal) {
-                water.part(i, node, normal, sums);
-            });
+            contact.each_pressed(
+                [&](std::size_t node, const Vector2& normal) { water.part(i, node, normal); });
 }
 
-void NodalContacts::change_pressures(Energy& sums) {
+void NodalContacts::change_pressures() {
+    const std::uint8_t* mine = model.exchange.counted();
     for (std::size_t body = 0; body < model.parts.size(); ++body) {
         if (!water.is_implicit(body)) continue;
         std::vector<Water::Pressed> pressed;
@@ -46,15 +46,20 @@ void NodalContacts::change_pressures(Energy& sums) {
                 of.push_back(i);
             });
         }
-        water.change(body, pressed, sums);
+        water.change(body, pressed);
+        std::vector<FaceSums> sums(contacts.size(), FaceSums(model.settings.fixed_point));
         for (std::size_t k = 0; k < pressed.size(); ++k) {
             const Water::Pressed& p = pressed[k];
             const double sign = contacts[of[k]].law().a == body ? 1.0 : -1.0;
             const double force = sign * p.impulse / model.dt;
-            Faces& faces = pore[of[k]];
-            const bool faces_z = Faces::is_along_z(p.normal[0], p.normal[1]);
-            Vector2& sum = faces_z ? faces.along_z : faces.along_r;
-            sum = {sum[0] + force * p.normal[0], sum[1] + force * p.normal[1]};
+            const double along[] = {force * p.normal[0], force * p.normal[1]};
+            if (!mine || mine[p.node]) sums[of[k]].add(p.normal.c, along);
+        }
+        for (std::size_t i = 0; i < contacts.size(); ++i) {
+            const ContactLaw& law = contacts[i].law();
+            if (law.a != body && law.b != body) continue;
+            const Faces more = sums[i].of_all(model.exchange);
+            pore[i] = {pore[i].along_r + more.along_r, pore[i].along_z + more.along_z};
         }
     }
 }
@@ -68,7 +73,7 @@ void NodalContacts::correct(Energy& sums) {
         if (pair.find(model.grid(), a, b, model.exchange)) {
             join(pair);
             pair.correct(a, b, model.dt, model.exchange);
-            part(pair, sums);
+            part(pair);
         }
         const grit_contact_totals& totals = pair.totals();
         sums.contact += totals.dissipation_normal + totals.dissipation_tangential;

@@ -20,7 +20,7 @@ class NodalContacts {
     // Velocities after the momentum update become those after contact; adds what it took and what rigid bodies did.
     void correct(Energy& sums);
     // After all contacts: implicit pore pressures change, borne by the bodies that press.
-    void change_pressures(Energy& sums);
+    void change_pressures();
 
     const ContactPair& operator[](std::size_t i) const { return contacts[i]; }
     // Of implicit pore pressures on b beyond those of the start of the step, in the last one.
@@ -34,7 +34,7 @@ class NodalContacts {
   private:
     ContactBody body(std::size_t i);
     void join(ContactPair& contact);
-    void part(const ContactPair& contact, Energy& sums);
+    void part(const ContactPair& contact);
 
     Model& model;
     Water& water;

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From particles to nodes. In fixed point each quantity of a body has a scale of its own, which follows the
-// largest contribution: where one is too large, or all are too small, the sums are done again.
+// From particles to nodes.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <vector>
 
 #include "adapters/mpm/step/cell_means.hpp"
+#include "adapters/mpm/step/integer_records.hpp"
 #include "adapters/mpm/step/model.hpp"
 
 namespace grit::mpm {
@@ -36,24 +35,19 @@ class Scatter {
     void into(std::vector<ScatterTarget>& targets, unsigned parts);
 
     template <class Self, class Archive> static void visit(Self& scatter, Archive& archive) {
-        for (auto& body : scatter.bodies) archive.value(body.scale);
+        for (auto& body : scatter.integers) IntegerRecords::visit(body, archive);
     }
 
   private:
-    struct OfBody {
-        std::vector<NodeIntegers> integers = {};
-        std::vector<FixedPoint> strips = {};
-        std::array<double, record::size> scale = {};
-    };
     std::vector<NodeRecord>& nodes(std::size_t body, std::vector<ScatterTarget>* targets) const;
     void add(unsigned parts, std::vector<ScatterTarget>* targets);
     void add_fixed(unsigned parts, std::vector<ScatterTarget>* targets);
-    bool rescale(unsigned parts, const std::vector<ScatterTarget>* targets);
+    bool check(unsigned parts, const std::vector<ScatterTarget>* targets);
 
     Model& model;
     CellMeans& means;
     BodyForce body_force;
-    std::vector<OfBody> bodies;
+    std::vector<IntegerRecords> integers;  // of bodies, in fixed point
 };
 
 }  // namespace grit::mpm

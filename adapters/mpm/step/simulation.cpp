@@ -32,7 +32,7 @@ void Simulation::step() {
     contacts.correct(account.sums());
     surfaces.correct(account.sums());
     watch.lap(spent.contact);
-    contacts.change_pressures(account.sums());
+    contacts.change_pressures();
     watch.lap(spent.nodes);
     sides.find_work(model, momentum);
     momentum.close();

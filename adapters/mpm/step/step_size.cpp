@@ -11,7 +11,7 @@ namespace grit::mpm {
 
 // v + c of a body, its largest ones wherever they are: however strips and processes cut it, the same.
 void StepSize::measure(const Gather& gather) {
-    constexpr std::size_t each = 3;  // c, v2, way along z
+    constexpr std::size_t each = 4;  // c, v2, way along z, what pore water adds to c2
     const std::size_t bodies = model.parts.size();
     maxima.assign(each * bodies, 0.0);
     for (std::size_t i = 0; i < bodies; ++i)
@@ -21,15 +21,15 @@ void StepSize::measure(const Gather& gather) {
             of_body[1] = std::max(of_body[1], strip.sums.most_v2);
             of_body[2] = std::max(of_body[2], strip.sums.most_dz);
         }
-    for (std::size_t i = 0; i < bodies; ++i)
-        if (const double more = water.speed2(i); more > 0.0)
-            maxima[each * i] = std::sqrt(maxima[each * i] * maxima[each * i] + more);
+    for (std::size_t i = 0; i < bodies; ++i) maxima[each * i + 3] = water.speed2(i);
     model.exchange.max(maxima.data(), static_cast<int>(maxima.size()));
     largest_speed = 0.0;
     double way = 0.0;
     for (std::size_t i = 0; i < bodies; ++i) {
         const double* of_body = &maxima[each * i];
-        largest_speed = std::max(largest_speed, of_body[0] + std::sqrt(of_body[1]));
+        const double more = of_body[3];
+        const double c = more > 0.0 ? std::sqrt(of_body[0] * of_body[0] + more) : of_body[0];
+        largest_speed = std::max(largest_speed, c + std::sqrt(of_body[1]));
         way = std::max(way, of_body[2]);
     }
     model.drift += way;

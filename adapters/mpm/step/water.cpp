@@ -13,17 +13,16 @@ void Water::add_body() {
     const std::size_t i = bodies.size();
     OfBody& body = bodies.emplace_back();
     if (!has(i)) return;
-    if (!model.is_alone())
-        throw std::invalid_argument("body " + model.parts[i].body.name +
-                                    ": pore water is for one process");
     const auto strips = static_cast<std::size_t>(model.strips());
     body.cells.resize(static_cast<std::size_t>(model.r.cells()) *
                       static_cast<std::size_t>(model.z.cells()));
     body.records.resize(model.fixed_nodes.size());
+    if (model.settings.fixed_point) body.integers.resize(model.fixed_nodes.size(), model.strips());
     body.sums.resize(strips);
     body.speed2.resize(strips);
     if (is_implicit(i)) {
-        body.implicit.emplace(model.grid());
+        body.implicit.emplace(model.grid(), model.exchange, model.settings.fixed_point,
+                              model.strips());
         const std::size_t nodes = body.implicit->nodes();
         body.volume_velocity.resize(nodes);
         body.impulse.resize(nodes);
@@ -60,7 +59,8 @@ WaterNodeCall Water::nodes(std::size_t i, int strip) {
             drained.empty() ? nullptr : drained.data()};
 }
 
-void Water::scatter() {
+// The means of cells, of all processes.
+void Water::find_pressures() {
     for (OfBody& body : bodies) std::fill(body.cells.begin(), body.cells.end(), CellIntegers{});
     model.for_strips_apart([this](std::size_t i, int strip) {
         if (!has(i)) return;
@@ -69,27 +69,78 @@ void Water::scatter() {
                       part.strips.begin(strip + 1), *part.body.water, 1.0 / part.largest_volume,
                       bodies[i].cells.data());
     });
+    sum_cells();
+}
+
+void Water::sum_cells() {
+    for (OfBody& body : bodies)
+        if (!body.cells.empty())
+            model.exchange.sum_cells(body.cells.data(),
+                                     static_cast<std::ptrdiff_t>(body.cells.size()));
+}
+
+// True if the sums must be done again.
+bool Water::check_integers() {
+    static constexpr const char* names[] = {
+        "mass of pore water", "momentum of pore water", "momentum of pore water", "pore pressure",
+        "pore pressure",      "volume with pore water", "drag of pore water"};
+    bool again = false;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (!has(i)) continue;
+        constexpr unsigned all = (1u << std::size(names)) - 1;
+        const IntegerRecords::Check found = bodies[i].integers.check(all, model.exchange);
+        if (found.failed >= 0) fail_share(model.parts[i].body, names[found.failed], model.t);
+        again = again || found.again;
+        if (!is_implicit(i)) continue;
+        const IntegerRecords::Check patches =
+            bodies[i].implicit->integers().check((1u << record::size) - 1, model.exchange);
+        if (patches.failed >= 0) fail_share(model.parts[i].body, "volume of cells", model.t);
+        again = again || patches.again;
+    }
+    return again;
+}
+
+void Water::scatter() {
+    find_pressures();
     model.for_strips([this](std::size_t i, int strip) {
         if (!has(i)) return;
         const Model::Rows rows = model.nodes_of(strip);
         const auto begin = bodies[i].records.begin();
         std::fill(begin + rows.begin, begin + rows.end, NodeRecord{});
     });
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-        if (is_implicit(i)) bodies[i].implicit->clear();
-    model.for_strips_apart([this](std::size_t i, int strip) {
-        if (!has(i)) return;
-        Part& part = model.parts[i];
-        kernels().scatter_water(model.settings.shape, model.settings.axisymmetric,
-                                {model.grid(), part.body.particles.view(), part.strips.begin(strip),
-                                 part.strips.begin(strip + 1), &*part.body.water,
-                                 bodies[i].cells.data(), bodies[i].records.data(),
-                                 is_implicit(i) ? bodies[i].implicit->patches() : nullptr});
-    });
+    const bool fixed_point = model.settings.fixed_point;
+    do {
+        for (OfBody& body : bodies) {
+            body.integers.begin();
+            if (body.implicit) body.implicit->begin();
+        }
+        model.for_strips_apart([&, this](std::size_t i, int strip) {
+            if (!has(i)) return;
+            Part& part = model.parts[i];
+            kernels().scatter_water(
+                model.settings.shape, model.settings.axisymmetric,
+                {model.grid(), part.body.particles.view(), part.strips.begin(strip),
+                 part.strips.begin(strip + 1), &*part.body.water, bodies[i].cells.data(),
+                 bodies[i].records.data(), fixed_point ? bodies[i].integers.strip(strip) : nullptr,
+                 is_implicit(i) ? bodies[i].implicit->patches() : nullptr,
+                 is_implicit(i) && fixed_point ? bodies[i].implicit->integers().strip(strip)
+                                               : nullptr});
+        });
+    } while (fixed_point && check_integers());
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        OfBody& body = bodies[i];
+        if (!has(i)) continue;
+        if (fixed_point) body.integers.add_to(body.records, model.exchange);
+        else
+            model.exchange.sum_nodes(body.records.data(),
+                                     static_cast<std::ptrdiff_t>(body.records.size()));
+        if (body.implicit) body.implicit->finish();
+    }
 }
 
 void Water::push() {
     if (!is_anywhere()) return;
+    impulses_took = {};
     scatter();
     model.for_strips([this](std::size_t i, int strip) {
         if (!has(i)) return;
@@ -115,7 +166,8 @@ void Water::gather(std::size_t i, int strip) {
                             part.strips.begin(strip + 1), &*part.body.water, volume.data(),
                             part.motions.data(), body.flowing.data(), model.dt,
                             std::min(model.settings.pic_rate * model.dt, 1.0), body.cells.data(),
-                            body.cell.data(), 1.0 / part.largest_volume},
+                            body.cell.data(), 1.0 / part.largest_volume,
+                            model.settings.fixed_point},
                            body.sums[static_cast<std::size_t>(strip)]);
 }
 
@@ -155,7 +207,7 @@ void Water::join(std::size_t i, std::size_t node, const Vector2& n) {
     met[motion::other_z] += faster_before * n[1];
 }
 
-void Water::part(std::size_t i, std::size_t node, const Vector2& n, Energy& energies) {
+void Water::part(std::size_t i, std::size_t node, const Vector2& n) {
     const double m_s = model.parts[i].records[node][record::m], m_w = water_mass(i, node);
     NodeMotion &grains = model.parts[i].motions[node], &water = bodies[i].flowing[node];
     const Vector2 met = now(bodies[i].met_motions[node]);
@@ -173,11 +225,14 @@ void Water::part(std::size_t i, std::size_t node, const Vector2& n, Energy& ener
     volume[motion::other_z] += dragged * n[1];
     // The contact has counted friction as if water had the grains' velocity.
     const Vector2 slid = now(water) + before(water) - now(grains) - before(grains);
-    energies.contact -= 0.5 * m_w * along(rubbed, slid);
+    if (counts(node))
+        impulses_took.contact.add(-0.5 * m_w * along(rubbed, slid), model.settings.fixed_point);
 }
 
 // Work of impulses is that on the mean of the velocities before and after; what it lacks to nothing is the contact's.
-void Water::account_for(const Wall& wall, Energy& energies) const {
+void Water::account_for(const Wall& wall) {
+    if (!counts(wall.node)) return;
+    const bool fixed_point = model.settings.fixed_point;
     const auto mean = [&wall](const NodeMotion& v) {
         return 0.5 *
                along({v[motion::v_r] + v[motion::other_r], v[motion::v_z] + v[motion::other_z]},
@@ -186,11 +241,15 @@ void Water::account_for(const Wall& wall, Energy& energies) const {
     const Part& other = model.parts[wall.other];
     const double on_other = -(wall.on_grains + wall.on_water);
     const double on_other_work = on_other * mean(other.motions[wall.node]);
-    energies.contact -=
-        wall.on_grains * mean(model.parts[wall.body].motions[wall.node]) + on_other_work;
-    if (flows(wall.body))
-        energies.contact -= wall.on_water * mean(bodies[wall.body].flowing[wall.node]);
-    if (other.body.rigid()) energies.rigid_work -= on_other_work;
+    double work = wall.on_grains * mean(model.parts[wall.body].motions[wall.node]) + on_other_work;
+    if (flows(wall.body)) work += wall.on_water * mean(bodies[wall.body].flowing[wall.node]);
+    impulses_took.contact.add(-work, fixed_point);
+    if (other.body.rigid()) impulses_took.rigid_work.add(-on_other_work, fixed_point);
+}
+
+bool Water::counts(std::size_t node) const {
+    const std::uint8_t* mine = model.exchange.counted();
+    return !mine || mine[node];
 }
 
 double Water::porosity(std::size_t i, std::size_t node) const {
@@ -327,7 +386,7 @@ Water::Wall Water::push_together(std::size_t i, const Together& together, const 
     return wall;
 }
 
-void Water::change(std::size_t i, std::vector<Pressed>& pressed, Energy& energies) {
+void Water::change(std::size_t i, std::vector<Pressed>& pressed) {
     OfBody& body = bodies[i];
     find_answers(i);
     const std::vector<Together> together = hold_together(i, pressed);
@@ -336,19 +395,19 @@ void Water::change(std::size_t i, std::vector<Pressed>& pressed, Energy& energie
                          body.volume_velocity, body.node_answers, body.impulse);
     auto next = together.begin();
     std::vector<Wall> borne;
-    Total work;  // on the mean of the velocities before and after
     for (std::size_t node = 0; node < body.answers.size(); ++node) {
         if (!has_pores(i, node)) continue;
         const Vector2& J = body.impulse[body.implicit->node(node)];
         if (next != together.end() && next->at->node == node)
             borne.push_back(push_together(i, *next++, J));
         else push_by(i, node, J);
-        for (int k = 0; k < 2; ++k)
-            work.add(0.5 * J[k] * volume_velocity(i, node, motion::v_r + k, motion::other_r + k),
-                     false);
+        // On the mean of the velocities before and after.
+        for (int k = 0; k < 2 && counts(node); ++k)
+            impulses_took.implicit.add(
+                -0.5 * J[k] * volume_velocity(i, node, motion::v_r + k, motion::other_r + k),
+                model.settings.fixed_point);
     }
-    for (const Wall& wall : borne) account_for(wall, energies);
-    energies.implicit -= work.value();
+    for (const Wall& wall : borne) account_for(wall);
 }
 
 void Water::update() {
@@ -365,12 +424,14 @@ void Water::update() {
     model.for_strips_apart([this](std::size_t i, int strip) {
         if (has(i)) gather(i, strip);
     });
+    sum_cells();
     model.for_strips([this](std::size_t i, int strip) {
         if (!has(i)) return;
         Part& part = model.parts[i];
         update_pressures(part.body.particles.view(), part.strips.begin(strip),
                          part.strips.begin(strip + 1), *part.body.water, bodies[i].cells.data(),
-                         bodies[i].cell.data(), bodies[i].sums[static_cast<std::size_t>(strip)]);
+                         bodies[i].cell.data(), model.settings.fixed_point,
+                         bodies[i].sums[static_cast<std::size_t>(strip)]);
         measure(i, strip);
     });
 }

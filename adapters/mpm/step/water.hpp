@@ -9,6 +9,7 @@
 
 #include "adapters/mpm/kernel/pore_water.hpp"
 #include "adapters/mpm/step/implicit_pressure.hpp"
+#include "adapters/mpm/step/integer_records.hpp"
 #include "adapters/mpm/step/momentum.hpp"
 
 namespace grit::mpm {
@@ -16,7 +17,6 @@ namespace grit::mpm {
 class Water {
   public:
     Water(Model& of, Momentum& of_nodes) : model(of), momentum(of_nodes) {}
-    // Throws std::invalid_argument where other processes share the grid.
     void add_body();
     // Water may leave across these nodes, at p_w = 0.
     void drain(int direction, std::size_t node);
@@ -33,7 +33,7 @@ class Water {
     const double* met_masses(std::size_t body) const { return bodies[body].met_masses.data(); }
     NodeMotion* met_motions(std::size_t body) { return bodies[body].met_motions.data(); }
     // After it, where that body presses: what it changed them by; along the normal they move alike.
-    void part(std::size_t body, std::size_t node, const Vector2& normal, Energy& energies);
+    void part(std::size_t body, std::size_t node, const Vector2& normal);
     // A node of a body where another one presses on it now: across, they have one velocity.
     struct Pressed {
         std::size_t node, other;
@@ -45,7 +45,7 @@ class Water {
         return has(body) && model.parts[body].body.water->implicit;
     }
     // After contact, of a body with implicit pressure: it gets what the pressure changes by in the step.
-    void change(std::size_t body, std::vector<Pressed>& pressed, Energy& energies);
+    void change(std::size_t body, std::vector<Pressed>& pressed);
     // After contact, before the particles move: pressures and velocities of water.
     void update();
     // Speeds of particles as they are, before the first step.
@@ -53,7 +53,13 @@ class Water {
 
     bool flows(std::size_t body) const { return has(body) && model.parts[body].body.water->flows; }
     const std::vector<WaterSums>& sums(std::size_t body) const { return bodies[body].sums; }
-    // What it adds to the square of the speed of waves, at the most [m2/s2].
+    // What impulses of the pressure took in the last step, at the nodes that this process counts [J].
+    struct Taken {
+        Total contact = {}, rigid_work = {};  // those on other bodies
+        Total implicit = {};
+    };
+    const Taken& taken() const { return impulses_took; }
+    // What it adds to the square of the speed of waves, at the most, here [m2/s2].
     double speed2(std::size_t body) const;
     // Of water that flows, along z on a node in the last step: of its pressure and its weight [N].
     double force_z(std::size_t body, std::size_t node) const;
@@ -61,6 +67,8 @@ class Water {
 
     template <class Self, class Archive> static void visit(Self& water, Archive& archive) {
         for (auto& body : water.bodies) {
+            IntegerRecords::visit(body.integers, archive);
+            if (body.implicit) ImplicitPressure::visit(*body.implicit, archive);
             archive.nodes(body.records);
             archive.nodes(body.volume);
         }
@@ -75,6 +83,7 @@ class Water {
         std::vector<CellIntegers> cells = {};
         std::vector<int> cell = {};  // of each particle
         std::vector<NodeRecord> records = {};
+        IntegerRecords integers = {};                       // of these, in fixed point
         std::vector<NodeMotion> flowing = {}, volume = {};  // of water that flows
         std::vector<double> met_masses = {};                // as other bodies meet it
         std::vector<NodeMotion> met_motions = {};
@@ -91,7 +100,8 @@ class Water {
         Vector2 normal;
         double on_grains, on_water;
     };
-    void account_for(const Wall& wall, Energy& energies) const;
+    void account_for(const Wall& wall);
+    bool counts(std::size_t node) const;  // in sums of this process
     Answer answer(std::size_t body, std::size_t node, bool grains_free, bool water_free) const;
     double porosity(std::size_t body, std::size_t node) const;
     double water_mass(std::size_t body, std::size_t node) const;
@@ -110,12 +120,16 @@ class Water {
     bool is_anywhere() const;
     WaterNodeCall nodes(std::size_t body, int strip);
     void scatter();
+    void find_pressures();
+    void sum_cells();
+    bool check_integers();
     void gather(std::size_t body, int strip);
     void measure(std::size_t body, int strip);
 
     Model& model;
     Momentum& momentum;
     std::vector<OfBody> bodies;
+    Taken impulses_took;
     std::vector<std::uint8_t> drained;  // bits of nodes; empty: none
 };
 

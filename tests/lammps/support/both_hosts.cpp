@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <sstream>
@@ -70,14 +71,28 @@ Told BothHosts::in_driver(long steps) const {
         tell();
     }
     Simulation& simulation = runner.simulation();
+    std::size_t longest = 0;
+    bool has_water = false;
+    for (std::size_t b = 0; b < simulation.bodies(); ++b) {
+        const Body& body = simulation.body(b);
+        longest = std::max(longest, static_cast<std::size_t>(body.particles.column_count()));
+        has_water = has_water || body.water;
+    }
     int first = 1;
     for (std::size_t b = 0; b < simulation.bodies(); ++b) {
-        const Particles& particles = simulation.body(b).particles;
-        for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
-            std::vector<double>& row = out.points[first + particles.ids()[p]];
-            for (int c = 0; c < particles.column_count(); ++c) row.push_back(particles(c, p));
+        Body& body = simulation.body(b);
+        const ParticleView q = body.particles.view();
+        for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p) {
+            std::vector<double>& row = out.points[first + body.particles.ids()[p]];
+            for (int c = 0; c < body.particles.column_count(); ++c) row.push_back(q[c][p]);
+            if (!has_water) continue;
+            row.resize(longest, 0.0);
+            const double p_w = body.water ? body.water->pressure(q, p) : 0.0;
+            row.push_back(p_w);
+            for (const int c : {column::S_rr, column::S_zz, column::S_tt})
+                row.push_back(q[c][p] - p_w);
         }
-        first += static_cast<int>(particles.size());
+        first += static_cast<int>(body.particles.size());
     }
     return out;
 }

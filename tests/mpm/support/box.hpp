@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include <adapters/mpm/kernel/elastic.hpp>
@@ -18,9 +19,17 @@ struct Box {
     double density;         // [kg/m3]
 };
 
-inline Body make_box(const Box& box, bool axisymmetric, std::unique_ptr<Material> material) {
+// With water, its columns are those behind the material's.
+inline Body make_box(const Box& box, bool axisymmetric, std::unique_ptr<Material> material,
+                     std::optional<PoreWater> water = {}) {
     Body body;
-    body.particles = Particles(material ? material->own_columns() : 0);
+    const int own = material ? material->own_columns() : 0;
+    body.particles = Particles(own + (water ? water->columns() : 0));
+    if (water) {
+        water->first = column::own + own;
+        water->void_ratio_column = material->separation().void_ratio;
+    }
+    body.water = water;
     const double l_r = 0.5 * (box.r1 - box.r0) / box.n_r, l_z = 0.5 * (box.z1 - box.z0) / box.n_z;
     for (int j = 0; j < box.n_z; ++j)
         for (int i = 0; i < box.n_r; ++i)

@@ -66,6 +66,7 @@ class Neighbour : public Exchange {
                 mine[node] = (at < cut.cell) == (rank == 0);
                 if (std::abs(at - cut.cell) <= halo) shared_nodes.push_back(node);
                 const bool is_cell = i + 1 < n_r && j + 1 < n_z;
+                if (is_cell) my_cells.push_back(mine[node]);
                 if (is_cell && at >= cut.cell - halo && at < cut.cell + halo)
                     shared_cells.push_back(j * (n_r - 1) + i);
             }
@@ -75,7 +76,17 @@ class Neighbour : public Exchange {
     void sum_nodes(NodeRecord* x, std::ptrdiff_t) override { add<8>(x->value, shared_nodes); }
     void sum_nodes(NodeIntegers* x, std::ptrdiff_t) override { add<8>(x->value, shared_nodes); }
     void sum_nodes(grit::Vector2* x, std::ptrdiff_t) override { add<2>(x->c, shared_nodes); }
+    const std::uint8_t* counted_cells() const override { return my_cells.data(); }
     void sum_cells(CellIntegers* x, std::ptrdiff_t) override { add<2>(&x->volume, shared_cells); }
+    void sum_cells(NodeIntegers* x, std::ptrdiff_t, int each) override {
+        ASSERT_EQ(each, 4);
+        add<32>(x->value, shared_cells);
+    }
+    void sum_cells(double* x, std::ptrdiff_t, int each) override {
+        if (each == 2) return add<2>(x, shared_cells);
+        ASSERT_EQ(each, 32);
+        add<32>(x, shared_cells);
+    }
     void min_nodes(double* x, std::ptrdiff_t, int per_node) override {
         const auto smaller = [](double a, double b) { return std::min(a, b); };
         if (per_node == 2) return reduce<2>(x, shared_nodes, smaller);
@@ -128,7 +139,7 @@ class Neighbour : public Exchange {
     int rank;
     Axis axes[2];
     WholeGrid whole_grid;
-    std::vector<std::uint8_t> mine;
+    std::vector<std::uint8_t> mine, my_cells;
     std::vector<std::size_t> shared_nodes, shared_cells;
 };
 

@@ -21,6 +21,7 @@ struct PressedSand {
     double relaxation_time = 0.0, stiffness = 0.0;  // of the contact [s], [Pa/m]
     double growth = 1.0;                            // of a cell to the next one
     bool at_surfaces = false;                       // contact, not at nodes
+    std::optional<PoreWater> water = {};            // of the sand
 
     // The whole grid along r (0) or z (1).
     Axis axis(int direction) const {
@@ -77,20 +78,28 @@ struct PressedSand {
             out->add_contact(law);
         }
         out->fix_below(1, 0.0);
-        if (end[0] == 8) out->absorb_last(0, {200.0, 100.0});
+        if (water) out->fix_above(0, axis(0)[8]);
+        else if (end[0] == 8) out->absorb_last(0, {200.0, 100.0});
+        if (water) out->drain_below(1, 0.0);
         return out;
     }
 
+    // Water as soft as the sand: it does not limit the step.
+    static PoreWater soft_water(bool flows, bool implicit) {
+        return {.flows = flows, .implicit = implicit, .bulk_modulus = 1e7, .conductivity = 1e-3};
+    }
+
   private:
-    static Body sand() {
+    Body sand() const {
         Body body = make_box({0.0, 0.4, 0.0, 0.5, 16, 20, 1700.0}, true,
-                             std::make_unique<Sand>(lausitz(), sand_options()));
+                             std::make_unique<Sand>(lausitz(), sand_options()), water);
         body.name = "sand";
         const ParticleView q = body.particles.view();
         for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p) {
             for (const int c : {column::S_rr, column::S_zz, column::S_tt})
                 q[c][p] = -1000.0 - 17000.0 * (0.5 - q[column::z][p]);
             q[Sand::state + GRIT_SAND_VOID_RATIO][p] = 0.65;
+            if (water) q[body.water->first][p] = 9810.0 * (0.5 - q[column::z][p]);
         }
         return body;
     }
