@@ -32,7 +32,7 @@ template <class Real, class Nodes> struct StepCourse {
 
 // r is filled in place: with derivatives it is large.
 template <class Nodes, class Real>
-GRIT_INLINE void step_course_one_by_one(const Material& m, const StraightPath<Real>& path,
+GRIT_INLINE void step_course_one_by_one(const MaterialOf<Real>& m, const StraightPath<Real>& path,
                                         const Course<Real>& course, const Position<Real>& from,
                                         const Real& J, const Real& dq, StepCourse<Real, Nodes>& r) {
     constexpr int nodes = Nodes::nodes, stages = Nodes::stages;
@@ -71,7 +71,7 @@ template <class Nodes> GRIT_INLINE DualPack<8> decay_at_nodes(const Dual& dq) {
 
 // The nodes of one point at once, with the bits of those one by one.
 template <class Nodes, class Real>
-GRIT_INLINE void step_course_in_lanes(const Material& m, const StraightPath<Real>& path,
+GRIT_INLINE void step_course_in_lanes(const MaterialOf<Real>& m, const StraightPath<Real>& path,
                                       const Course<Real>& course, const Position<Real>& from,
                                       const Real& J, const Real& dq, StepCourse<Real, Nodes>& r) {
     constexpr int nodes = Nodes::nodes, stages = Nodes::stages;
@@ -99,7 +99,7 @@ GRIT_INLINE void step_course_in_lanes(const Material& m, const StraightPath<Real
 }
 
 template <class Nodes, class Real>
-GRIT_INLINE void step_course(const Material& m, const StraightPath<Real>& path,
+GRIT_INLINE void step_course(const MaterialOf<Real>& m, const StraightPath<Real>& path,
                              const Course<Real>& course, const Position<Real>& from, const Real& J,
                              const Real& dq, StepCourse<Real, Nodes>& r) {
     if constexpr (takes_lanes<Real>) step_course_in_lanes(m, path, course, from, J, dq, r);
@@ -108,7 +108,7 @@ GRIT_INLINE void step_course(const Material& m, const StraightPath<Real>& path,
 
 // Without intergranular strain q is the strain over R.
 template <class Nodes, class Real>
-GRIT_INLINE void basic_step_course(const Material& m, const StraightPath<Real>& path,
+GRIT_INLINE void basic_step_course(const MaterialOf<Real>& m, const StraightPath<Real>& path,
                                    const Position<Real>& from, const Real& dq,
                                    StepCourse<Real, Nodes>& r) {
     const Real R_dq = m.R * dq;

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Points one by one with the derivatives of all that they become: (D1). A translation unit of its own.
+#pragma once
+
+#include "umat/batch/single_points.hpp"
+#include "umat/model/parameter_derivatives.hpp"
+
+GRIT_KERNEL_BEGIN
+
+constexpr int largest_direction_count = GRIT_SAND_LARGEST_DIRECTION_COUNT;
+constexpr int largest_pass_count = largest_direction_count / sensitivity_lanes;
+constexpr int sensitive_rows = 6 + GRIT_SAND_STATE_SIZE;
+
+// Of one point, stress and state one below the other, as the host has them.
+struct PointDerivatives {
+    double row[sensitive_rows][largest_direction_count];
+    double strain_increment[6][largest_direction_count];
+
+    double* stress(int c) { return row[c]; }
+    double* state(int c) { return row[6 + c]; }
+};
+
+// Stress and state of a point, with derivatives.
+struct SensitiveState {
+    Tensor<Sensitive> T, h;  // T as the host has it
+    Sensitive e, w;
+};
+
+template <class View>
+GRIT_INLINE auto& entry(const View& view, std::ptrdiff_t at, std::ptrdiff_t r, std::ptrdiff_t c) {
+    return view.base[at * view.point_stride + r * view.row_stride + c * view.column_stride];
+}
+
+class DifferentiatedPoints : public PointByPoint {
+  public:
+    DifferentiatedPoints(const DifferentiationRequest& request, const Control& step_control)
+        : PointByPoint(*request.update, step_control), of(*request.derivatives) {
+        for (int pass = 0; pass < passes(); ++pass)
+            material[pass] = differentiated<Sensitive>(m, [&](int lane) {
+                const int k = pass * sensitivity_lanes + lane;
+                return of.parameters && k < of.count ? of.parameters[k] : GRIT_SAND_NO_PARAMETER;
+            });
+    }
+
+    void take(std::ptrdiff_t i) {
+        const std::ptrdiff_t at = q.points->index ? q.points->index[i] : i;
+        const RawPoint raw = read_point(*q.points, at);
+        Fault fault = check_point(m, *q.options, q.igs, q.points->components, raw);
+        PointDerivatives d;
+        if (fault == Fault::none && !read(at, d)) fault = Fault::derivative_not_finite;
+        if (fault != Fault::none) return fail(i, fault, raw.strain, 0.0, 0);
+        if (q.options->validate_only) {
+            write_report(q.reports ? q.reports + i : nullptr, 0, 0, 0, 0.0);
+            return;
+        }
+        Point p = prepare_point(*q.options, raw);
+        enter_domain(m, q.igs, p);
+        for (int pass = 0; pass < passes(); ++pass) {
+            PointOf<Sensitive> s = prepared(p, raw, d, pass);
+            enter_domain(material[pass], q.igs, s);
+            if (p.resting) keep(rested(s, pass), pass, d);
+            else if (p.stress_free) keep(separated(s), pass, d);
+            else if (!march(p, s, pass, i, d)) return;
+        }
+        if (!are_finite(d.row[0], sensitive_rows * largest_direction_count)) {
+            const bool marched = !p.resting && !p.stress_free;
+            return fail(i, Fault::derivative_leaves_range, raw.strain, 0.0,
+                        marched ? result.evaluations : 0);
+        }
+        if (p.resting) write_resting(q, i, at, raw, p);
+        else write_point(q, i, at, p, p.stress_free ? separated_result(q.igs, p) : result);
+        write(at, d);
+    }
+
+  private:
+    int components() const { return q.points->components == 4 ? 4 : 6; }
+    int passes() const { return (of.count + sensitivity_lanes - 1) / sensitivity_lanes; }
+
+    bool read(std::ptrdiff_t at, PointDerivatives& d) const {
+        for (auto& row : d.row)
+            for (double& x : row) x = 0.0;
+        for (auto& row : d.strain_increment)
+            for (double& x : row) x = 0.0;
+        for (int k = 0; k < of.count; ++k) {
+            for (int c = 0; c < components(); ++c) {
+                d.stress(c)[k] = entry(of.stress, at, c, k);
+                if (of.strain_increment.base)
+                    d.strain_increment[c][k] = entry(of.strain_increment, at, c, k);
+            }
+            for (int c = 0; c < GRIT_SAND_STATE_SIZE; ++c)
+                d.state(c)[k] = entry(of.state, at, c, k);
+        }
+        return are_finite(d.row[0], sensitive_rows * largest_direction_count) &&
+               are_finite(d.strain_increment[0], 6 * largest_direction_count);
+    }
+
+    void write(std::ptrdiff_t at, PointDerivatives& d) const {
+        const int first = q.igs ? 0 : GRIT_SAND_VOID_RATIO;  // as of the state
+        for (int k = 0; k < of.count; ++k) {
+            for (int c = 0; c < components(); ++c) entry(of.stress, at, c, k) = d.stress(c)[k];
+            for (int c = first; c < GRIT_SAND_STATE_SIZE; ++c)
+                entry(of.state, at, c, k) = d.state(c)[k];
+        }
+    }
+
+    // The directions of a pass, of a row.
+    static Sensitive::Derivatives lanes_of(const double* row, int pass) {
+        return Sensitive::Derivatives::along(
+            [&](int lane) { return row[pass * sensitivity_lanes + lane]; });
+    }
+
+    // What prepare_point makes of a point: scaled to Mandel, turned with Q.
+    PointOf<Sensitive> prepared(const Point& p, const RawPoint& raw, PointDerivatives& d,
+                                int pass) const {
+        const bool turn_T = raw.rotates && !q.options->stress_is_rotated;
+        const Point start = prepare_point(*q.options, raw);
+        PointOf<Sensitive> s;
+        for (int c = 0; c < 6; ++c) {
+            const double to_stress = c < 3 ? 1.0 : root_2, to_strain = c < 3 ? 1.0 : root_half;
+            s.T[c] = {start.T[c], lanes_of(d.stress(c), pass) * to_stress};
+            s.h[c] = {start.h[c], lanes_of(d.state(c), pass) * to_strain};
+            s.strain_increment[c] = {start.strain_increment[c],
+                                     lanes_of(d.strain_increment[c], pass) * to_strain};
+        }
+        if (turn_T) turn(raw.Q, s.T);
+        if (raw.rotates) turn(raw.Q, s.h);
+        s.e = {start.e, lanes_of(d.state(GRIT_SAND_VOID_RATIO), pass)};
+        s.w = {start.w, lanes_of(d.state(GRIT_SAND_SEPARATION), pass)};
+        s.advised_step = start.advised_step;
+        s.flags = 0;
+        s.resting = p.resting;
+        s.separated = s.stress_free = false;
+        return s;
+    }
+
+    // The derivatives; the values are turned.
+    static void turn(const double Q[9], Tensor<Sensitive>& A) {
+        for (int lane = 0; lane < sensitivity_lanes; ++lane) {
+            Tensor<double> of_lane;
+            for (int c = 0; c < 6; ++c) of_lane[c] = A[c].d[lane];
+            of_lane = rotated(Q, of_lane);
+            for (int c = 0; c < 6; ++c) A[c].d.set(lane, of_lane[c]);
+        }
+    }
+
+    Tensor<Sensitive> unshifted(Tensor<Sensitive> T, int pass) const {
+        for (int c = 0; c < 3; ++c) T[c] = T[c] + material[pass].p_t;  // (H10)
+        return T;
+    }
+
+    static Tensor<Sensitive> nothing() { return isotropic(Sensitive(0.0)); }
+
+    SensitiveState rested(const PointOf<Sensitive>& s, int pass) const {
+        SensitiveState end{unshifted(s.T, pass), s.h, s.e, s.w};
+        const Tensor<Sensitive>& dE = s.strain_increment;
+        end.e = s.e + (1.0 + s.e) * trace(dE);  // (H9)
+        if (s.separated) {
+            if (value(s.w) > 0.0) end.w = s.w + trace(dE);
+            return end;
+        }
+        const Matrix M = resting_M(m, q.igs, point_factors(m, value(s.T), value(s.e)), value(s.h));
+        for (int r = 0; r < 6; ++r)
+            for (int c = 0; c < 6; ++c) end.T[r] = end.T[r] + M.c[r][c] * dE[c];
+        for (int c = 0; q.igs && c < 6; ++c) end.h[c] = end.h[c] + dE[c];
+        return end;
+    }
+
+    SensitiveState separated(const PointOf<Sensitive>& s) const {
+        const Sensitive opened = trace(s.strain_increment);
+        return {nothing(), q.igs ? nothing() : s.h, fma(1.0 + s.e, exp(opened), Sensitive(-1.0)),
+                max(s.w + opened, Sensitive(0.0))};
+    }
+
+    // Integrates; false where it failed.
+    bool march(const Point& p, const PointOf<Sensitive>& s, int pass, std::ptrdiff_t i,
+               PointDerivatives& d) {
+        const SensitiveMaterial<Sensitive>& by = material[pass];
+        const auto start = start_of(by, s, s.strain_increment);
+        const auto path = straight_path(by, start.strain_increment, start.h, start.e);
+        const Integrated<Sensitive> marched =
+            q.igs ? integrate<Sensitive, true>(by, control, path, start.T, p.advised_step, 0.0)
+                  : integrate<Sensitive, false>(by, control, path, start.T, p.advised_step, 0.0);
+        const Integrated<double> end = value(marched);
+        if (end.failed) return fail(p, i, end), false;
+        result = result_of(m, q.igs, p, value(path), end);
+        if (const Fault f = fault_of(m, result); f != Fault::none) return fail(p, i, end, f), false;
+        SensitiveState to{unshifted(marched.y.T, pass), s.h, path.e_end, Sensitive(0.0)};
+        if (q.igs) to.h = h_at_end(by, path, marched.h, marched.h_late);
+        if (end.separated) {
+            to.T = nothing();
+            if (q.igs) to.h = nothing();
+            to.w = max(path.tr_D * (path.length - marched.separation_at), Sensitive(0.0));
+        }
+        keep(to, pass, d);
+        return true;
+    }
+
+    static void keep(const SensitiveState& x, int pass, PointDerivatives& d) {
+        const auto put = [&](double* row, const Sensitive& from, double scale) {
+            for (int lane = 0; lane < sensitivity_lanes; ++lane)
+                row[pass * sensitivity_lanes + lane] = scale * from.d[lane];
+        };
+        for (int c = 0; c < 6; ++c) {
+            put(d.stress(c), x.T[c], c < 3 ? 1.0 : root_half);
+            put(d.state(c), x.h[c], c < 3 ? 1.0 : root_2);
+        }
+        put(d.state(GRIT_SAND_VOID_RATIO), x.e, 1.0);
+        put(d.state(GRIT_SAND_SEPARATION), x.w, 1.0);
+    }
+
+    const grit_sand_derivatives& of;
+    SensitiveMaterial<Sensitive> material[largest_pass_count];
+    PointResult result;
+};
+
+GRIT_KERNEL_END
+
+namespace grit::GRIT_TARGET {
+
+UpdateOutcome update_differentiated(const DifferentiationRequest& request) {
+    const Control control = control_of(*request.update);
+    DifferentiatedPoints points(request, control);
+    for (std::ptrdiff_t i = 0; i < request.update->n; ++i) points.take(i);
+    return points.outcome;
+}
+
+}  // namespace grit::GRIT_TARGET
