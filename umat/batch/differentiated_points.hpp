@@ -21,10 +21,49 @@ struct PointDerivatives {
 };
 
 // Stress and state of a point, with derivatives.
-struct SensitiveState {
-    Tensor<Sensitive> T, h;  // T as the host has it
-    Sensitive e, w;
+template <class Real> struct StateOf {
+    Tensor<Real> T, h;  // T as the host has it
+    Real e, w;
 };
+
+template <class Real> GRIT_INLINE Tensor<Real> nothing() { return isotropic(Real(0.0)); }
+
+template <class Real> inline Tensor<Real> unshifted(const MaterialOf<Real>& m, Tensor<Real> T) {
+    for (int c = 0; c < 3; ++c) T[c] = T[c] + m.p_t;  // (H10)
+    return T;
+}
+
+// Of a point that stays separated over its whole increment.
+template <class Real> inline StateOf<Real> separated(bool igs, const PointOf<Real>& p) {
+    const Real opened = trace(p.strain_increment);
+    return {nothing<Real>(), igs ? nothing<Real>() : p.h, fma(1.0 + p.e, exp(opened), Real(-1.0)),
+            max(p.w + opened, Real(0.0))};
+}
+
+template <class Real> struct Advanced {
+    Integrated<double> end;
+    StraightPath<double> path;
+    StateOf<Real> state;
+};
+
+// Of a point that carries stress on the way.
+template <class Real>
+inline Advanced<Real> advance(const MaterialOf<Real>& m, const Control& control, bool igs,
+                              const PointOf<Real>& p) {
+    const auto start = start_of(m, p, p.strain_increment);
+    const auto path = straight_path(m, start.strain_increment, start.h, start.e);
+    const Integrated<Real> marched =
+        igs ? integrate<Real, true>(m, control, path, start.T, p.advised_step, 0.0)
+            : integrate<Real, false>(m, control, path, start.T, p.advised_step, 0.0);
+    StateOf<Real> to{unshifted(m, marched.y.T), p.h, path.e_end, Real(0.0)};
+    if (igs) to.h = h_at_end(m, path, marched.h, marched.h_late);
+    if (marched.separated) {
+        to.T = nothing<Real>();
+        if (igs) to.h = nothing<Real>();
+        to.w = max(path.tr_D * (path.length - marched.separation_at), Real(0.0));
+    }
+    return {value(marched), value(path), to};
+}
 
 template <class View>
 GRIT_INLINE auto& entry(const View& view, std::ptrdiff_t at, std::ptrdiff_t r, std::ptrdiff_t c) {
@@ -59,10 +98,10 @@ class DifferentiatedPoints : public PointByPoint {
             PointOf<Sensitive> s = prepared(p, raw, d, pass);
             enter_domain(material[pass], q.igs, s);
             if (p.resting) keep(rested(s, pass), pass, d);
-            else if (p.stress_free) keep(separated(s), pass, d);
+            else if (p.stress_free) keep(separated(q.igs, s), pass, d);
             else if (!march(p, s, pass, i, d)) return;
         }
-        if (!are_finite(d.row[0], sensitive_rows * largest_direction_count)) {
+        if (!all_finite(d.row)) {
             const bool marched = !p.resting && !p.stress_free;
             return fail(i, Fault::derivative_leaves_range, raw.strain, 0.0,
                         marched ? result.evaluations : 0);
@@ -77,10 +116,8 @@ class DifferentiatedPoints : public PointByPoint {
     int passes() const { return (of.count + sensitivity_lanes - 1) / sensitivity_lanes; }
 
     bool read(std::ptrdiff_t at, PointDerivatives& d) const {
-        for (auto& row : d.row)
-            for (double& x : row) x = 0.0;
-        for (auto& row : d.strain_increment)
-            for (double& x : row) x = 0.0;
+        for (auto& row : d.row) clear(row);
+        for (auto& row : d.strain_increment) clear(row);
         for (int k = 0; k < of.count; ++k) {
             for (int c = 0; c < components(); ++c) {
                 d.stress(c)[k] = entry(of.stress, at, c, k);
@@ -90,8 +127,17 @@ class DifferentiatedPoints : public PointByPoint {
             for (int c = 0; c < GRIT_SAND_STATE_SIZE; ++c)
                 d.state(c)[k] = entry(of.state, at, c, k);
         }
-        return are_finite(d.row[0], sensitive_rows * largest_direction_count) &&
-               are_finite(d.strain_increment[0], 6 * largest_direction_count);
+        return all_finite(d.row) && all_finite(d.strain_increment);
+    }
+
+    void clear(double (&row)[largest_direction_count]) const {
+        for (int k = 0; k < passes() * sensitivity_lanes; ++k) row[k] = 0.0;
+    }
+
+    template <int rows> bool all_finite(const double (&x)[rows][largest_direction_count]) const {
+        bool all = true;
+        for (const auto& row : x) all = all && are_finite(row, of.count);
+        return all;
     }
 
     void write(std::ptrdiff_t at, PointDerivatives& d) const {
@@ -143,15 +189,8 @@ class DifferentiatedPoints : public PointByPoint {
         }
     }
 
-    Tensor<Sensitive> unshifted(Tensor<Sensitive> T, int pass) const {
-        for (int c = 0; c < 3; ++c) T[c] = T[c] + material[pass].p_t;  // (H10)
-        return T;
-    }
-
-    static Tensor<Sensitive> nothing() { return isotropic(Sensitive(0.0)); }
-
-    SensitiveState rested(const PointOf<Sensitive>& s, int pass) const {
-        SensitiveState end{unshifted(s.T, pass), s.h, s.e, s.w};
+    StateOf<Sensitive> rested(const PointOf<Sensitive>& s, int pass) const {
+        StateOf<Sensitive> end{unshifted(material[pass], s.T), s.h, s.e, s.w};
         const Tensor<Sensitive>& dE = s.strain_increment;
         end.e = s.e + (1.0 + s.e) * trace(dE);  // (H9)
         if (s.separated) {
@@ -165,37 +204,19 @@ class DifferentiatedPoints : public PointByPoint {
         return end;
     }
 
-    SensitiveState separated(const PointOf<Sensitive>& s) const {
-        const Sensitive opened = trace(s.strain_increment);
-        return {nothing(), q.igs ? nothing() : s.h, fma(1.0 + s.e, exp(opened), Sensitive(-1.0)),
-                max(s.w + opened, Sensitive(0.0))};
-    }
-
     // Integrates; false where it failed.
     bool march(const Point& p, const PointOf<Sensitive>& s, int pass, std::ptrdiff_t i,
                PointDerivatives& d) {
-        const SensitiveMaterial<Sensitive>& by = material[pass];
-        const auto start = start_of(by, s, s.strain_increment);
-        const auto path = straight_path(by, start.strain_increment, start.h, start.e);
-        const Integrated<Sensitive> marched =
-            q.igs ? integrate<Sensitive, true>(by, control, path, start.T, p.advised_step, 0.0)
-                  : integrate<Sensitive, false>(by, control, path, start.T, p.advised_step, 0.0);
-        const Integrated<double> end = value(marched);
-        if (end.failed) return fail(p, i, end), false;
-        result = result_of(m, q.igs, p, value(path), end);
-        if (const Fault f = fault_of(m, result); f != Fault::none) return fail(p, i, end, f), false;
-        SensitiveState to{unshifted(marched.y.T, pass), s.h, path.e_end, Sensitive(0.0)};
-        if (q.igs) to.h = h_at_end(by, path, marched.h, marched.h_late);
-        if (end.separated) {
-            to.T = nothing();
-            if (q.igs) to.h = nothing();
-            to.w = max(path.tr_D * (path.length - marched.separation_at), Sensitive(0.0));
-        }
-        keep(to, pass, d);
+        const auto to = advance<Sensitive>(material[pass], control, q.igs, s);
+        if (to.end.failed) return fail(p, i, to.end), false;
+        result = result_of(m, q.igs, p, to.path, to.end);
+        if (const Fault f = fault_of(m, result); f != Fault::none)
+            return fail(p, i, to.end, f), false;
+        keep(to.state, pass, d);
         return true;
     }
 
-    static void keep(const SensitiveState& x, int pass, PointDerivatives& d) {
+    static void keep(const StateOf<Sensitive>& x, int pass, PointDerivatives& d) {
         const auto put = [&](double* row, const Sensitive& from, double scale) {
             for (int lane = 0; lane < sensitivity_lanes; ++lane)
                 row[pass * sensitivity_lanes + lane] = scale * from.d[lane];

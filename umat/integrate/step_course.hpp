@@ -40,9 +40,13 @@ GRIT_INLINE void step_course_one_by_one(const MaterialOf<Real>& m, const Straigh
     Mobilisation<Real>(&h)[nodes] = r.nodes.at;
     Real decay[nodes];
     Nodes::decay(dq, decay);
-    for (int i = 0; i < nodes; ++i)
-        h[i] = mobilisation(m, course, fma(Real(Nodes::at[i]), dq, from.q),
-                            max(from.decay * decay[i], Real(least_decay)));
+    constexpr int end = stages - 1;
+    for (int i = 0; i < nodes; ++i) {
+        const Real q = fma(Real(Nodes::at[i]), dq, from.q);
+        decay[i] = max(from.decay * decay[i], Real(least_decay));
+        h[i] = i == end ? mobilisation(m, course, q, decay[i])
+                        : mobilisation<false>(m, course, q, decay[i]);
+    }
     const Real R_dq = m.R * dq;
     for (int stage = 0; stage < stages; ++stage) {
         Real mean = weight.start[stage] * J;
@@ -50,8 +54,8 @@ GRIT_INLINE void step_course_one_by_one(const MaterialOf<Real>& m, const Straigh
         r.e[stage] = (1.0 + from.e) * exp_small(R_dq * mean * path.tr_D) - 1.0;
         r.arc = R_dq * mean;
     }
-    r.end_decay = max(from.decay * decay[stages - 1], Real(least_decay));
-    r.end = h[stages - 1];
+    r.end_decay = decay[end];
+    r.end = h[end];
 }
 
 using NodeValues = Pack<8>;

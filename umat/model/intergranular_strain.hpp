@@ -80,8 +80,8 @@ GRIT_INLINE Real evolution_power(const MaterialOf<Real>& m, const Real& y, const
     return exp(m.beta_r * (log(y) - max(q - longest_decay, Real(0.0))));
 }
 
-// decay = exp(-q)
-template <class Real>
+// decay = exp(-q). Where J is not wanted from there on, its growth is left out.
+template <bool goes_on = true, class Real>
 GRIT_INLINE Mobilisation<Real> mobilisation(const MaterialOf<Real>& m, const Course<Real>& course,
                                             const Real& q, const Real& decay) {
     const Real one(1.0);
@@ -103,8 +103,10 @@ GRIT_INLINE Mobilisation<Real> mobilisation(const MaterialOf<Real>& m, const Cou
         r.rho = select(course.loading, rho, r.rho);
         r.J = select(course.loading, rho * stretch, r.J);
         r.rho_beta = select(course.loading, of_memory(rho_beta), r.rho_beta);
-        const Real growth = along / (1.0 + E_sq) - rho_beta * r.c * stretch;
-        r.J_growth = select(course.loading, growth, Real(0.0));
+        if constexpr (goes_on) {
+            const Real growth = along / (1.0 + E_sq) - rho_beta * r.c * stretch;
+            r.J_growth = select(course.loading, growth, Real(0.0));
+        }
     }
     return r;
 }

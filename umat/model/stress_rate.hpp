@@ -38,7 +38,7 @@ GRIT_INLINE StraightPath<Real> straight_path(const MaterialOf<Real>& m,
     const Tensor<Real> h_R = scaled(h, m.inverse_R);
     path.u_0 = contract(h_R, path.D_hat);
     path.tau = scaled_sum(-path.u_0, path.D_hat, h_R);
-    path.tau_sq = contract(path.tau, path.tau);
+    path.tau_sq = square(path.tau);
     path.e_0 = e;
     path.e_end = void_ratio(path, path.length);
     return path;
