@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "element/grit_law.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "element/errors.hpp"
@@ -133,10 +134,98 @@ Response GritLaw::advance(const MaterialPoint& start, const StrainIncrement& inc
     return out;
 }
 
+Response GritLaw::differentiate(const MaterialPoint& start, const StrainIncrement& increment,
+                                const Directions& parameters, const Matrix6X& strain_slopes,
+                                PointSlopes& slopes) const {
+    const Eigen::Index count = strain_slopes.cols();
+    std::vector<int> of(static_cast<std::size_t>(count), GRIT_SAND_NO_PARAMETER);
+    std::copy(parameters.begin(), parameters.end(), of.begin());
+    Response out;
+    out.end = start;
+    MaterialPoint& end = out.end;
+    end.stress += pore_pressure(start) * unit_tensor();
+    PointSlopes of_end = slopes;
+    if (has_water)
+        of_end.stress.topRows<3>().rowwise() +=
+            bearing(start) * slopes.state.row(pore_pressure_index);
+    grit_sand_points q{};
+    q.struct_size = sizeof q;
+    q.strain_increment = grit_view_of(increment.strain.data(), 6, 1);
+    if (increment.rotation != Matrix3::Identity())
+        q.rotation_increment = grit_view_of(increment.rotation.data(), 9, 1);
+    q.stress = grit_mutable_view_of(end.stress.data(), 6, 1);
+    q.state = grit_mutable_view_of(end.state.data(), GRIT_SAND_STATE_SIZE, 1);
+    q.substep = grit_mutable_view_of(&end.state[substep_index], 1, 1);
+    grit_sand_derivatives d{};
+    d.struct_size = sizeof d;
+    d.count = static_cast<int>(count);
+    d.parameters = of.data();
+    d.strain_increment = grit_matrix_view_of(strain_slopes.data(), 6 * count, count, 1);
+    d.stress = grit_mutable_matrix_view_of(of_end.stress.data(), 6 * count, count, 1);
+    d.state = grit_mutable_matrix_view_of(of_end.state.data(), of_end.state.size(), count, 1);
+    grit_sand_options without_tangent = options;
+    without_tangent.tangent = GRIT_TANGENT_NONE;
+    grit_sand_report report{};
+    grit_error error{};
+    out.outcome = outcome_of(
+        grit_sand_update_differentiated(&prepared, &without_tangent, &d, 1, &q, &report, &error));
+    out.evaluations = report.evaluations;
+    out.stress_free = (report.flags & GRIT_SAND_STRESS_FREE) != 0;
+    if (out.outcome != Outcome::done) {
+        out.message = error.message;
+        out.reduction = report.step_reduction;
+        return out;
+    }
+    if (has_water) {
+        end.state[pore_pressure_index] = water_pressure_after(start, end, increment.strain);
+        const Eigen::RowVectorXd e_before = slopes.state.row(GRIT_SAND_VOID_RATIO);
+        differentiate_water(start, end, strain_slopes, e_before, of_end);
+        end.stress -= pore_pressure(end) * unit_tensor();
+    }
+    slopes = std::move(of_end);
+    return out;
+}
+
+// (W1), as in grit/sand_water.h.
+double GritLaw::water_pressure_after(const MaterialPoint& start, const MaterialPoint& end,
+                                     const Vector6& strain_increment) const {
+    const double p = start.state[pore_pressure_index];
+    if (water.porosity > 0.0)
+        return p - water.bulk_modulus / water.porosity * strain_increment.head<3>().sum();
+    return p - water.bulk_modulus *
+                   std::log(end.state[GRIT_SAND_VOID_RATIO] / start.state[GRIT_SAND_VOID_RATIO]);
+}
+
+void GritLaw::differentiate_water(const MaterialPoint& start, const MaterialPoint& end,
+                                  const Matrix6X& strain_slopes, const Eigen::RowVectorXd& e_before,
+                                  PointSlopes& slopes) const {
+    auto p = slopes.state.row(pore_pressure_index);
+    if (water.porosity > 0.0)
+        p -= water.bulk_modulus / water.porosity * strain_slopes.topRows<3>().colwise().sum();
+    else
+        p -= water.bulk_modulus *
+             (slopes.state.row(GRIT_SAND_VOID_RATIO) / end.state[GRIT_SAND_VOID_RATIO] -
+              e_before / start.state[GRIT_SAND_VOID_RATIO]);
+    slopes.stress.topRows<3>().rowwise() -= bearing(end) * p;
+}
+
+double GritLaw::bearing(const MaterialPoint& point) const {
+    const double p = point.state[pore_pressure_index];
+    return borne(p) == p ? 1.0 : 0.0;
+}
+
 Observation GritLaw::observe(const MaterialPoint& point) const {
     Observation out;
     out.void_ratio = point.state[GRIT_SAND_VOID_RATIO];
     if (has_water) out.pore_pressure = pore_pressure(point);
+    return out;
+}
+
+ObservedSlopes GritLaw::observe(const MaterialPoint& point, const PointSlopes& slopes) const {
+    ObservedSlopes out;
+    out.void_ratio = slopes.state.row(GRIT_SAND_VOID_RATIO);
+    out.pore_pressure = Eigen::RowVectorXd::Zero(slopes.state.cols());
+    if (has_water) out.pore_pressure = bearing(point) * slopes.state.row(pore_pressure_index);
     return out;
 }
 

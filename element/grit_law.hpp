@@ -43,7 +43,11 @@ class GritLaw : public Law {
     void mobilise(MaterialPoint& point, const Vector6& direction, double rho) const;
 
     Response advance(const MaterialPoint& start, const StrainIncrement& increment) const override;
+    Response differentiate(const MaterialPoint& start, const StrainIncrement& increment,
+                           const Directions& parameters, const Matrix6X& strain_slopes,
+                           PointSlopes& slopes) const override;
     Observation observe(const MaterialPoint& point) const override;
+    ObservedSlopes observe(const MaterialPoint& point, const PointSlopes& slopes) const override;
     const std::vector<std::string>& state_names() const override { return names; }
 
     // p, q, mobilised friction angle and so on, of the effective stress.
@@ -57,6 +61,14 @@ class GritLaw : public Law {
     void read_water(const GritLawOptions& given);
     // What bears.
     double pore_pressure(const MaterialPoint& point) const;
+    // d of it by the pore pressure of the state.
+    double bearing(const MaterialPoint& point) const;
+    double water_pressure_after(const MaterialPoint& start, const MaterialPoint& end,
+                                const Vector6& strain_increment) const;
+    // Of the state of the end, whose void ratio is differentiated already.
+    void differentiate_water(const MaterialPoint& start, const MaterialPoint& end,
+                             const Matrix6X& strain_slopes, const Eigen::RowVectorXd& e_before,
+                             PointSlopes& slopes) const;
 
     grit_sand prepared{};
     grit_sand_options options{};

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "element/vectors.hpp"
+#include "element/slopes.hpp"
 
 namespace element {
 
@@ -50,6 +50,10 @@ struct Observation {
     double pore_pressure = std::numeric_limits<double>::quiet_NaN();  // carried by the law [stress]
 };
 
+struct ObservedSlopes {
+    Eigen::RowVectorXd void_ratio, pore_pressure;  // a column per direction
+};
+
 // Immutable: a law may be shared by runs in several threads (a UMAT if its library allows it).
 class Law {
   public:
@@ -62,7 +66,17 @@ class Law {
     virtual Response advance(const MaterialPoint& start,
                              const StrainIncrement& increment) const = 0;
 
+    // advance without a tangent and, in place, derivatives along directions: a column per parameter, then one per
+    // column of strain_slopes that is left, which has none. They have columns for all of them. Throws BadCase where
+    // a law has no derivatives.
+    virtual Response differentiate(const MaterialPoint& start, const StrainIncrement& increment,
+                                   const Directions& parameters, const Matrix6X& strain_slopes,
+                                   PointSlopes& slopes) const;
+
     virtual Observation observe(const MaterialPoint& point) const = 0;
+
+    // Its derivatives. Throws BadCase where a law has none.
+    virtual ObservedSlopes observe(const MaterialPoint& point, const PointSlopes& slopes) const;
 
     // One name per state variable: names of columns.
     virtual const std::vector<std::string>& state_names() const = 0;

@@ -29,6 +29,7 @@ class LibraryLaw : public Law {
     // A point with the state padded with zeros to NSTATV. Throws BadCase if there are more.
     MaterialPoint start(const Vector6& stress, std::vector<double> state) const;
 
+    using Law::observe;
     Observation observe(const MaterialPoint& point) const override;
     const std::vector<std::string>& state_names() const override { return source.state_names; }
 

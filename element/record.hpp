@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "element/vectors.hpp"
+#include "element/slopes.hpp"
 
 namespace element {
 
@@ -28,6 +28,7 @@ struct Record {
     long cut_backs = 0;    // halvings
     // Newton's residuals of the increment's last part, relative to the stress norm; if asked for.
     std::vector<double> residuals;
+    RecordSlopes slopes;  // of a sample with derivatives
 };
 
 struct Failure {

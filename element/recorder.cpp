@@ -26,6 +26,21 @@ Record Recorder::snapshot(const Sample& sample, Place place) const {
     out.pore_pressure = carried + sample.pore_pressure;
     out.effective_stress = out.stress + carried * unit_tensor();
     out.total_stress = out.stress - sample.pore_pressure * unit_tensor();
+    if (sample.slopes.wanted()) out.slopes = slopes_of(sample);
+    return out;
+}
+
+RecordSlopes Recorder::slopes_of(const Sample& sample) const {
+    const Slopes& s = sample.slopes;
+    const ObservedSlopes seen = law.observe(sample.point, s.point);
+    RecordSlopes out;
+    out.strain = s.strain;
+    out.stress = out.effective_stress = out.total_stress = s.point.stress;
+    out.effective_stress.topRows<3>().rowwise() += seen.pore_pressure;
+    out.total_stress.topRows<3>().rowwise() -= s.pore_pressure;
+    out.state = s.point.state;
+    out.void_ratio = seen.void_ratio;
+    out.pore_pressure = seen.pore_pressure + s.pore_pressure;
     return out;
 }
 

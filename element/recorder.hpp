@@ -29,6 +29,8 @@ class Recorder {
     History take() { return std::move(history); }
 
   private:
+    RecordSlopes slopes_of(const Sample& sample) const;
+
     const Law& law;
     const Settings& settings;
     const Listeners& listeners;

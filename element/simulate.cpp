@@ -207,6 +207,29 @@ class Runner {
     const Step* ended = nullptr;    // by a condition: what is left of it is left out
 };
 
+bool ends_exactly(const Program& program) {
+    return std::any_of(program.begin(), program.end(), [](const Step& step) {
+        const auto* repetition = std::get_if<Repetition>(&step.kind);
+        return step.exit.exactly || (repetition && ends_exactly(repetition->steps));
+    });
+}
+
+void check_slopes(const Sample& sample, const Program& program) {
+    const Slopes& s = sample.slopes;
+    if (!s.wanted()) return;
+    const auto count = static_cast<Eigen::Index>(s.by.size());
+    const auto states = static_cast<Eigen::Index>(sample.point.state.size());
+    if (s.point.stress.cols() != count || s.strain.cols() != count ||
+        s.pore_pressure.cols() != count || s.point.state.cols() != count ||
+        s.point.state.rows() != states)
+        throw BadCase(text("the derivatives at the start must have %d columns, and %d rows of "
+                           "state variables",
+                           static_cast<int>(count), static_cast<int>(states)));
+    if (ends_exactly(program))
+        throw BadCase("an exit that ends a step exactly where it holds depends on the parameters: "
+                      "it cannot be differentiated");
+}
+
 }  // namespace
 
 long count_increments(const Program& program) {
@@ -236,6 +259,7 @@ History simulate(const Law& law, Sample& sample, const Program& program, const S
         throw BadCase(text("the sample has %d state variables, the law has %d",
                            static_cast<int>(sample.point.state.size()),
                            static_cast<int>(law.state_names().size())));
+    check_slopes(sample, program);
     return Runner(law, sample, settings, listeners).run(program);
 }
 

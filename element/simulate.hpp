@@ -15,6 +15,7 @@ struct Sample {
     double pore_pressure = 0.0;        // kept by the driver in undrained steps; excess [stress]
     double time = 0.0;
     double temperature = 0.0;
+    Slopes slopes;  // where something is to be differentiated: start_slopes
 };
 
 struct Settings {

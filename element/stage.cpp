@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "element/differentiate.hpp"
+#include "element/errors.hpp"
 #include "element/gradient.hpp"
 #include "element/path.hpp"
 
@@ -33,31 +35,41 @@ Sample after(const Sample& now, const StrainIncrement& increment, const Solution
     return end;
 }
 
+// Of the rows of a sample as it is.
+Matrix6X slopes_of(const Restrictions& rows, const Slopes& slopes) {
+    if (!slopes.wanted()) return {};
+    Matrix6X total = slopes.point.stress;
+    total.topRows<3>().rowwise() -= slopes.pore_pressure;
+    return rows.stress * total + rows.strain * slopes.strain;
+}
+
 class ControlledStage : public Stage {
   public:
     ControlledStage(const Step& s, const Sample& start, const StageContext& c)
         : step(s), context(c), path(path_of(s, start)),
           origin(path.rows.stress * (start.point.stress - start.pore_pressure * unit_tensor()) +
                  path.rows.strain * start.strain),
-          first_pore_pressure(start.pore_pressure) {}
+          first_pore_pressure(start.pore_pressure),
+          origin_slopes(slopes_of(path.rows, start.slopes)),
+          first_pore_pressure_slopes(start.slopes.pore_pressure) {}
 
     Attempt attempt(const Sample& now, double from, double to) override {
-        Task task;
-        task.point = now.point;
-        task.strain = now.strain;
-        task.pore_pressure = step.drains ? (1.0 - to) * first_pore_pressure : now.pore_pressure;
-        task.increment = increment_of(step, now, context, from, to, path.time(from), path.time(to));
-        task.rows = path.rows;
-        task.goal = origin + path.change(to);
-        task.undrained = step.undrained;
-        task.tolerance = context.settings.tolerance;
-        task.iteration_limit =
-            step.iteration_limit > 0 ? step.iteration_limit : context.settings.iteration_limit;
-        task.guess = guess(task, to - from);
+        const Task task = task_between(now, from, to);
         Attempt out;
         out.solution = solve(context.law, task);
         out.end = after(now, task.increment, out.solution);
         return out;
+    }
+
+    std::optional<Slopes> slopes_after(const Sample& now, const Attempt& attempt, double from,
+                                       double to) override {
+        TaskSlopes given{now.slopes, origin_slopes, now.slopes.pore_pressure};
+        // Rows that are absolute go to values that do not depend on where they start.
+        if (const auto* linear = std::get_if<Linear>(&step.kind))
+            for (int r = 0; r < 6; ++r)
+                if (linear->absolute[static_cast<std::size_t>(r)]) given.goal.row(r) *= 1.0 - to;
+        if (step.drains) given.pore_pressure = (1.0 - to) * first_pore_pressure_slopes;
+        return differentiate(context.law, task_between(now, from, to), attempt.solution, given);
     }
 
     void keep(const Attempt& attempt, double from, double to) override {
@@ -71,6 +83,22 @@ class ControlledStage : public Stage {
     }
 
   private:
+    Task task_between(const Sample& now, double from, double to) const {
+        Task task;
+        task.point = now.point;
+        task.strain = now.strain;
+        task.pore_pressure = step.drains ? (1.0 - to) * first_pore_pressure : now.pore_pressure;
+        task.increment = increment_of(step, now, context, from, to, path.time(from), path.time(to));
+        task.rows = path.rows;
+        task.goal = origin + path.change(to);
+        task.undrained = step.undrained;
+        task.tolerance = context.settings.tolerance;
+        task.iteration_limit =
+            step.iteration_limit > 0 ? step.iteration_limit : context.settings.iteration_limit;
+        task.guess = guess(task, to - from);
+        return task;
+    }
+
     // On a straight path the strain goes on as it went; otherwise the stress answers as it did.
     Vector6 guess(const Task& task, double share) const {
         if (slope) return share * *slope;
@@ -84,6 +112,8 @@ class ControlledStage : public Stage {
     Path path;
     Vector6 origin;  // of the rows, at the start of the step
     double first_pore_pressure;
+    Matrix6X origin_slopes;
+    Eigen::RowVectorXd first_pore_pressure_slopes;
     std::optional<Vector6> slope;
     std::optional<Matrix6> tangent;
 };
@@ -94,6 +124,41 @@ class GradientStage : public Stage {
         : step(s), context(c), gradient(std::get<DeformationGradient>(s.kind)) {}
 
     Attempt attempt(const Sample& now, double from, double to) override {
+        const StrainIncrement increment = increment_between(now, from, to);
+        Response response = context.law.advance(now.point, increment);
+        Attempt out;
+        out.solution.outcome = response.outcome;
+        out.solution.message = response.message;
+        out.solution.reduction = response.reduction;
+        out.solution.end = std::move(response.end);
+        out.solution.strain_increment = increment.strain;
+        out.solution.evaluations = response.evaluations;
+        out.solution.pore_pressure = now.pore_pressure;
+        out.end = after(now, increment, out.solution);
+        return out;
+    }
+
+    // The strain increment depends on nothing.
+    std::optional<Slopes> slopes_after(const Sample& now, const Attempt&, double from,
+                                       double to) override {
+        const StrainIncrement increment = increment_between(now, from, to);
+        Slopes end = now.slopes;
+        const Eigen::Index count = end.strain.cols();
+        const Response response = context.law.differentiate(now.point, increment, end.by,
+                                                            Matrix6X::Zero(6, count), end.point);
+        if (response.outcome != Outcome::done) throw BadCase(response.message);
+        const Matrix3& Q = increment.rotation;
+        for (Eigen::Index k = 0; k < count; ++k)
+            end.strain.col(k) =
+                strain_components(Q * strain_tensor(now.slopes.strain.col(k)) * Q.transpose());
+        return end;
+    }
+
+    void keep(const Attempt&, double, double) override {}
+    void forget() override {}
+
+  private:
+    StrainIncrement increment_between(const Sample& now, double from, double to) const {
         StrainIncrement increment =
             increment_of(step, now, context, from, to, from * step.duration, to * step.duration);
         increment.gradient_before = gradient_at(gradient, from);
@@ -104,23 +169,9 @@ class GradientStage : public Stage {
         increment.strain = motion.strain;
         increment.rotation = Q;
         increment.total_strain = strain_components(Q * strain_tensor(now.strain) * Q.transpose());
-        Response response = context.law.advance(now.point, increment);
-        Attempt out;
-        out.solution.outcome = response.outcome;
-        out.solution.message = response.message;
-        out.solution.reduction = response.reduction;
-        out.solution.end = std::move(response.end);
-        out.solution.strain_increment = motion.strain;
-        out.solution.evaluations = response.evaluations;
-        out.solution.pore_pressure = now.pore_pressure;
-        out.end = after(now, increment, out.solution);
-        return out;
+        return increment;
     }
 
-    void keep(const Attempt&, double, double) override {}
-    void forget() override {}
-
-  private:
     const Step& step;
     const StageContext& context;
     const DeformationGradient& gradient;
@@ -146,6 +197,15 @@ Advance advance(Stage& stage, Sample& sample, double from, double to, double sma
         out.iterations += solution.iterations;
         out.evaluations += solution.evaluations;
         if (solution.outcome == Outcome::done) {
+            if (sample.slopes.wanted()) {
+                auto slopes = stage.slopes_after(sample, attempt, from, next);
+                if (!slopes) {
+                    out.done = false;
+                    out.message = "the restrictions do not determine the derivatives (singular)";
+                    return out;
+                }
+                attempt.end.slopes = std::move(*slopes);
+            }
             stage.keep(attempt, from, next);
             out.residuals = solution.residuals;
             sample = std::move(attempt.end);

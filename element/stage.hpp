@@ -25,6 +25,9 @@ class Stage {
     virtual Attempt attempt(const Sample& now, double from, double to) = 0;
     // The last attempt is kept: it may guide the next.
     virtual void keep(const Attempt& attempt, double from, double to) = 0;
+    // Derivatives at its end, from those at its start where the sample is now; nothing where they are undetermined.
+    virtual std::optional<Slopes> slopes_after(const Sample& now, const Attempt& attempt,
+                                               double from, double to) = 0;
     // The last attempt failed: what guided it is not to be trusted.
     virtual void forget() = 0;
 };

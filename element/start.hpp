@@ -37,4 +37,17 @@ double void_ratio_at_pressure(const grit_sand& sand, double e_0, double mean_pre
 // Throws BadCase unless the stress presses and the void ratio is within its range.
 MaterialPoint start_point(const GritLaw& law, const Start& start);
 
+// Derivatives of that point by parameters of the law, given those of the start: stress and void ratio, where they depend
+// on any (e.g. slopes_at_pressure), else by the void ratio alone. h = rho R along the direction.
+struct StartSlopes {
+    Matrix6X stress;                // no columns: of none
+    Eigen::RowVectorXd void_ratio;  // no columns: 1 by_void_ratio, 0 by others
+};
+Slopes start_slopes(const GritLaw& law, const Start& start, const Directions& by,
+                    const StartSlopes& given = {});
+
+// Of void_ratio_at_pressure, with by_void_ratio standing for e_0.
+Eigen::RowVectorXd slopes_at_pressure(const grit_sand& sand, double e_0, double mean_pressure,
+                                      const Directions& by);
+
 }  // namespace element

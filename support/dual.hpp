@@ -187,7 +187,9 @@ template <class F> GRIT_INLINE Dual chained(const F& f, const Dual& x) {
     const Partial<1> r = f(Partial<1>::variable(x.v, 0));
     return {r.v, x.d * r.d[0]};
 }
-template <class F> GRIT_INLINE Dual chained(const F& f, const Dual& x, const Dual& y) {
+template <class F, class Part, int parts>
+GRIT_INLINE DualOf<double, Part, parts> chained(const F& f, const DualOf<double, Part, parts>& x,
+                                                const DualOf<double, Part, parts>& y) {
     const Partial<2> r = f(Partial<2>::variable(x.v, 0), Partial<2>::variable(y.v, 1));
     return {r.v, scaled_sum(x.d, r.d[0], y.d * r.d[1])};
 }

@@ -6,7 +6,7 @@ module grit_sand_arrays
    use grit_sand_interface
    implicit none
    private
-   public :: grit_sand_update, grit_sand_update_undrained
+   public :: grit_sand_update, grit_sand_update_undrained, grit_sand_update_differentiated
    public :: grit_sand_parameters_init, grit_sand_options_init, grit_sand_water_init
    public :: grit_sand_parameter_describe, grit_sand_parameter_get, grit_sand_parameter_set
    public :: grit_sand_record_find, grit_sand_record_at, grit_sand_stiffness
@@ -33,6 +33,17 @@ module grit_sand_arrays
    ! grit_sand_update_undrained(sand, options, water, n, points, reports, error).
    interface grit_sand_update_undrained
       procedure update_undrained_points, update_undrained_point, c_sand_update_undrained
+   end interface
+
+   ! status = grit_sand_update_differentiated(sand, parameters, strain_increment, stress, state, stress_slope, state_slope
+   !                                          [, strain_slope, rotation_increment, substep, index, options,
+   !                                          reports, error])
+   ! parameters (k): of each direction, from 0 as grit_sand_parameter_describe counts them, or
+   ! grit_sand_no_parameter. Of n points: stress_slope (c, k, n), state_slope (8, k, n), in and out, and
+   ! strain_slope (c, k, n), 0 where it is left out; of one: (c, k), (8, k), (c, k). As C has it:
+   ! grit_sand_update_differentiated(sand, options, derivatives, n, points, reports, error).
+   interface grit_sand_update_differentiated
+      procedure differentiated_points, differentiated_point, c_sand_update_differentiated
    end interface
 
 contains
@@ -155,6 +166,92 @@ contains
       if (present(report)) reports(1) = report
       status = c_sand_update_undrained(sand, with_tangent(options, present(tangent)), wet, &
                                        1_c_ptrdiff_t, points, reports, error)
+      if (present(report)) report = reports(1)
+   end function
+
+   integer(c_int) function differentiated_points(sand, parameters, strain_increment, stress, state, &
+                                                 stress_slope, state_slope, strain_slope, &
+                                                 rotation_increment, substep, index, options, &
+                                                 reports, error) result(status)
+      type(grit_sand), intent(in) :: sand
+      integer(c_int), intent(in), target, contiguous :: parameters(:)
+      real(c_double), intent(in), target :: strain_increment(:, :)
+      real(c_double), intent(inout), target :: stress(:, :), state(:, :)
+      real(c_double), intent(inout), target :: stress_slope(:, :, :), state_slope(:, :, :)
+      real(c_double), intent(in), target, optional :: strain_slope(:, :, :)
+      real(c_double), intent(in), optional :: rotation_increment(:, :, :)
+      real(c_double), intent(inout), target, optional :: substep(:)
+      integer(c_ptrdiff_t), intent(in), target, contiguous, optional :: index(:)
+      type(grit_sand_options), intent(in), optional :: options
+      type(grit_sand_report), intent(inout), target, contiguous, optional :: reports(:)
+      type(grit_error), intent(inout), optional :: error
+      type(grit_sand_points) :: points
+      type(grit_sand_derivatives) :: derivatives
+      real(c_double), allocatable, target :: rows(:, :)
+      integer :: c, k, n, taken
+
+      status = view_points(points, taken, rows, strain_increment, stress, state, &
+                           rotation_increment=rotation_increment, substep=substep, index=index, &
+                           reports=reports, error=error)
+      if (status /= grit_ok) return
+      status = grit_bad_call
+      c = size(stress, 1)
+      n = size(stress, 2)
+      k = size(parameters)
+      if (.not. grit_fits('stress_slope', shape(stress_slope), [c, k, n], error)) return
+      if (.not. grit_fits('state_slope', shape(state_slope), [8, k, n], error)) return
+      derivatives%count = k
+      if (k > 0) derivatives%parameters = c_loc(parameters)
+      derivatives%stress = grit_matrix_view_of(stress_slope)
+      derivatives%state = grit_matrix_view_of(state_slope)
+      if (present(strain_slope)) then
+         if (.not. grit_fits('strain_slope', shape(strain_slope), [c, k, n], error)) return
+         derivatives%strain_increment = grit_matrix_view_of(strain_slope)
+      end if
+      status = c_sand_update_differentiated(sand, options, derivatives, int(taken, c_ptrdiff_t), &
+                                            points, reports, error)
+   end function
+
+   integer(c_int) function differentiated_point(sand, parameters, strain_increment, stress, state, &
+                                                stress_slope, state_slope, strain_slope, &
+                                                rotation_increment, substep, options, report, &
+                                                error) result(status)
+      type(grit_sand), intent(in) :: sand
+      integer(c_int), intent(in), target, contiguous :: parameters(:)
+      real(c_double), intent(in), target :: strain_increment(:)
+      real(c_double), intent(inout), target :: stress(:), state(:)
+      real(c_double), intent(inout), target :: stress_slope(:, :), state_slope(:, :)
+      real(c_double), intent(in), target, optional :: strain_slope(:, :)
+      real(c_double), intent(in), optional :: rotation_increment(:, :)
+      real(c_double), intent(inout), target, optional :: substep
+      type(grit_sand_options), intent(in), optional :: options
+      type(grit_sand_report), intent(inout), optional :: report
+      type(grit_error), intent(inout), optional :: error
+      type(grit_sand_points) :: points
+      type(grit_sand_derivatives) :: derivatives
+      type(grit_sand_report) :: reports(1)
+      real(c_double), target :: rows(9, 1)
+      integer :: c, k
+
+      status = view_point(points, rows, strain_increment, stress, state, &
+                          rotation_increment=rotation_increment, substep=substep, error=error)
+      if (status /= grit_ok) return
+      status = grit_bad_call
+      c = size(stress)
+      k = size(parameters)
+      if (.not. grit_fits('stress_slope', shape(stress_slope), [c, k], error)) return
+      if (.not. grit_fits('state_slope', shape(state_slope), [8, k], error)) return
+      derivatives%count = k
+      if (k > 0) derivatives%parameters = c_loc(parameters)
+      derivatives%stress = grit_matrix_view_of(stress_slope)
+      derivatives%state = grit_matrix_view_of(state_slope)
+      if (present(strain_slope)) then
+         if (.not. grit_fits('strain_slope', shape(strain_slope), [c, k], error)) return
+         derivatives%strain_increment = grit_matrix_view_of(strain_slope)
+      end if
+      if (present(report)) reports(1) = report
+      status = c_sand_update_differentiated(sand, options, derivatives, 1_c_ptrdiff_t, points, &
+                                            reports, error)
       if (present(report)) report = reports(1)
    end function
 

@@ -1,9 +1,10 @@
 ! SPDX-License-Identifier: BSD-3-Clause
-! The sand as C has it: grit/sand.h, grit/sand_water.h, grit/sand_operators.h, grit/sand_catalogue.h. Places in a state
-! count from 1. 6 x 6 matrices are row-major here; module grit turns them.
+! The sand as C has it: grit/sand.h, grit/sand_water.h, grit/sand_derivatives.h, grit/sand_operators.h,
+! grit/sand_catalogue.h. Places in a state count from 1. 6 x 6 matrices are row-major here; module grit turns them.
 module grit_sand_interface
    use, intrinsic :: iso_c_binding
-   use grit_base, only: grit_error, grit_view, grit_mutable_view, grit_mutable_matrix_view
+   use grit_base, only: grit_error, grit_view, grit_matrix_view, grit_mutable_view, &
+                        grit_mutable_matrix_view
    implicit none
    public
 
@@ -17,6 +18,8 @@ module grit_sand_interface
    integer(c_int), parameter :: grit_sand_stress_free = 1, grit_sand_void_clamped = 2
    integer(c_int), parameter :: grit_sand_outside_cone = 4, grit_sand_h_clamped = 8
    integer(c_int), parameter :: grit_sand_cavitated = 16
+   integer(c_int), parameter :: grit_sand_no_parameter = -1
+   integer(c_int), parameter :: grit_sand_largest_direction_count = 32
 
    ! Angle in radians, stresses in any one unit; see grit/sand.h for ranges.
    type, bind(c) :: grit_sand_parameters
@@ -71,6 +74,15 @@ module grit_sand_interface
       real(c_double) :: porosity         ! n [-], constant; 0: that of the void ratio
       real(c_double) :: largest_tension  ! [stress]
       type(grit_mutable_view) :: pore_pressure, total_stress
+   end type
+
+   ! Columns of the views are directions, see grit/sand_derivatives.h; parameters count from 0.
+   type, bind(c) :: grit_sand_derivatives
+      integer(c_size_t) :: struct_size = 120
+      integer(c_int) :: count = 0, reserved = 0
+      type(c_ptr) :: parameters = c_null_ptr
+      type(grit_matrix_view) :: strain_increment
+      type(grit_mutable_matrix_view) :: stress, state
    end type
 
    type, bind(c) :: grit_sand_report
@@ -165,6 +177,18 @@ module grit_sand_interface
          type(grit_sand), intent(in) :: sand
          type(grit_sand_options), intent(in), optional :: options
          type(grit_sand_water), intent(in) :: water
+         integer(c_ptrdiff_t), value :: n
+         type(grit_sand_points), intent(in) :: points
+         type(grit_sand_report), intent(inout), optional :: reports(*)
+         type(grit_error), intent(inout), optional :: error
+      end function
+      integer(c_int) function c_sand_update_differentiated(sand, options, derivatives, n, points, &
+                                                           reports, error) &
+         bind(c, name='grit_sand_update_differentiated')
+         import
+         type(grit_sand), intent(in) :: sand
+         type(grit_sand_options), intent(in), optional :: options
+         type(grit_sand_derivatives), intent(in) :: derivatives
          integer(c_ptrdiff_t), value :: n
          type(grit_sand_points), intent(in) :: points
          type(grit_sand_report), intent(inout), optional :: reports(*)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Single-element tests through the library grit_element.
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -26,13 +27,18 @@ constexpr const char* element_doc = R"(Run stages of a laboratory test on one sa
     direction    (6,) strain that the sample remembers: h = rho R along it; None: h = 0
     tolerance    of the stress, relative; that of Sand.update
     intergranular_strain  False: basic hypoplasticity; None: as the sand has parameters for it
+    parameters   names or symbols of parameters of the sand, and "void_ratio" for that at the start: derivatives by
+                 these (k) are wanted
+    stress_slope, void_ratio_slope  (6, k), (k,) of the start, where it depends on them
 
 Without more than stress and void ratio it is the sample of a case file of grit element that gives no
 more: h as isotropic compression leaves it.
 
 Returns a dict of arrays with a row for the start and one per increment: stage, increment (m,), strain
 (m, 6) logarithmic, extension +, stress (m, 6) effective, total_stress (m, 6), state (m, 8), void_ratio,
-pore_pressure (m,) excess, compression + [stress]. Raises BadCall if the test makes no sense, and
+pore_pressure (m,) excess, compression + [stress]; with parameters also the exact derivatives strain_slope,
+stress_slope, total_stress_slope (m, 6, k), state_slope (m, 8, k), void_ratio_slope, pore_pressure_slope (m, k),
+of the steps taken. Raises BadCall if the test makes no sense, and
 NotConverged, whose attribute history is as far as it came.)";
 
 template <class Get>
@@ -70,10 +76,57 @@ py::dict arrays_of(const std::vector<element::Record>& records) {
     return out;
 }
 
+// By name or symbol.
+int direction_of(const std::string& name) {
+    if (name == "void_ratio") return element::by_void_ratio;
+    for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i) {
+        const grit_sand_parameter_info* const info = grit_sand_parameter_describe(i);
+        if (name == info->name || name == info->symbol) return i;
+    }
+    refuse("parameters: %s is none of this sand", name.c_str());
+}
+
+template <class Get>
+py::array slopes(const std::vector<element::Record>& records, py::ssize_t width, Get get) {
+    const auto m = static_cast<py::ssize_t>(records.size());
+    const py::ssize_t k = get(records.front()).cols();
+    py::array_t<double> out({m, width, k});
+    for (py::ssize_t i = 0; i < m; ++i) {
+        const element::MatrixX of = get(records[static_cast<std::size_t>(i)]);
+        for (py::ssize_t r = 0; r < width; ++r)
+            for (py::ssize_t c = 0; c < k; ++c) out.mutable_at(i, r, c) = of(r, c);
+    }
+    return out;
+}
+
+void add_slopes(py::dict& out, const std::vector<element::Record>& records) {
+    using element::Record;
+    if (records.empty()) return;
+    const auto one = [&](auto get) {
+        const py::array all = slopes(records, 1, get);
+        return all.attr("reshape")(all.shape(0), all.shape(2));
+    };
+    out["strain_slope"] =
+        slopes(records, 6, [](const Record& r) -> element::MatrixX { return r.slopes.strain; });
+    out["stress_slope"] = slopes(
+        records, 6, [](const Record& r) -> element::MatrixX { return r.slopes.effective_stress; });
+    out["total_stress_slope"] = slopes(
+        records, 6, [](const Record& r) -> element::MatrixX { return r.slopes.total_stress; });
+    out["state_slope"] = slopes(records, GRIT_SAND_STATE_SIZE,
+                                [](const Record& r) -> element::MatrixX { return r.slopes.state; });
+    out["void_ratio_slope"] =
+        one([](const Record& r) -> element::MatrixX { return r.slopes.void_ratio; });
+    out["pore_pressure_slope"] =
+        one([](const Record& r) -> element::MatrixX { return r.slopes.pore_pressure; });
+}
+
 py::dict element_test(const Sand& sand, const std::vector<element::Step>& stages,
                       const element::Vector6& stress, double void_ratio,
                       const std::optional<element::Vector6>& direction, double rho,
-                      double tolerance, std::optional<bool> intergranular_strain) {
+                      double tolerance, std::optional<bool> intergranular_strain,
+                      const std::vector<std::string>& names,
+                      const std::optional<element::Matrix6X>& stress_slope,
+                      const std::optional<Eigen::RowVectorXd>& void_ratio_slope) {
     grit_sand_parameters parameters{};
     check(grit_sand_parameters_init(&parameters, sizeof parameters), "grit_sand_parameters_init");
     check(grit_sand_parameters_of(&sand.prepared, &parameters), "grit_sand_parameters_of");
@@ -93,12 +146,20 @@ py::dict element_test(const Sand& sand, const std::vector<element::Step>& stages
         const element::GritLaw law(parameters, options);
         element::Sample sample;
         sample.point = element::start_point(law, start);
+        element::Directions by;
+        for (const std::string& name : names) by.push_back(direction_of(name));
+        if (!by.empty())
+            sample.slopes =
+                element::start_slopes(law, start, by,
+                                      {stress_slope.value_or(element::Matrix6X()),
+                                       void_ratio_slope.value_or(Eigen::RowVectorXd())});
         const py::gil_scoped_release others_may_run;
         history = element::simulate(law, sample, stages);
     } catch (const element::BadCase& bad) {
         refuse("%s", bad.what());
     }
     py::dict out = arrays_of(history.records);
+    if (!names.empty()) add_slopes(out, history.records);
     if (history.failure) {
         grit_error error{};
         error.status = GRIT_NOT_CONVERGED;
@@ -161,11 +222,12 @@ void add_element(py::module_& module) {
               "Stress 22 constant, strain 11 and 33 zero.");
     add_stage(stage, "simple_shear_constant_volume", &simple_shear_constant_volume, "gamma",
               "All strains but 12 zero.");
-    module.def("element_test", &element_test, arg("sand"), arg("stages"), arg("stress"),
-               arg("void_ratio"),
-               py::arg_v("direction", std::optional(Start{}.direction), "compression"),
-               arg("rho") = Start{}.rho, arg("tolerance") = GritLawOptions{}.tolerance,
-               arg("intergranular_strain") = py::none(), element_doc);
+    module.def(
+        "element_test", &element_test, arg("sand"), arg("stages"), arg("stress"), arg("void_ratio"),
+        py::arg_v("direction", std::optional(Start{}.direction), "compression"),
+        arg("rho") = Start{}.rho, arg("tolerance") = GritLawOptions{}.tolerance,
+        arg("intergranular_strain") = py::none(), arg("parameters") = std::vector<std::string>(),
+        arg("stress_slope") = py::none(), arg("void_ratio_slope") = py::none(), element_doc);
 }
 
 }  // namespace grit_python

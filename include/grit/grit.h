@@ -15,6 +15,7 @@
 #include <grit/contact_surface.h>
 #include <grit/sand.h>
 #include <grit/sand_catalogue.h>
+#include <grit/sand_derivatives.h>
 #include <grit/sand_operators.h>
 #include <grit/sand_water.h>
 #include <grit/status.h>

@@ -11,6 +11,8 @@ VALUE(GRIT_SAND_H23, 5);
 VALUE(GRIT_SAND_VOID_RATIO, 6);
 VALUE(GRIT_SAND_SEPARATION, 7);
 VALUE(GRIT_SAND_STATE_SIZE, 8);
+VALUE(GRIT_SAND_NO_PARAMETER, -1);
+VALUE(GRIT_SAND_LARGEST_DIRECTION_COUNT, 32);
 VALUE(GRIT_TANGENT_NONE, 0);
 VALUE(GRIT_TANGENT_CONTINUUM, 1);
 VALUE(GRIT_TANGENT_CONSISTENT, 2);
@@ -49,6 +51,15 @@ PLACE(grit_sand_parameters, transverse_stiffness, 88);
 PLACE(grit_sand_parameters, elastic_strain_radius, 96);
 PLACE(grit_sand_parameters, evolution_exponent, 104);
 PLACE(grit_sand_parameters, stiffness_interpolation_exponent, 112);
+
+SIZE(grit_sand_derivatives, 120);
+PLACE(grit_sand_derivatives, struct_size, 0);
+PLACE(grit_sand_derivatives, count, 8);
+PLACE(grit_sand_derivatives, reserved, 12);
+PLACE(grit_sand_derivatives, parameters, 16);
+PLACE(grit_sand_derivatives, strain_increment, 24);
+PLACE(grit_sand_derivatives, stress, 56);
+PLACE(grit_sand_derivatives, state, 88);
 
 SIZE(grit_sand_parameter_info, 48);
 PLACE(grit_sand_parameter_info, name, 0);

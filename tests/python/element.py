@@ -123,5 +123,22 @@ class ElementTest(unittest.TestCase):
             self.assertIn(text, grit.Sand.update.__doc__)
 
 
+class Derivatives(unittest.TestCase):
+    def test_are_central_differences_of_the_test(self):
+        sand = grit.Sand("lausitz")
+        stages = [grit.stage.triaxial_drained(-0.05, increments=20, first_share=1e-3)]
+        common = dict(stress=[-100.0, -100, -100, 0, 0, 0], tolerance=1e-10)
+        test = grit.element_test(sand, stages, void_ratio=0.65, parameters=["h_s", "void_ratio"], **common)
+        up, down = (grit.element_test(sand, stages, void_ratio=e, **common) for e in (0.6501, 0.6499))
+        ours = test["stress_slope"][:, :, 1]
+        self.assertEqual(test["state_slope"].shape, (21, 8, 2))
+        self.assertLess(abs((up["stress"] - down["stress"]) / 2e-4 - ours).max(), 1e-6 * abs(ours).max())
+
+    def test_of_an_unknown_parameter_are_refused(self):
+        with self.assertRaisesRegex(grit.BadCall, "parameters: nix is none of this sand"):
+            grit.element_test(grit.Sand("lausitz"), [grit.stage.oedometer(-0.01)],
+                              stress=[-100.0, -100, -100, 0, 0, 0], void_ratio=0.65, parameters=["nix"])
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -122,6 +122,14 @@ grit_status describe(const UpdateRequest& request, const UpdateOutcome& found, g
             return say("point %td: stress components must be within 10 h_s = %g after the rotation "
                        "increment too: units?",
                        c_api::largest_stress_per_h_s * m.h_s);
+        case Fault::derivative_not_finite:
+            return say(
+                "point %td: derivatives of stress, state and strain increment must be finite");
+        case Fault::derivative_leaves_range:
+            return say(
+                "point %td: the derivatives of the increment of %g are not finite: use smaller "
+                "steps",
+                increment);
         case Fault::increment_too_large:
             return say(
                 "point %td: |strain increment| must be at most %g, got %g: use smaller steps",

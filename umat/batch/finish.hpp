@@ -22,8 +22,8 @@ struct PointResult {
 
 // h at the end of a path; late: arc length that its mobilisation lacks.
 template <class Real>
-GRIT_INLINE Tensor<Real> h_at_end(const Material& m, const StraightPath<Real>& path,
-                                  const Mobilisation<Real>& h, const PlainOf<Real>& late) {
+GRIT_INLINE Tensor<Real> h_at_end(const MaterialOf<Real>& m, const StraightPath<Real>& path,
+                                  const Mobilisation<Real>& h, const OfMemory<Real>& late) {
     const Real length = m.R * min(h.rho, Real(1.0));
     const Real along_h = length - late * h.rho_beta * h.c;  // (G3)
     Tensor<Real> end =

@@ -12,15 +12,17 @@
 GRIT_KERNEL_BEGIN
 
 // A point ready to be integrated: stress shifted by p_t (H10), h and stress turned with Q.
-struct Point {
-    Tensor<double> T, h, strain_increment;
-    double e, w;
+template <class Real> struct PointOf {
+    Tensor<Real> T, h, strain_increment;
+    Real e, w;
     double advised_step;
     int flags;
     bool resting;      // zero increment
     bool separated;    // at the start
     bool stress_free;  // over the whole increment
 };
+
+using Point = PointOf<double>;
 
 inline Point prepare_point(const grit_sand_options& options, const RawPoint& raw) {
     Point p;
@@ -43,39 +45,40 @@ inline Point prepare_point(const grit_sand_options& options, const RawPoint& raw
 }
 
 // Keep h within R, the stress within the cone; find out whether the point carries stress at all.
-inline void enter_domain(const Material& m, bool igs, Point& p) {
+template <class Real>
+inline void enter_domain(const MaterialOf<Real>& m, bool igs, PointOf<Real>& p) {
     if (igs) {
-        const double length = norm(p.h);
+        const Real length = norm(p.h);
         if (length > m.R * (1.0 + 1e-6)) {
             p.h = scaled(p.h, m.R / length);
             p.flags |= GRIT_SAND_H_CLAMPED;
         }
     }
     for (int i = 0; i < 3; ++i) p.T[i] = p.T[i] - m.p_t;  // (H10)
-    const double pressure = trace(p.T) * (-1.0 / 3.0);
-    p.separated = p.w > 0.0 || !(pressure >= m.p_floor);
+    const double pressure = trace(value(p.T)) * (-1.0 / 3.0);
+    p.separated = value(p.w) > 0.0 || !(pressure >= plain(m).p_floor);
     if (p.resting) return;
     if (!p.separated) {
         if (back_into_cone(p.T, true)) p.flags |= GRIT_SAND_OUTSIDE_CONE;
         return;
     }
-    const double opened = trace(p.strain_increment);
+    const double opened = trace(value(p.strain_increment));
     // Still apart at the end; or no compression beyond the roundoff of an isochoric increment.
-    const double noise = 1e-12 * norm(p.strain_increment);
-    p.stress_free = p.w + opened > -noise;
+    const double noise = 1e-12 * norm(value(p.strain_increment));
+    p.stress_free = value(p.w) + opened > -noise;
 }
 
 // Where a point starts to carry stress: the whole path, or what is left of it after closing w.
-template <class Real> struct Start {
-    Tensor<double> T;
+template <class Real, class State> struct Start {
+    Tensor<State> T;
     Tensor<Real> h, strain_increment;
     Real e;
 };
 
-template <class Real>
-inline Start<Real> start_of(const Material& m, const Point& p,
-                            const Tensor<Real>& strain_increment) {
-    Start<Real> start;
+template <class Real, class State>
+inline Start<Real, State> start_of(const MaterialOf<Real>& m, const PointOf<State>& p,
+                                   const Tensor<Real>& strain_increment) {
+    Start<Real, State> start;
     start.T = p.T;
     for (int i = 0; i < 6; ++i) start.h[i] = Real(p.h[i]);
     start.strain_increment = strain_increment;

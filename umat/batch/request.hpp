@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include <grit/sand.h>
+#include <grit/sand_derivatives.h>
 
 #include "umat/model/material.hpp"
 
@@ -23,10 +24,12 @@ enum class Fault {
     h_too_long,
     stress_too_large,
     turned_stress_too_large,
+    derivative_not_finite,
     increment_too_large,
     void_ratio_leaves_range,
     stress_leaves_range,
-    evaluation_limit
+    evaluation_limit,
+    derivative_leaves_range
 };
 
 inline constexpr grit_status status_of(Fault fault) {
@@ -34,11 +37,13 @@ inline constexpr grit_status status_of(Fault fault) {
         case Fault::none: return GRIT_OK;
         case Fault::strain_not_finite:
         case Fault::substep_not_finite:
-        case Fault::rotation_improper: return GRIT_BAD_CALL;
+        case Fault::rotation_improper:
+        case Fault::derivative_not_finite: return GRIT_BAD_CALL;
         case Fault::increment_too_large:
         case Fault::void_ratio_leaves_range:
         case Fault::stress_leaves_range:
-        case Fault::evaluation_limit: return GRIT_NOT_CONVERGED;
+        case Fault::evaluation_limit:
+        case Fault::derivative_leaves_range: return GRIT_NOT_CONVERGED;
         default: return GRIT_BAD_STATE;
     }
 }
@@ -59,6 +64,11 @@ struct UpdateOutcome {
     int evaluations = 0;
 };
 
+struct DifferentiationRequest {
+    const UpdateRequest* update;
+    const grit_sand_derivatives* derivatives;
+};
+
 struct WaveModuliRequest {
     const Material* material;
     const grit_sand_points* points;
@@ -71,16 +81,19 @@ struct WaveModuliRequest {
 namespace baseline {
 UpdateOutcome update(const UpdateRequest& request);
 UpdateOutcome update_with_tangents(const UpdateRequest& request);
+UpdateOutcome update_differentiated(const DifferentiationRequest& request);
 std::ptrdiff_t wave_moduli(const WaveModuliRequest& request);
 }  // namespace baseline
 namespace avx2 {
 UpdateOutcome update(const UpdateRequest& request);
 UpdateOutcome update_with_tangents(const UpdateRequest& request);
+UpdateOutcome update_differentiated(const DifferentiationRequest& request);
 std::ptrdiff_t wave_moduli(const WaveModuliRequest& request);
 }  // namespace avx2
 namespace avx512 {
 UpdateOutcome update(const UpdateRequest& request);
 UpdateOutcome update_with_tangents(const UpdateRequest& request);
+UpdateOutcome update_differentiated(const DifferentiationRequest& request);
 std::ptrdiff_t wave_moduli(const WaveModuliRequest& request);
 }  // namespace avx512
 

@@ -14,12 +14,33 @@ inline Control control_of(const UpdateRequest& request) {
     return control;
 }
 
-template <class Real> class SinglePoints {
-  public:
-    UpdateOutcome outcome;
+// What points one by one have in common.
+struct PointByPoint {
+    const UpdateRequest& q;
+    const Material& m;
+    const Control& control;
+    UpdateOutcome outcome;  // the first failure
 
-    SinglePoints(const UpdateRequest& request, const Control& step_control)
+    PointByPoint(const UpdateRequest& request, const Control& step_control)
         : q(request), m(*request.material), control(step_control) {}
+
+    void fail(const Point& p, std::ptrdiff_t i, const Integrated<double>& end,
+              Fault fault = Fault::evaluation_limit) {
+        double strain[6];
+        strain_to_voigt(p.strain_increment, strain);
+        fail(i, fault, strain, end.failed ? end.progress : 0.0, static_cast<int>(end.evaluations));
+    }
+
+    void fail(std::ptrdiff_t i, Fault fault, const double strain[6], double progress,
+              int evaluations) {
+        write_failure(q, i, fault, norm(strain_from_voigt(strain)), progress, evaluations);
+        if (outcome.point < 0 || i < outcome.point) outcome = {fault, i, progress, evaluations};
+    }
+};
+
+template <class Real> class SinglePoints : public PointByPoint {
+  public:
+    using PointByPoint::PointByPoint;
 
     // Point i of the call: written, or left as it is and reported.
     void take(std::ptrdiff_t i) {
@@ -48,14 +69,14 @@ template <class Real> class SinglePoints {
             along = strain_directions(p.strain_increment, q.igs ? p.h : isotropic(0.0));
             strain_increment = variable(p.strain_increment, along);
         } else strain_increment = p.strain_increment;
-        const Start<Real> start = start_of<Real>(m, p, strain_increment);
+        const auto start = start_of<Real>(m, p, strain_increment);
         const auto path = straight_path(m, start.strain_increment, start.h, start.e);
         const Integrated<Real> marched =
             q.igs ? integrate<Real, true>(m, control, path, start.T, p.advised_step, 0.0)
                   : integrate<Real, false>(m, control, path, start.T, p.advised_step, 0.0);
-        const Integrated<double> end = plain(marched);
+        const Integrated<double> end = value(marched);
         if (end.failed) return fail(p, i, end);
-        PointResult r = result_of(m, q.igs, p, plain(path), end);
+        PointResult r = result_of(m, q.igs, p, value(path), end);
         if (const Fault f = fault_of(m, r); f != Fault::none) return fail(p, i, end, f);
         if constexpr (derives) {
             r.has_tangent = true;
@@ -67,47 +88,6 @@ template <class Real> class SinglePoints {
         }
         write_point(q, i, at, p, r);
     }
-
-    void fail(const Point& p, std::ptrdiff_t i, const Integrated<double>& end,
-              Fault fault = Fault::evaluation_limit) {
-        double strain[6];
-        strain_to_voigt(p.strain_increment, strain);
-        fail(i, fault, strain, end.failed ? end.progress : 0.0, static_cast<int>(end.evaluations));
-    }
-
-    void fail(std::ptrdiff_t i, Fault fault, const double strain[6], double progress,
-              int evaluations) {
-        write_failure(q, i, fault, norm(strain_from_voigt(strain)), progress, evaluations);
-        if (outcome.point < 0 || i < outcome.point) outcome = {fault, i, progress, evaluations};
-    }
-
-    static const StraightPath<double>& plain(const StraightPath<double>& x) { return x; }
-    static const Integrated<double>& plain(const Integrated<double>& x) { return x; }
-    static StraightPath<double> plain(const StraightPath<Dual>& x) {
-        return {value(x.D_hat), value(x.tau), x.length.v, x.tr_D.v,
-                x.tau_sq.v,     x.u_0.v,      x.e_0.v,    x.e_end.v};
-    }
-    static Integrated<double> plain(const Integrated<Dual>& x) {
-        Integrated<double> r;
-        r.y.T = value(x.y.T);
-        r.s = x.s.v;
-        r.h = {x.h.rho.v, x.h.c.v, x.h.across.v, x.h.J.v, x.h.J_growth.v, x.h.rho_beta};
-        r.h_late = x.h_late;
-        r.failed = x.failed;
-        r.separated = x.separated;
-        r.outside_cone = x.outside_cone;
-        r.separation_at = x.separation_at.v;
-        r.progress = x.progress;
-        r.error = x.error;
-        r.substeps = x.substeps;
-        r.evaluations = x.evaluations;
-        r.next_step = x.next_step;
-        return r;
-    }
-
-    const UpdateRequest& q;
-    const Material& m;
-    const Control& control;
 };
 
 GRIT_KERNEL_END

@@ -15,8 +15,8 @@ constexpr double gauss_w[] = {0.17392742256872693, 0.32607257743127307, 0.326072
 
 // Mean of J over [q, q + dq].
 template <class Real>
-GRIT_INLINE Real mean_J_one_by_one(const Material& m, const Course<Real>& course, const Real& q,
-                                   const Real& dq) {
+GRIT_INLINE Real mean_J_one_by_one(const MaterialOf<Real>& m, const Course<Real>& course,
+                                   const Real& q, const Real& dq) {
     Real sum = gauss_w[0] * mobilisation(m, course, fma(Real(gauss_x[0]), dq, q)).J;
     for (int i = 1; i < gauss_points; ++i)
         sum = fma(Real(gauss_w[i]), mobilisation(m, course, fma(Real(gauss_x[i]), dq, q)).J, sum);
@@ -25,8 +25,8 @@ GRIT_INLINE Real mean_J_one_by_one(const Material& m, const Course<Real>& course
 
 // The places of one point at once, with the bits of those one by one.
 template <class Real>
-GRIT_INLINE Real mean_J_in_lanes(const Material& m, const Course<Real>& course, const Real& q,
-                                 const Real& dq) {
+GRIT_INLINE Real mean_J_in_lanes(const MaterialOf<Real>& m, const Course<Real>& course,
+                                 const Real& q, const Real& dq) {
     using Places = Pack<gauss_points>;
     const auto all = [](const Real& x) { return in_lanes<gauss_points>(x); };
     const Places x = Places::each([](int i) { return gauss_x[i]; });
@@ -38,7 +38,7 @@ GRIT_INLINE Real mean_J_in_lanes(const Material& m, const Course<Real>& course, 
 }
 
 template <class Real>
-GRIT_INLINE Real mean_J(const Material& m, const Course<Real>& course, const Real& q,
+GRIT_INLINE Real mean_J(const MaterialOf<Real>& m, const Course<Real>& course, const Real& q,
                         const Real& dq) {
     if constexpr (takes_lanes<Real>) return mean_J_in_lanes(m, course, q, dq);
     else return mean_J_one_by_one(m, course, q, dq);
@@ -62,7 +62,7 @@ struct Panels {
 constexpr int most_panels = 60;  // 4^-60
 
 template <class Real>
-GRIT_INLINE Real arc_length(const Material& m, const Course<Real>& course, const Real& q,
+GRIT_INLINE Real arc_length(const MaterialOf<Real>& m, const Course<Real>& course, const Real& q,
                             const Real& dq, const PlainOf<Real>& rho, const Panels& panels) {
     if (!any(course.loading)) return m.R * dq;
     using Plain = PlainOf<Real>;
@@ -86,7 +86,7 @@ GRIT_INLINE Real arc_length(const Material& m, const Course<Real>& course, const
 
 // dq for an arc length ds, to second order.
 template <class Real>
-GRIT_INLINE Real predicted_course(const Material& m, const Real& J, const Real& J_growth,
+GRIT_INLINE Real predicted_course(const MaterialOf<Real>& m, const Real& J, const Real& J_growth,
                                   const Real& ds) {
     const Real straight = m.inverse_R * ds;
     const Real first = straight / J;

@@ -49,7 +49,7 @@ GRIT_INLINE auto weighted(int row, const Waypoint<Real>& start,
 
 template <class Nodes, class Real>
 GRIT_INLINE void
-average_one_by_one(const Material& m, const Course<Real>& way, const Waypoint<Real>& start,
+average_one_by_one(const MaterialOf<Real>& m, const Course<Real>& way, const Waypoint<Real>& start,
                    const StepCourse<Real, Nodes>& course, AveragedCourse<Real, Nodes>& r) {
     Waypoint<Real> nodes[Nodes::nodes];
     for (int i = 0; i < Nodes::nodes; ++i)
@@ -65,7 +65,7 @@ average_one_by_one(const Material& m, const Course<Real>& way, const Waypoint<Re
 // The rows as lanes, with the bits of those one by one.
 template <class Nodes, class Real>
 GRIT_INLINE void
-average_in_lanes(const Material& m, const Course<Real>& way, const Waypoint<Real>& start,
+average_in_lanes(const MaterialOf<Real>& m, const Course<Real>& way, const Waypoint<Real>& start,
                  const StepCourse<Real, Nodes>& course, AveragedCourse<Real, Nodes>& r) {
     using Weights = AverageWeights<Nodes>;
     using All = InLanes<Real, 8>;
@@ -95,8 +95,9 @@ average_in_lanes(const Material& m, const Course<Real>& way, const Waypoint<Real
 
 // Of the course of a step from the waypoint at its start, on its way along a segment's.
 template <class Real, class Nodes>
-GRIT_INLINE void average(const Material& m, const Course<Real>& way, const Waypoint<Real>& start,
-                         const StepCourse<Real, Nodes>& course, AveragedCourse<Real, Nodes>& r) {
+GRIT_INLINE void average(const MaterialOf<Real>& m, const Course<Real>& way,
+                         const Waypoint<Real>& start, const StepCourse<Real, Nodes>& course,
+                         AveragedCourse<Real, Nodes>& r) {
     if constexpr (takes_lanes<Real>) average_in_lanes(m, way, start, course, r);
     else average_one_by_one(m, way, start, course, r);
     for (int row = 0; row < Nodes::averages; ++row) r.at[row].e = course.e[row];
@@ -105,7 +106,7 @@ GRIT_INLINE void average(const Material& m, const Course<Real>& way, const Waypo
 
 // Of the basic model only the void ratio changes.
 template <class Real, class Nodes>
-GRIT_INLINE void basic_average(const Material& m, const StepCourse<Real, Nodes>& course,
+GRIT_INLINE void basic_average(const MaterialOf<Real>& m, const StepCourse<Real, Nodes>& course,
                                AveragedCourse<Real, Nodes>& r) {
     for (int row = 0; row < Nodes::averages; ++row) r.at[row] = basic_waypoint(m, course.e[row]);
     r.end = basic_waypoint(m, course.e[Nodes::stages - 1]);

@@ -10,8 +10,8 @@ GRIT_KERNEL_BEGIN
 // Whether the places of a point are taken as lanes. With derivatives they are where one register holds them;
 // else there are too many of them to be kept.
 template <class Real>
-constexpr bool takes_lanes = NumberTraits<Real>::lanes == 1 &&
-                             (std::is_same_v<Real, PlainOf<Real>> || native_lanes == 8);
+constexpr bool takes_lanes = std::is_same_v<Real, double> ||
+                             (std::is_same_v<Real, Dual> && native_lanes == 8);
 
 template <int W> using DualPack = DualOf<Pack<W>, Pack<W>, course_directions>;
 

@@ -9,7 +9,7 @@ GRIT_KERNEL_BEGIN
 
 // To the end of a segment, by what the short increment found or step by step.
 template <class Real, bool igs>
-inline void to_end_of_segment(const Material& m, const Control& control,
+inline void to_end_of_segment(const MaterialOf<Real>& m, const Control& control,
                               const StraightPath<Real>& path, const Segment<Real>& start,
                               const ShortIncrement<Real>& quick, const MaskOf<Real>& where,
                               const PlainOf<Real>& allowed, const PlainOf<Real>& advised_step,
@@ -31,7 +31,7 @@ inline void to_end_of_segment(const Material& m, const Control& control,
 
 // From the start of the first segment and a short increment tried there.
 template <class Real, bool igs>
-inline Integrated<Real> integrate(const Material& m, const Control& control,
+inline Integrated<Real> integrate(const MaterialOf<Real>& m, const Control& control,
                                   const StraightPath<Real>& path, const Segment<Real>& first,
                                   const ShortIncrement<Real>& quick, const PlainOf<Real>& allowed,
                                   const PlainOf<Real>& advised_step) {
@@ -43,7 +43,8 @@ inline Integrated<Real> integrate(const Material& m, const Control& control,
     out.s = first.s;
     out.failed = out.separated = out.outside_cone = Mask(false);
     out.separation_at = path.length;
-    out.error = out.substeps = out.evaluations = out.next_step = out.h_late = Plain(0.0);
+    out.error = out.substeps = out.evaluations = out.next_step = Plain(0.0);
+    out.h_late = OfMemory<Real>(0.0);
     out.progress = Plain(1.0);
     to_end_of_segment<Real, igs>(m, control, path, first, quick, Mask(true), allowed, advised_step,
                                  out);
@@ -65,18 +66,19 @@ inline Integrated<Real> integrate(const Material& m, const Control& control,
 }
 
 template <class Real>
-GRIT_INLINE PlainOf<Real> allowed_error(const Material& m, const Control& control,
+GRIT_INLINE PlainOf<Real> allowed_error(const MaterialOf<Real>& m, const Control& control,
                                         const StraightPath<Real>& path,
                                         const Segment<Real>& first) {
     using Plain = PlainOf<Real>;
     const Plain length = value(path.length);
     return allowed_error<Plain>(control, length, first.relative_rate / value(first.at.ds),
-                                first.memory * min(m.inverse_R * length, Plain(longest_averaged)));
+                                first.memory *
+                                    min(plain(m).inverse_R * length, Plain(longest_averaged)));
 }
 
-template <class Real, bool igs>
-inline Integrated<Real> integrate(const Material& m, const Control& control,
-                                  const StraightPath<Real>& path, const Tensor<PlainOf<Real>>& T_0,
+template <class Real, bool igs, class Stress>
+inline Integrated<Real> integrate(const MaterialOf<Real>& m, const Control& control,
+                                  const StraightPath<Real>& path, const Tensor<Stress>& T_0,
                                   const PlainOf<Real>& advised_step, const PlainOf<Real>& spent) {
     const Segment<Real> first = first_segment<Real, igs>(m, path, T_0);
     const auto allowed = allowed_error(m, control, path, first);

@@ -25,9 +25,9 @@ template <class Real, bool igs> class Integrator {
 
   public:
     // The lanes "where", from the start of the segment; out goes on.
-    Integrator(const Material& material, const Control& limits, const StraightPath<Real>& along,
-               const Segment<Real>& start, const Mask& where, const Plain& allowed_here,
-               const Plain& advised, Integrated<Real>& result)
+    Integrator(const MaterialOf<Real>& material, const Control& limits,
+               const StraightPath<Real>& along, const Segment<Real>& start, const Mask& where,
+               const Plain& allowed_here, const Plain& advised, Integrated<Real>& result)
         : m(material), control(limits), path(along), seg(start), allowed(allowed_here),
           advised_step(advised), out(result), k1(start.rate), here(start.at), active(where) {
         assign(active, out.y, start.y);
@@ -109,8 +109,9 @@ template <class Real, bool igs> class Integrator {
     // Rates have no derivative where h = 0: rho^chi (G1). Steps grow from the one whose error is within
     // what is allowed, or with rho itself.
     Plain gentle_start() const {
-        const double order = m.chi < 1.0 + m.beta_r ? 1.0 + m.chi : 2.0 + m.beta_r;
-        const Plain rate = m.R * norm(value(k1.T)) / stress_scale / value(here.ds);
+        const double chi = plain(m).chi, beta_r = plain(m).beta_r;
+        const double order = chi < 1.0 + beta_r ? 1.0 + chi : 2.0 + beta_r;
+        const Plain rate = plain(m).R * norm(value(k1.T)) / stress_scale / value(here.ds);
         const Plain error = allowed / (error_safety * max(rate, Plain(1e-30)));
         const Plain smooth = rough_root(max(error, Plain(1e-30)), order);
         return max(start_reach * smooth, 3.0 * value(out.h.rho));
@@ -121,7 +122,7 @@ template <class Real, bool igs> class Integrator {
         const Mask loading = active & seg.course.loading;
         to_end = to_end | (loading & (value(course.arc) > value(left)));
         Mask open = loading & to_end;
-        CourseSearch<Real> search(m, value(left));
+        CourseSearch<Real> search(plain(m), value(left));
         for (int i = 0; i < longest_search; ++i) {
             const Real excess = course.arc - left;
             open = open & !(fabs(value(excess)) <= control.tolerated_excess() * value(left));
@@ -147,7 +148,7 @@ template <class Real, bool igs> class Integrator {
         }
         step_course(m, path, seg.course, from, out.h.J, dq, course);
         const Plain rho = value(out.h.rho);
-        const Panels panels = control.panels(m);
+        const Panels panels = control.panels(plain(m));
         const Mask sharp = active & seg.course.loading & panels.needed<Plain>(rho, value(dq));
         if (any(sharp))
             course.arc =
@@ -165,7 +166,7 @@ template <class Real, bool igs> class Integrator {
 
     // Accepted, separating or rejected. Comparisons are written so that a NaN is a rejection.
     void judge() {
-        const Plain p_open(opening_pressure(m));
+        const Plain p_open(opening_pressure(plain(m)));
         const Plain p_0 = trace(value(out.y.T)) * (-1.0 / 3.0);
         const Plain p_1 = trace(value(trial.y.T)) * (-1.0 / 3.0);
         // Where the stress falls, it is told from none: a point must not go on with what is noise at its start.
@@ -185,7 +186,13 @@ template <class Real, bool igs> class Integrator {
         const Real p_0 = trace(out.y.T) * (-1.0 / 3.0);
         const Real p_1 = trace(trial.y.T) * (-1.0 / 3.0);
         const Real part = (p_0 - opening_pressure(m)) / (p_0 - p_1);
-        const Real at = fma(min(max(part, Real(0.0)), Real(1.0)), arc, out.s);
+        Real at = fma(min(max(part, Real(0.0)), Real(1.0)), arc, out.s);
+        if constexpr (is_sensitive<Real>) {
+            // It moves with the place of p_0, a hair before it: the slope there is not that of the whole step.
+            const Plain slope = trace(value(k1.T)) * (-1.0 / 3.0) / value(here.ds);
+            const Real moved = out.s + (opening_pressure(m) - p_0) / slope;
+            at = value(at) + (moved - value(moved));
+        }
         out.separation_at = select(separating, at, out.separation_at);
         out.separated = out.separated | separating;
     }
@@ -208,9 +215,9 @@ template <class Real, bool igs> class Integrator {
         out.substeps = out.substeps + select(accepted | separating, one, zero);
 
         const Mask ended = accepted & to_end;
-        out.h_late = select(ended, value(left) - value(course.arc), out.h_late);
+        out.h_late = select(ended, of_memory(left) - of_memory(course.arc), out.h_late);
         if (control.next_step_wanted || any(active & !(ended | separating))) adapt_step();
-        give_up(rejected & (step * m.R < smallest_fraction * value(path.length)));
+        give_up(rejected & (step * plain(m).R < smallest_fraction * value(path.length)));
         active = active & !(separating | ended);
         needs_rate = projected;
     }
@@ -238,7 +245,7 @@ template <class Real, bool igs> class Integrator {
         out.evaluations = out.evaluations + select(where, Plain(evaluations), Plain(0.0));
     }
 
-    const Material& m;
+    const MaterialOf<Real>& m;
     const Control& control;
     const StraightPath<Real>& path;
     const Segment<Real>& seg;

@@ -38,7 +38,7 @@ GRIT_INLINE Marched<Real> advanced(const Marched<Real>& y, const Real& dq,
 }
 
 template <class Real> struct StepContext {
-    const Material& m;
+    const MaterialOf<Real>& m;
     const StraightPath<Real>& path;
     Real dq;   // of the course, over the step
     Real arc;  // length of the step
@@ -98,12 +98,12 @@ template <class Plain> struct Looseness {
 };
 
 template <class Real>
-GRIT_INLINE Looseness<PlainOf<Real>> looseness(const Material& m, const Marched<Real>& y,
+GRIT_INLINE Looseness<PlainOf<Real>> looseness(const MaterialOf<Real>& m, const Marched<Real>& y,
                                                const Real& e, const Marched<Real>& end,
                                                const Real& end_e) {
     const auto one = value(e) * value(y.compression.expansion),
                other = value(end_e) * value(end.compression.expansion);
-    return {min(one, other) - m.e_d0, max(one, other) - m.e_d0};
+    return {min(one, other) - plain(m).e_d0, max(one, other) - plain(m).e_d0};
 }
 
 // What a step misses that comes to e_d, where f_d of (H7) has an infinite slope, cut off by its linear part: the difference
@@ -149,7 +149,7 @@ GRIT_INLINE Trial<Real> heun_step(const StepContext<Real>& c, const Segment<Real
         fma(heun_safety, stiffness_change + over_e_d.nearing(), heun_stress_safety * of_stress);
     trial.error = fma(euler_error, min(share, Plain(heun_safety)),
                       axis_error(value(trial.y.T), start.stiffness.shape.T_hat_dev, first_order) +
-                          density_error(c.m, over_e_d, first_order));
+                          density_error(plain(c.m), over_e_d, first_order));
     return trial;
 }
 
@@ -174,7 +174,7 @@ GRIT_INLINE Trial<Real> third_order_step(const StepContext<Real>& c, const Segme
     trial.rate = k[2];
     // What the change of the stress makes of the increment is of second order.
     const auto unstressed = [&](const double(&weight)[3]) {
-        return stress_rate<igs>(c.m, value(c.path.D_hat), value(c.path.tau), start.stiffness,
+        return stress_rate<igs>(plain(c.m), value(c.path.D_hat), value(c.path.tau), start.stiffness,
                                 combined(weight, value(start.at), value(at[0]), value(at[1])));
     };
     const Tensor<Plain> unchanged = unstressed(b);
@@ -195,7 +195,7 @@ GRIT_INLINE Trial<Real> third_order_step(const StepContext<Real>& c, const Segme
                   roughness_safety * course.roughness *
                       growth_of<Plain>(c, norm(value(k[0].T)), norm(value(k[2].T))) +
                   axis_error(value(trial.y.T), start.stiffness.shape.T_hat_dev, growth) +
-                  density_error(c.m, over_e_d, growth);
+                  density_error(plain(c.m), over_e_d, growth);
     const Real own_mean = fma(b[0], start.at.ds, fma(b[1], at[0].ds, b[2] * at[1].ds));
     meet_end(c, c.dq * own_mean, at[1].ds, k[2], trial.y);
     return trial;
@@ -234,8 +234,8 @@ GRIT_INLINE Trial<Real> dormand_prince_step(const StepContext<Real>& c, const Ma
     trial.rate = course_rate<Real, igs>(c.m, c.path, course.end, trial.y, at_end);
 
     // What the waypoints alone make of the stress is exact in both methods.
-    const Tensor<Plain> k7 =
-        stress_rate<igs>(c.m, value(c.path.D_hat), value(c.path.tau), value(at_end), value(at[4]));
+    const Tensor<Plain> k7 = stress_rate<igs>(plain(c.m), value(c.path.D_hat), value(c.path.tau),
+                                              value(at_end), value(at[4]));
     Tensor<Plain> error;
     for (int j = 0; j < 6; ++j) {
         Plain total = fma(d[0], value(k[0].T[j]), d[6] * k7[j]);
@@ -252,7 +252,7 @@ GRIT_INLINE Trial<Real> dormand_prince_step(const StepContext<Real>& c, const Ma
     trial.order = select(change < Plain(1.0), Plain(6.0), Plain(5.0));
     const Plain corner =
         axis_error(value(y.T), value(at_end.shape.T_hat_dev), growth) +
-        density_error(c.m, looseness(c.m, y, start.e, trial.y, course.end.e), growth);
+        density_error(plain(c.m), looseness(c.m, y, start.e, trial.y, course.end.e), growth);
     trial.order = select(corner > trial.error, Plain(2.0), trial.order);
     trial.error = trial.error + corner;
     // Stages 5 and 6 are at the same place.

@@ -22,10 +22,12 @@ template <class Real> struct Segment {
 };
 
 // A point that carries stress opens below this pressure.
-GRIT_INLINE double opening_pressure(const Material& m) { return opening_per_floor * m.p_floor; }
+template <class M> GRIT_INLINE auto opening_pressure(const M& m) {
+    return opening_per_floor * m.p_floor;
+}
 
 template <class Real, bool igs, class Stress>
-GRIT_INLINE void start_stress(const Material& m, const StraightPath<Real>& path,
+GRIT_INLINE void start_stress(const MaterialOf<Real>& m, const StraightPath<Real>& path,
                               const Tensor<Stress>& T, Segment<Real>& g) {
     if constexpr (igs) {
         g.h = mobilisation_at_start(m, g.course);
@@ -42,24 +44,25 @@ GRIT_INLINE void start_stress(const Material& m, const StraightPath<Real>& path,
     g.rate = course_rate<Real, igs>(m, path, g.at, y, k);
     g.stiffness = value(k);
     using Plain = PlainOf<Real>;
-    g.stress_scale = max(norm(value(T)), Plain(opening_pressure(m)));
+    g.stress_scale = max(norm(value(T)), Plain(opening_pressure(plain(m))));
     g.relative_rate = norm(value(g.rate.T)) / g.stress_scale;
 }
 
 // Arc length where unloading turns to loading, h:D_hat = 0.
 template <class Real>
-GRIT_INLINE Real reversal_of(const Material& m, const StraightPath<Real>& path) {
+GRIT_INLINE Real reversal_of(const MaterialOf<Real>& m, const StraightPath<Real>& path) {
     return -m.R * path.u_0;
 }
 
 template <class Real>
-GRIT_INLINE MaskOf<Real> turns_on_the_way(const Material& m, const StraightPath<Real>& path) {
+GRIT_INLINE MaskOf<Real> turns_on_the_way(const MaterialOf<Real>& m,
+                                          const StraightPath<Real>& path) {
     return MaskOf<Real>((path.u_0 < Real(0.0)) & (reversal_of(m, path) < path.length));
 }
 
-template <class Real, bool igs>
-inline Segment<Real> first_segment(const Material& m, const StraightPath<Real>& path,
-                                   const Tensor<PlainOf<Real>>& T) {
+template <class Real, bool igs, class Stress>
+inline Segment<Real> first_segment(const MaterialOf<Real>& m, const StraightPath<Real>& path,
+                                   const Tensor<Stress>& T) {
     Segment<Real> g;
     const Real zero = path.length * 0.0;
     g.s = zero;
@@ -84,7 +87,7 @@ inline Segment<Real> first_segment(const Material& m, const StraightPath<Real>& 
 
 // Loading, from where the first segment ended.
 template <class Real>
-inline Segment<Real> second_segment(const Material& m, const StraightPath<Real>& path,
+inline Segment<Real> second_segment(const MaterialOf<Real>& m, const StraightPath<Real>& path,
                                     const Segment<Real>& first, const Tensor<Real>& T) {
     Segment<Real> g;
     const Real zero = path.length * 0.0;

@@ -15,7 +15,7 @@ template <class Real> struct ShortIncrement {
     MaskOf<Real> outside_cone;
     Tensor<Real> T;
     Mobilisation<Real> h;
-    PlainOf<Real> h_late;  // see Integrated
+    OfMemory<Real> h_late;  // see Integrated
     PlainOf<Real> error, evaluations;
 };
 
@@ -24,9 +24,9 @@ template <class Real, bool igs> class ShortSegment {
     using Mask = MaskOf<Real>;
 
   public:
-    ShortSegment(const Material& material, const Control& limits, const StraightPath<Real>& along,
-                 const Segment<Real>& segment, const Plain& allowed_here,
-                 ShortIncrement<Real>& result)
+    ShortSegment(const MaterialOf<Real>& material, const Control& limits,
+                 const StraightPath<Real>& along, const Segment<Real>& segment,
+                 const Plain& allowed_here, ShortIncrement<Real>& result)
         : m(material), control(limits), path(along), start(segment), allowed(allowed_here),
           arc(segment.end - segment.s), r(result) {}
 
@@ -35,14 +35,16 @@ template <class Real, bool igs> class ShortSegment {
         const Mask fresh = spent <= Plain(0.0);
         r.accepted = r.outside_cone = Mask(false);
         r.T = start.y.T;
-        r.h_late = r.error = Plain(0.0);
+        r.h_late = OfMemory<Real>(0.0);
+        r.error = Plain(0.0);
         r.evaluations = select(fresh, Plain(1.0), spent);
         if (!any(fresh)) return;
         const Plain length = value(arc);
         // Stiffness changes by up to m_R chi (1 - rho): more than h itself where rho is near 1.
         change = Plain(0.0);
         if constexpr (igs)
-            change = min(m.m_R * m.chi * start.memory, Plain(1.0)) * (m.inverse_R * length);
+            change = min(plain(m).m_R * plain(m).chi * start.memory, Plain(1.0)) *
+                     (plain(m).inverse_R * length);
         const Plain growth = start.relative_rate / value(start.at.ds) * length;
         const Plain second = 0.1 * growth * square(growth + change);
         const Plain third = 0.5 * square(growth) * min(growth + change, Plain(1.0));
@@ -50,7 +52,7 @@ template <class Real, bool igs> class ShortSegment {
         Mask smooth = fresh, smoother = fresh & (change <= longest_averaged);
         if constexpr (igs) {
             const auto away = [&](double share) {
-                const Plain near = (m.chi < 2.0 ? 1.0 : share) * change;
+                const Plain near = (plain(m).chi < 2.0 ? 1.0 : share) * change;
                 return !(start.course.loading & (value(start.h.rho) < near));
             };
             smooth = smooth & away(0.01);
@@ -83,7 +85,7 @@ template <class Real, bool igs> class ShortSegment {
             end = basic_waypoint(m, start.e_end);
         }
         const StepContext<Real> c{m, path, dq_here, arc, start.stress_scale};
-        judge(met, heun_step<Real, igs>(c, start, end, change), h, Plain(0.0));
+        judge(met, heun_step<Real, igs>(c, start, end, change), h, OfMemory<Real>(0.0));
         r.evaluations = r.evaluations + select(where, Plain(1.0), Plain(0.0));
     }
 
@@ -95,10 +97,10 @@ template <class Real, bool igs> class ShortSegment {
         Mask open = where & start.course.loading &
                     ((bend > Plain(tolerated_bend)) | (value(dq) > Plain(tolerated_length)) |
                      (rho < 4.0 * value(dq)));
-        CourseSearch<Real> search(m, value(arc));
+        CourseSearch<Real> search(plain(m), value(arc));
         for (int i = 0; i < longest_search && any(open); ++i) {
             const Real excess =
-                arc_length(m, start.course, dq * 0.0, dq_here, rho, control.panels(m)) - arc;
+                arc_length(m, start.course, dq * 0.0, dq_here, rho, control.panels(plain(m))) - arc;
             const Real slope = m.R * mobilisation(m, start.course, dq_here).J;
             dq_here = select(open, search.next(open, dq_here, excess, slope), dq_here);
             open = open & !(fabs(value(excess)) <= control.tolerated_excess() * value(arc));
@@ -127,18 +129,18 @@ template <class Real, bool igs> class ShortSegment {
             basic_average(m, course, averaged);
         }
         const StepContext<Real> c{m, path, dq, arc, start.stress_scale};
-        const Plain late = value(arc) - value(course.arc);
-        judge(where & (fabs(late) <= control.tolerated_excess() * value(arc)),
+        const OfMemory<Real> late = of_memory(arc) - of_memory(course.arc);
+        judge(where & (fabs(value(late)) <= control.tolerated_excess() * value(arc)),
               third_order_step<Real, igs>(c, start, averaged, change), course.end, late);
         r.evaluations = r.evaluations + select(where, Plain(2.0), Plain(0.0));
     }
 
     void judge(const Mask& where, const Trial<Real>& trial, const Mobilisation<Real>& h,
-               const Plain& late) {
+               const OfMemory<Real>& late) {
         const Plain p_0 = trace(value(start.y.T)) * (-1.0 / 3.0);
         const Plain p_1 = trace(value(trial.y.T)) * (-1.0 / 3.0);
         const Mask above =
-            (p_1 >= Plain(opening_pressure(m))) | ((p_1 >= p_0) & (p_1 > Plain(0.0)));
+            (p_1 >= Plain(opening_pressure(plain(m)))) | ((p_1 >= p_0) & (p_1 > Plain(0.0)));
         const Mask here = where & (trial.error <= allowed) & above;
         if (!any(here)) return;  // a branch, foreseen: the stress need not wait for its error
         r.accepted = r.accepted | here;
@@ -148,7 +150,7 @@ template <class Real, bool igs> class ShortSegment {
         r.error = select(here, trial.error, r.error);
     }
 
-    const Material& m;
+    const MaterialOf<Real>& m;
     const Control& control;
     const StraightPath<Real>& path;
     const Segment<Real>& start;
@@ -161,7 +163,7 @@ template <class Real, bool igs> class ShortSegment {
 
 template <class Real, bool igs>
 inline ShortIncrement<Real>
-short_increment(const Material& m, const Control& control, const StraightPath<Real>& path,
+short_increment(const MaterialOf<Real>& m, const Control& control, const StraightPath<Real>& path,
                 const Segment<Real>& start, const PlainOf<Real>& allowed,
                 const PlainOf<Real>& spent) {
     ShortIncrement<Real> r;

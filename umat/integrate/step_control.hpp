@@ -38,7 +38,7 @@ template <class Real> struct Integrated {
     Marched<Real> y;
     Real s;                  // arc length
     Mobilisation<Real> h;    // at the end ...
-    PlainOf<Real> h_late;    // ... but for this arc length
+    OfMemory<Real> h_late;   // ... but for this arc length
     MaskOf<Real> failed;     // evaluation limit or step underflow
     MaskOf<Real> separated;  // p fell below the floor: stress-free from separation_at on
     MaskOf<Real> outside_cone;
@@ -47,6 +47,25 @@ template <class Real> struct Integrated {
     PlainOf<Real> error, substeps, evaluations;
     PlainOf<Real> next_step;  // [strain]
 };
+
+// All but the functions of the pressure.
+template <class Real> inline Integrated<PlainOf<Real>> value(const Integrated<Real>& x) {
+    Integrated<PlainOf<Real>> r;
+    r.y.T = value(x.y.T);
+    r.s = value(x.s);
+    r.h = value(x.h);
+    r.h_late = value(x.h_late);
+    r.failed = x.failed;
+    r.separated = x.separated;
+    r.outside_cone = x.outside_cone;
+    r.separation_at = value(x.separation_at);
+    r.progress = x.progress;
+    r.error = x.error;
+    r.substeps = x.substeps;
+    r.evaluations = x.evaluations;
+    r.next_step = x.next_step;
+    return r;
+}
 
 // Constants of the step control, calibrated so that single calls deliver what was asked: see the
 // table of docs/accuracy.md.

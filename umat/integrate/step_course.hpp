@@ -32,7 +32,7 @@ template <class Real, class Nodes> struct StepCourse {
 
 // r is filled in place: with derivatives it is large.
 template <class Nodes, class Real>
-GRIT_INLINE void step_course_one_by_one(const Material& m, const StraightPath<Real>& path,
+GRIT_INLINE void step_course_one_by_one(const MaterialOf<Real>& m, const StraightPath<Real>& path,
                                         const Course<Real>& course, const Position<Real>& from,
                                         const Real& J, const Real& dq, StepCourse<Real, Nodes>& r) {
     constexpr int nodes = Nodes::nodes, stages = Nodes::stages;
@@ -40,9 +40,13 @@ GRIT_INLINE void step_course_one_by_one(const Material& m, const StraightPath<Re
     Mobilisation<Real>(&h)[nodes] = r.nodes.at;
     Real decay[nodes];
     Nodes::decay(dq, decay);
-    for (int i = 0; i < nodes; ++i)
-        h[i] = mobilisation(m, course, fma(Real(Nodes::at[i]), dq, from.q),
-                            max(from.decay * decay[i], Real(least_decay)));
+    constexpr int end = stages - 1;
+    for (int i = 0; i < nodes; ++i) {
+        const Real q = fma(Real(Nodes::at[i]), dq, from.q);
+        decay[i] = max(from.decay * decay[i], Real(least_decay));
+        h[i] = i == end ? mobilisation(m, course, q, decay[i])
+                        : mobilisation<false>(m, course, q, decay[i]);
+    }
     const Real R_dq = m.R * dq;
     for (int stage = 0; stage < stages; ++stage) {
         Real mean = weight.start[stage] * J;
@@ -50,8 +54,8 @@ GRIT_INLINE void step_course_one_by_one(const Material& m, const StraightPath<Re
         r.e[stage] = (1.0 + from.e) * exp_small(R_dq * mean * path.tr_D) - 1.0;
         r.arc = R_dq * mean;
     }
-    r.end_decay = max(from.decay * decay[stages - 1], Real(least_decay));
-    r.end = h[stages - 1];
+    r.end_decay = decay[end];
+    r.end = h[end];
 }
 
 using NodeValues = Pack<8>;
@@ -71,7 +75,7 @@ template <class Nodes> GRIT_INLINE DualPack<8> decay_at_nodes(const Dual& dq) {
 
 // The nodes of one point at once, with the bits of those one by one.
 template <class Nodes, class Real>
-GRIT_INLINE void step_course_in_lanes(const Material& m, const StraightPath<Real>& path,
+GRIT_INLINE void step_course_in_lanes(const MaterialOf<Real>& m, const StraightPath<Real>& path,
                                       const Course<Real>& course, const Position<Real>& from,
                                       const Real& J, const Real& dq, StepCourse<Real, Nodes>& r) {
     constexpr int nodes = Nodes::nodes, stages = Nodes::stages;
@@ -99,7 +103,7 @@ GRIT_INLINE void step_course_in_lanes(const Material& m, const StraightPath<Real
 }
 
 template <class Nodes, class Real>
-GRIT_INLINE void step_course(const Material& m, const StraightPath<Real>& path,
+GRIT_INLINE void step_course(const MaterialOf<Real>& m, const StraightPath<Real>& path,
                              const Course<Real>& course, const Position<Real>& from, const Real& J,
                              const Real& dq, StepCourse<Real, Nodes>& r) {
     if constexpr (takes_lanes<Real>) step_course_in_lanes(m, path, course, from, J, dq, r);
@@ -108,7 +112,7 @@ GRIT_INLINE void step_course(const Material& m, const StraightPath<Real>& path,
 
 // Without intergranular strain q is the strain over R.
 template <class Nodes, class Real>
-GRIT_INLINE void basic_step_course(const Material& m, const StraightPath<Real>& path,
+GRIT_INLINE void basic_step_course(const MaterialOf<Real>& m, const StraightPath<Real>& path,
                                    const Position<Real>& from, const Real& dq,
                                    StepCourse<Real, Nodes>& r) {
     const Real R_dq = m.R * dq;

@@ -29,7 +29,7 @@ GRIT_INLINE Real lode_factor(const Real& dev_sq, const Real& determinant_dev) {
 }
 
 template <class Real>
-GRIT_INLINE StressShape<Real> stress_shape(const Material& m, const Tensor<Real>& T) {
+GRIT_INLINE StressShape<Real> stress_shape(const MaterialOf<Real>& m, const Tensor<Real>& T) {
     StressShape<Real> s;
     s.inverse_trace = 1.0 / min(trace(T), Real(-1.5 * m.p_floor));
     s.T_hat = scaled(T, s.inverse_trace);
@@ -46,7 +46,7 @@ GRIT_INLINE StressShape<Real> stress_shape(const Material& m, const Tensor<Real>
 // L:X + N C for a direction X and a scalar C, per f_s:
 //   (F^2 X + a^2 T_hat (T_hat:X) + f_d a F (T_hat + T_hat*) C) / (T_hat:T_hat)     (H2), (H3)
 template <class Stress, class Real>
-GRIT_INLINE Tensor<Real> apply_stiffness(const Material& m, const StressShape<Stress>& s,
+GRIT_INLINE Tensor<Real> apply_stiffness(const MaterialOf<Real>& m, const StressShape<Stress>& s,
                                          const ScalarFactors<Real>& f, const Tensor<Real>& X,
                                          const Real& C) {
     const Real scale = f.f_s / s.T_hat_sq;

@@ -27,7 +27,8 @@ template <class Real> struct LoadingCurve {
 };
 
 template <class Real>
-GRIT_INLINE LoadingCurve<Real> loading_curve(const Material& m, const Real& u, const Real& tau_sq) {
+GRIT_INLINE LoadingCurve<Real> loading_curve(const MaterialOf<Real>& m, const Real& u,
+                                             const Real& tau_sq) {
     const Real rho = sqrt(fma(u, u, tau_sq) + least_square);
     const Real rho_beta = power(m.beta_r_power, rho);
     const Real left =
@@ -50,12 +51,17 @@ GRIT_INLINE LoadingCurve<Real> loading_curve(const Material& m, const Real& u, c
 }
 
 template <class Real> struct Mobilisation {
-    Real rho;                // |h|/R
-    Real c, across;          // h_hat = c D_hat + across tau
-    Real J;                  // ds = R J dq
-    Real J_growth;           // dJ/dq / J
-    PlainOf<Real> rho_beta;  // rho^beta_r while loading, else 1
+    Real rho;                 // |h|/R
+    Real c, across;           // h_hat = c D_hat + across tau
+    Real J;                   // ds = R J dq
+    Real J_growth;            // dJ/dq / J
+    OfMemory<Real> rho_beta;  // rho^beta_r while loading, else 1
 };
+
+template <class Real> GRIT_INLINE Mobilisation<PlainOf<Real>> value(const Mobilisation<Real>& h) {
+    return {value(h.rho), value(h.c),        value(h.across),
+            value(h.J),   value(h.J_growth), value(h.rho_beta)};
+}
 
 // What does not change along a segment of a path: on which branch, from where.
 template <class Real> struct Course {
@@ -69,14 +75,14 @@ constexpr double least_decay = 1e-300, longest_decay = 690.77552789821368;
 
 // y^beta_r, whose y has this decay in it: where beta_r is small, and a logarithm is at hand, it falls on.
 template <class Real>
-GRIT_INLINE Real evolution_power(const Material& m, const Real& y, const Real& q) {
-    if (m.beta_r_power.quarters >= 0) return quarter_power(m.beta_r_power.quarters, y);
+GRIT_INLINE Real evolution_power(const MaterialOf<Real>& m, const Real& y, const Real& q) {
+    if (m.beta_r_power.quarters >= 0) return power(m.beta_r_power, y);
     return exp(m.beta_r * (log(y) - max(q - longest_decay, Real(0.0))));
 }
 
-// decay = exp(-q)
-template <class Real>
-GRIT_INLINE Mobilisation<Real> mobilisation(const Material& m, const Course<Real>& course,
+// decay = exp(-q). Where J is not wanted from there on, its growth is left out.
+template <bool goes_on = true, class Real>
+GRIT_INLINE Mobilisation<Real> mobilisation(const MaterialOf<Real>& m, const Course<Real>& course,
                                             const Real& q, const Real& decay) {
     const Real one(1.0);
     Real E_sq = one, along = course.u_0 + q, across = one;
@@ -87,8 +93,8 @@ GRIT_INLINE Mobilisation<Real> mobilisation(const Material& m, const Course<Real
     }
     const Real length_sq = fma(along, along, square(across) * course.tau_sq) + least_square;
     const Real inverse = 1.0 / sqrt(length_sq);
-    Mobilisation<Real> r{length_sq * inverse, along * inverse,   across * inverse, one,
-                         Real(0.0),           PlainOf<Real>(1.0)};
+    Mobilisation<Real> r{length_sq * inverse, along * inverse,    across * inverse, one,
+                         Real(0.0),           OfMemory<Real>(1.0)};
     if (any(course.loading)) {
         const Real y = course.curve.y * decay * inverse;
         const Real rho_beta = 1.0 / fma(course.curve.kappa, evolution_power(m, y, q), 1.0);
@@ -96,22 +102,24 @@ GRIT_INLINE Mobilisation<Real> mobilisation(const Material& m, const Course<Real
         const Real stretch = (1.0 + E_sq) * inverse;
         r.rho = select(course.loading, rho, r.rho);
         r.J = select(course.loading, rho * stretch, r.J);
-        r.rho_beta = select(course.loading, value(rho_beta), r.rho_beta);
-        const Real growth = along / (1.0 + E_sq) - rho_beta * r.c * stretch;
-        r.J_growth = select(course.loading, growth, Real(0.0));
+        r.rho_beta = select(course.loading, of_memory(rho_beta), r.rho_beta);
+        if constexpr (goes_on) {
+            const Real growth = along / (1.0 + E_sq) - rho_beta * r.c * stretch;
+            r.J_growth = select(course.loading, growth, Real(0.0));
+        }
     }
     return r;
 }
 
 template <class Real>
-GRIT_INLINE Mobilisation<Real> mobilisation(const Material& m, const Course<Real>& course,
+GRIT_INLINE Mobilisation<Real> mobilisation(const MaterialOf<Real>& m, const Course<Real>& course,
                                             const Real& q) {
     return mobilisation(m, course, q,
                         any(course.loading) ? max(exp(-q), Real(least_decay)) : Real(1.0));
 }
 
 template <class Real>
-GRIT_INLINE Mobilisation<Real> mobilisation_at_start(const Material& m,
+GRIT_INLINE Mobilisation<Real> mobilisation_at_start(const MaterialOf<Real>& m,
                                                      const Course<Real>& course) {
     return mobilisation(m, course, course.u_0 * 0.0, Real(1.0));
 }
@@ -119,7 +127,7 @@ GRIT_INLINE Mobilisation<Real> mobilisation_at_start(const Material& m,
 // Of the basic model.
 template <class Real> GRIT_INLINE Mobilisation<Real> no_mobilisation(const Real& like) {
     const Real zero = like * 0.0, one = zero + 1.0;
-    return {zero, one, zero, one, zero, PlainOf<Real>(1.0)};
+    return {zero, one, zero, one, zero, OfMemory<Real>(1.0)};
 }
 
 template <class Real>
@@ -134,13 +142,14 @@ GRIT_INLINE Mobilisation<Real> select(const MaskOf<Real>& mask, const Mobilisati
 template <class Real> struct Interpolation { Real A, B, C; };
 
 template <class Real>
-GRIT_INLINE Interpolation<Real> interpolation(const Material& m, const Real& rho,
+GRIT_INLINE Interpolation<Real> interpolation(const MaterialOf<Real>& m, const Real& rho,
                                               const MaskOf<Real>& loading) {
     using Plain = PlainOf<Real>;
     const Real rho_chi = power(m.chi_power, rho);
     Interpolation<Real> r;
     r.A = fma(m.m_T - m.m_R, rho_chi, m.m_R);
-    r.B = rho_chi * select(loading, Plain(1.0 - m.m_T), Plain(m.m_R - m.m_T));
+    if constexpr (is_sensitive<Real>) r.B = rho_chi * select(loading, 1.0 - m.m_T, m.m_R - m.m_T);
+    else r.B = rho_chi * select(loading, Plain(1.0 - m.m_T), Plain(m.m_R - m.m_T));
     r.C = select(loading, rho_chi, Real(0.0));
     return r;
 }
@@ -149,7 +158,8 @@ GRIT_INLINE Interpolation<Real> interpolation(const Material& m, const Real& rho
 template <class Real>
 GRIT_INLINE PlainOf<Real> memory_of(const Mobilisation<Real>& h, const MaskOf<Real>& loading) {
     using Plain = PlainOf<Real>;
-    const Plain lost = square(value(h.c)) * h.rho_beta * (2.0 - h.rho_beta);
+    const Plain rho_beta = value(h.rho_beta);
+    const Plain lost = square(value(h.c)) * rho_beta * (2.0 - rho_beta);
     return select(loading, sqrt(max(1.0 - lost, Plain(0.0))), Plain(1.0));
 }
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "support/elementary.hpp"
-#include "umat/model/material.hpp"
+#include "umat/model/sensitive_material.hpp"
 
 GRIT_KERNEL_BEGIN
 
@@ -24,6 +24,15 @@ template <class Real> GRIT_INLINE Real quarter_power(std::int64_t q, const Real&
         if (left > 1) square_of = square_of * square_of;
     }
     return result;
+}
+
+// x^q for x > 0, by q too.
+template <class Plain, class Part, int parts>
+GRIT_INLINE DualOf<Plain, Part, parts> power(const SensitiveExponent<DualOf<Plain, Part, parts>>& q,
+                                             const DualOf<Plain, Part, parts>& x) {
+    const Plain log_x = log(x.v);
+    const Plain y = q.quarters < 0 ? exp(q.value.v * log_x) : quarter_power(q.quarters, x.v);
+    return {y, scaled_sum(x.d, y * q.value.v / x.v, q.value.d * (y * log_x))};
 }
 
 // x^q for x > 0. The same for every lane: the branches hang on the material.

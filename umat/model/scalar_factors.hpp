@@ -17,11 +17,12 @@ template <class Real> struct Compression {
 
 constexpr double least_y = 1.5 * floor_per_hardness;  // of y = 3p/h_s
 
-template <class Real> GRIT_INLINE Real hardness_ratio(const Material& m, const Real& p) {
+template <class Real> GRIT_INLINE Real hardness_ratio(const MaterialOf<Real>& m, const Real& p) {
     return max(m.three_over_hs * p, Real(least_y));
 }
 
-template <class Real> GRIT_INLINE Compression<Real> compression(const Material& m, const Real& p) {
+template <class Real>
+GRIT_INLINE Compression<Real> compression(const MaterialOf<Real>& m, const Real& p) {
     const Real x = exp(m.n * log(hardness_ratio(m, p)));
     return {x, exp(x)};
 }
@@ -33,14 +34,14 @@ template <class Real> struct ScalarFactors {
 
 // (H7) of the void ratio expanded to zero pressure; its slope is infinite at e_d, so that it is replaced by its
 // secant very near to it.
-template <class Real> GRIT_INLINE Real density_factor(const Material& m, const Real& e_0) {
+template <class Real> GRIT_INLINE Real density_factor(const MaterialOf<Real>& m, const Real& e_0) {
     const Real relative = (e_0 - m.e_d0) * m.inverse_e_range;
     return power(m.alpha_power, max(relative, Real(linear_density))) *
            min(relative * (1.0 / linear_density), Real(1.0));
 }
 
 template <class Stress, class Real>
-GRIT_INLINE ScalarFactors<Real> scalar_factors(const Material& m, const Stress& p,
+GRIT_INLINE ScalarFactors<Real> scalar_factors(const MaterialOf<Real>& m, const Stress& p,
                                                const Compression<Stress>& k, const Real& e) {
     // Void ratio expanded to zero pressure, continuous outside [e_d0, e_i0].
     const Real e_0 = min(max(e * k.expansion, Real(m.e_d0)), Real(m.e_i0));
@@ -53,7 +54,8 @@ GRIT_INLINE ScalarFactors<Real> scalar_factors(const Material& m, const Stress& 
 }
 
 template <class Real>
-GRIT_INLINE ScalarFactors<Real> scalar_factors(const Material& m, const Real& p, const Real& e) {
+GRIT_INLINE ScalarFactors<Real> scalar_factors(const MaterialOf<Real>& m, const Real& p,
+                                               const Real& e) {
     return scalar_factors(m, p, compression(m, p), e);
 }
 

@@ -18,12 +18,17 @@ template <class Real> struct StraightPath {
     Real e_0, e_end;     // void ratio at the start and at the end
 };
 
+template <class Real> inline StraightPath<PlainOf<Real>> value(const StraightPath<Real>& x) {
+    return {value(x.D_hat),  value(x.tau), value(x.length), value(x.tr_D),
+            value(x.tau_sq), value(x.u_0), value(x.e_0),    value(x.e_end)};
+}
+
 template <class Real> GRIT_INLINE Real void_ratio(const StraightPath<Real>& path, const Real& s) {
     return fma(1.0 + path.e_0, exp(s * path.tr_D), -1.0);  // (H9)
 }
 
 template <class Real>
-GRIT_INLINE StraightPath<Real> straight_path(const Material& m,
+GRIT_INLINE StraightPath<Real> straight_path(const MaterialOf<Real>& m,
                                              const Tensor<Real>& strain_increment,
                                              const Tensor<Real>& h, const Real& e) {
     StraightPath<Real> path;
@@ -33,7 +38,7 @@ GRIT_INLINE StraightPath<Real> straight_path(const Material& m,
     const Tensor<Real> h_R = scaled(h, m.inverse_R);
     path.u_0 = contract(h_R, path.D_hat);
     path.tau = scaled_sum(-path.u_0, path.D_hat, h_R);
-    path.tau_sq = contract(path.tau, path.tau);
+    path.tau_sq = square(path.tau);
     path.e_0 = e;
     path.e_end = void_ratio(path, path.length);
     return path;
@@ -41,7 +46,7 @@ GRIT_INLINE StraightPath<Real> straight_path(const Material& m,
 
 // How h goes on from the start of a path.
 template <class Real>
-GRIT_INLINE Course<Real> first_course(const Material& m, const StraightPath<Real>& path) {
+GRIT_INLINE Course<Real> first_course(const MaterialOf<Real>& m, const StraightPath<Real>& path) {
     Course<Real> course{path.u_0 >= Real(0.0), {}, path.u_0, path.tau_sq};
     const Real zero = path.u_0 * 0.0;
     course.curve = {zero, zero, zero, zero};
@@ -70,7 +75,7 @@ GRIT_INLINE Waypoint<Real> select(const MaskOf<Real>& mask, const Waypoint<Real>
 }
 
 template <class Real>
-GRIT_INLINE Waypoint<Real> waypoint(const Material& m, const MaskOf<Real>& loading,
+GRIT_INLINE Waypoint<Real> waypoint(const MaterialOf<Real>& m, const MaskOf<Real>& loading,
                                     const Mobilisation<Real>& h, const Real& e) {
     const Interpolation<Real> k = interpolation(m, h.rho, loading);
     const Real ds = m.R * h.J, B_c = ds * k.B * h.c;
@@ -78,7 +83,8 @@ GRIT_INLINE Waypoint<Real> waypoint(const Material& m, const MaskOf<Real>& loadi
 }
 
 // The basic model: L:D_hat + N     (H1)
-template <class Real> GRIT_INLINE Waypoint<Real> basic_waypoint(const Material& m, const Real& e) {
+template <class Real>
+GRIT_INLINE Waypoint<Real> basic_waypoint(const MaterialOf<Real>& m, const Real& e) {
     const Real zero = e * 0.0, ds = zero + m.R;
     return {ds, e, ds, zero, ds};
 }
@@ -90,7 +96,8 @@ template <class Real> struct Marched {
     Compression<Real> compression;
 };
 
-template <class Real> GRIT_INLINE Marched<Real> marched(const Material& m, const Tensor<Real>& T) {
+template <class Real>
+GRIT_INLINE Marched<Real> marched(const MaterialOf<Real>& m, const Tensor<Real>& T) {
     return {T, compression(m, trace(T) * (-1.0 / 3.0))};
 }
 
@@ -126,14 +133,14 @@ GRIT_INLINE Stiffness<PlainOf<Real>, PlainOf<Real>> value(const Stiffness<Stress
 }
 
 template <class Stress, class Real>
-GRIT_INLINE Stiffness<Stress, Real> stiffness(const Material& m, const Marched<Stress>& y,
+GRIT_INLINE Stiffness<Stress, Real> stiffness(const MaterialOf<Real>& m, const Marched<Stress>& y,
                                               const Real& e) {
     return {stress_shape(m, y.T),
             scalar_factors(m, trace(y.T) * (-1.0 / 3.0), bounded(y.compression), e)};
 }
 
 template <bool igs, class Stress, class Real>
-GRIT_INLINE Tensor<Real> stress_rate(const Material& m, const Tensor<Real>& D_hat,
+GRIT_INLINE Tensor<Real> stress_rate(const MaterialOf<Real>& m, const Tensor<Real>& D_hat,
                                      const Tensor<Real>& tau, const Stiffness<Stress, Real>& k,
                                      const Waypoint<Real>& at) {
     Tensor<Real> X = scaled(D_hat, at.along);
@@ -144,7 +151,7 @@ GRIT_INLINE Tensor<Real> stress_rate(const Material& m, const Tensor<Real>& D_ha
 // d/dq of what is marched.
 // Stress: Real, or its plain number where the stress is given and has no derivatives.
 template <class Real, bool igs, class Stress>
-GRIT_INLINE Marched<Real> course_rate(const Material& m, const StraightPath<Real>& path,
+GRIT_INLINE Marched<Real> course_rate(const MaterialOf<Real>& m, const StraightPath<Real>& path,
                                       const Waypoint<Real>& at, const Marched<Stress>& y,
                                       const Stiffness<Stress, Real>& k) {
     Marched<Real> rate;
@@ -157,7 +164,7 @@ GRIT_INLINE Marched<Real> course_rate(const Material& m, const StraightPath<Real
 
 template <class Real, bool igs, class Stress>
 inline __attribute__((noinline)) Marched<Real>
-course_rate(const Material& m, const StraightPath<Real>& path, const Waypoint<Real>& at,
+course_rate(const MaterialOf<Real>& m, const StraightPath<Real>& path, const Waypoint<Real>& at,
             const Marched<Stress>& y) {
     return course_rate<Real, igs>(m, path, at, y, stiffness(m, y, at.e));
 }

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The constants of a material with their derivatives by parameters: those of (H4), (H8) as prepare() has them.
+#pragma once
+
+#include "umat/model/scalar_factors.hpp"
+
+GRIT_KERNEL_BEGIN
+
+// Places of the parameters, as grit_sand_parameter_describe counts them.
+enum Parameter {
+    of_phi_c,
+    of_h_s,
+    of_n,
+    of_e_d0,
+    of_e_c0,
+    of_e_i0,
+    of_alpha,
+    of_beta,
+    of_p_t,
+    of_m_R,
+    of_m_T,
+    of_R,
+    of_beta_r,
+    of_chi
+};
+
+// parameter(lane): of which the direction is.
+template <class Number, class ParameterOf>
+inline SensitiveMaterial<Number> differentiated(const Material& m, const ParameterOf& parameter) {
+    const auto variable = [&](double x, Parameter own) {
+        Number r(x);
+        for (int lane = 0; lane < sensitivity_lanes; ++lane)
+            if (parameter(lane) == own) r.d.set(lane, 1.0);
+        return r;
+    };
+    const auto as_prepared = [](double x, const Number& with) { return Number(x, with.d); };
+    const auto exponent = [&](const Exponent& q, const Number& with) {
+        return SensitiveExponent<Number>{as_prepared(q.value, with), q.quarters};
+    };
+    constexpr double root_3 = 0x1.bb67ae8584caap+0;
+    const Number phi_c = variable(m.phi_c, of_phi_c), h_s = variable(m.h_s, of_h_s),
+                 alpha = variable(m.alpha, of_alpha), beta = variable(m.beta, of_beta);
+    SensitiveMaterial<Number> r;
+    r.at = &m;
+    r.n = variable(m.n, of_n);
+    r.e_d0 = variable(m.e_d0, of_e_d0);
+    r.e_c0 = variable(m.e_c0, of_e_c0);
+    r.e_i0 = variable(m.e_i0, of_e_i0);
+    r.p_t = variable(m.p_t, of_p_t);
+    r.m_R = variable(m.m_R, of_m_R);
+    r.m_T = variable(m.m_T, of_m_T);
+    r.R = variable(m.R, of_R);
+    r.beta_r = variable(m.beta_r, of_beta_r);
+    r.chi = variable(m.chi, of_chi);
+    // (H4) solved for the sine, which is what its derivative needs.
+    const double sine = 3.0 * root_3 / (2.0 * root_2 * m.a + root_3);
+    r.a = {m.a,
+           phi_c.d * (-3.0 * root_3 / (2.0 * root_2) * sqrt(1.0 - sine * sine) / square(sine))};
+    r.inverse_e_range = as_prepared(m.inverse_e_range, 1.0 / (r.e_c0 - r.e_d0));
+    r.inverse_e_i0 = as_prepared(m.inverse_e_i0, 1.0 / r.e_i0);
+    r.inverse_R = as_prepared(m.inverse_R, 1.0 / r.R);
+    r.three_over_hs = as_prepared(m.three_over_hs, 3.0 / h_s);
+    r.p_floor = as_prepared(m.p_floor, floor_per_hardness * h_s);
+    const Number looseness = exp(alpha * log((r.e_i0 - r.e_d0) * r.inverse_e_range));
+    const Number bracket = 3.0 + r.a * r.a - root_3 * (r.a * looseness);
+    const Number isotropic_stiffness =
+        h_s / r.n * exp(beta * log(r.e_i0 / r.e_c0)) / bracket;  // (H8)
+    r.stiffness = as_prepared(m.stiffness, isotropic_stiffness);
+    r.alpha_power = exponent(m.alpha_power, alpha);
+    r.beta_power = exponent(m.beta_power, beta);
+    r.chi_power = exponent(m.chi_power, r.chi);
+    r.beta_r_power = exponent(m.beta_r_power, r.beta_r);
+    r.inverse_beta_r_power = exponent(m.inverse_beta_r_power, 1.0 / r.beta_r);
+    return r;
+}
+
+GRIT_KERNEL_END
