@@ -38,7 +38,6 @@ struct Shadowed {
     }
     friend Shadowed operator-(const Shadowed& a) { return {-a.v, -a.x}; }
     friend bool operator<(const Shadowed& a, const Shadowed& b) { return a.v < b.v; }
-    friend bool operator<=(const Shadowed& a, const Shadowed& b) { return a.v <= b.v; }
     friend bool operator>(const Shadowed& a, const Shadowed& b) { return a.v > b.v; }
     friend bool operator>=(const Shadowed& a, const Shadowed& b) { return a.v >= b.v; }
     friend double value(const Shadowed& a) { return a.v; }
