@@ -156,8 +156,10 @@ Path random_path(Random& random) {
     path.start.T = stress_with(p, random.uniform(0.0, 0.5), n);
     path.start.e = void_ratio_at(path.sand, p, random.uniform(0.05, 1.2));
     path.start.h = random_memory(path.sand, random);
-    for (int i = static_cast<int>(random.uniform(1.0, 6.0)); i > 0; --i)
-        path.increments.push_back(random.log_uniform(1e-7, 1e-2) * random.direction());
+    for (int i = static_cast<int>(random.uniform(1.0, 6.0)); i > 0; --i) {
+        const Vec direction = random.direction();  // the same order for every compiler
+        path.increments.push_back(random.log_uniform(1e-7, 1e-2) * direction);
+    }
     return path;
 }
 
