@@ -99,11 +99,10 @@ double GritLaw::pore_pressure(const MaterialPoint& point) const {
     return has_water ? borne(point.state[pore_pressure_index]) : 0.0;
 }
 
-Response GritLaw::advance(const MaterialPoint& start, const StrainIncrement& increment) const {
-    Response out;
-    out.end = start;
-    MaterialPoint& end = out.end;
-    end.stress += pore_pressure(start) * unit_tensor();
+namespace {
+
+// One point, whose stress and state become those of the end.
+grit_sand_points points_of(const StrainIncrement& increment, MaterialPoint& end) {
     grit_sand_points q{};
     q.struct_size = sizeof q;
     q.strain_increment = grit_view_of(increment.strain.data(), 6, 1);
@@ -111,8 +110,29 @@ Response GritLaw::advance(const MaterialPoint& start, const StrainIncrement& inc
         q.rotation_increment = grit_view_of(increment.rotation.data(), 9, 1);
     q.stress = grit_mutable_view_of(end.stress.data(), 6, 1);
     q.state = grit_mutable_view_of(end.state.data(), GRIT_SAND_STATE_SIZE, 1);
+    q.substep = grit_mutable_view_of(&end.state[GritLaw::substep_index], 1, 1);
+    return q;
+}
+
+// What an update has said of its point; false: not done.
+bool take(const grit_sand_report& report, const grit_error& error, Response& out) {
+    out.evaluations = report.evaluations;
+    out.stress_free = (report.flags & GRIT_SAND_STRESS_FREE) != 0;
+    if (out.outcome == Outcome::done) return true;
+    out.message = error.message;
+    out.reduction = report.step_reduction;
+    return false;
+}
+
+}  // namespace
+
+Response GritLaw::advance(const MaterialPoint& start, const StrainIncrement& increment) const {
+    Response out;
+    out.end = start;
+    MaterialPoint& end = out.end;
+    end.stress += pore_pressure(start) * unit_tensor();
+    grit_sand_points q = points_of(increment, end);
     q.tangent = grit_mutable_matrix_view_of(out.tangent.data(), 36, 6, 1);
-    q.substep = grit_mutable_view_of(&end.state[substep_index], 1, 1);
     grit_sand_report report{};
     grit_error error{};
     Vector6 total;
@@ -122,13 +142,7 @@ Response GritLaw::advance(const MaterialPoint& start, const StrainIncrement& inc
     wet.total_stress = grit_mutable_view_of(total.data(), 6, 1);
     out.outcome =
         outcome_of(grit_sand_update_undrained(&prepared, &options, &wet, 1, &q, &report, &error));
-    out.evaluations = report.evaluations;
-    out.stress_free = (report.flags & GRIT_SAND_STRESS_FREE) != 0;
-    if (out.outcome != Outcome::done) {
-        out.message = error.message;
-        out.reduction = report.step_reduction;
-        return out;
-    }
+    if (!take(report, error, out)) return out;
     end.stress = total;
     if (has_water) end.state[pore_pressure_index] = p_w;
     return out;
@@ -148,14 +162,7 @@ Response GritLaw::differentiate(const MaterialPoint& start, const StrainIncremen
     if (has_water)
         of_end.stress.topRows<3>().rowwise() +=
             bearing(start) * slopes.state.row(pore_pressure_index);
-    grit_sand_points q{};
-    q.struct_size = sizeof q;
-    q.strain_increment = grit_view_of(increment.strain.data(), 6, 1);
-    if (increment.rotation != Matrix3::Identity())
-        q.rotation_increment = grit_view_of(increment.rotation.data(), 9, 1);
-    q.stress = grit_mutable_view_of(end.stress.data(), 6, 1);
-    q.state = grit_mutable_view_of(end.state.data(), GRIT_SAND_STATE_SIZE, 1);
-    q.substep = grit_mutable_view_of(&end.state[substep_index], 1, 1);
+    const grit_sand_points q = points_of(increment, end);
     grit_sand_derivatives d{};
     d.struct_size = sizeof d;
     d.count = static_cast<int>(count);
@@ -169,13 +176,7 @@ Response GritLaw::differentiate(const MaterialPoint& start, const StrainIncremen
     grit_error error{};
     out.outcome = outcome_of(
         grit_sand_update_differentiated(&prepared, &without_tangent, &d, 1, &q, &report, &error));
-    out.evaluations = report.evaluations;
-    out.stress_free = (report.flags & GRIT_SAND_STRESS_FREE) != 0;
-    if (out.outcome != Outcome::done) {
-        out.message = error.message;
-        out.reduction = report.step_reduction;
-        return out;
-    }
+    if (!take(report, error, out)) return out;
     if (has_water) {
         end.state[pore_pressure_index] = water_pressure_after(start, end, increment.strain);
         const Eigen::RowVectorXd e_before = slopes.state.row(GRIT_SAND_VOID_RATIO);

@@ -234,9 +234,7 @@ void Water::account_for(const Wall& wall) {
     if (!counts(wall.node)) return;
     const bool fixed_point = model.settings.fixed_point;
     const auto mean = [&wall](const NodeMotion& v) {
-        return 0.5 *
-               along({v[motion::v_r] + v[motion::other_r], v[motion::v_z] + v[motion::other_z]},
-                     wall.normal);
+        return 0.5 * along(now(v) + before(v), wall.normal);
     };
     const Part& other = model.parts[wall.other];
     const double on_other = -(wall.on_grains + wall.on_water);
