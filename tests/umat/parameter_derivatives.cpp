@@ -356,7 +356,8 @@ TEST(ParameterDerivatives, ReadAndWriteNothingBesideTheirViews) {
     // Structure of arrays, and a column in the middle of a wider matrix.
     std::vector<double> stress(6 * columns * n, -7.0), state(8 * columns * n, -7.0);
     const auto at = [&](int r, int k, int i) {
-        return static_cast<std::size_t>((r * columns + k + 1) * n + i);
+        const std::ptrdiff_t row = std::ptrdiff_t{r} * columns + k + 1;
+        return static_cast<std::size_t>(row * n + i);
     };
     for (int i = 0; i < n; ++i)
         for (int k = 0; k < count; ++k) {
