@@ -72,6 +72,7 @@ void read_traction(Words& words, FixCase& out) {
     Function function = read_function(words, "the stress of a traction");
     traction.stress = std::move(function.time);
     out.traction_variables.push_back(std::move(function.variable));
+    traction.on_mixture = words.take("mixture");
     if (words.take("from")) traction.from_stage = words.word("the stage of a traction");
     out.plan.tractions.push_back(std::move(traction));
 }

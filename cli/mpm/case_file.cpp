@@ -123,6 +123,8 @@ MpmCaseFile read_mpm_case(const std::filesystem::path& path) {
     read_bodies(root, plan);
     for (TomlTable& table : root.tables_if("traction"))
         plan.tractions.push_back(read_traction(std::move(table), plan));
+    for (TomlTable& table : root.tables_if("inflow"))
+        plan.inflows.push_back(read_inflow(std::move(table), plan));
     read_contacts(root, plan);
     read_stages(root, plan);
     plan.history.body = plan.bodies.front().name;

@@ -72,14 +72,6 @@ void read_grid(TomlTable table, Case& plan) {
 }
 
 void read_boundary(TomlTable table, Case& plan) {
-    for (const Spelling& side : words::sides) {
-        CaseWord word = case_word("boundary", "left");
-        word.key = side.word;
-        const auto kind = choice_if(table, word);
-        if (!kind) continue;
-        plan.boundary[side.value] = static_cast<Boundary>(*kind);
-        refuse(table, objection_to(plan, static_cast<Side>(side.value)));
-    }
     for (const std::string& name : table.strings_or_none("drained")) {
         const Spelling* found = nullptr;
         for (const Spelling& side : words::sides)
@@ -88,6 +80,32 @@ void read_boundary(TomlTable table, Case& plan) {
             table.fail("drained", fmt::format("{} must be left, right, bottom or top, got \"{}\"",
                                               table.full("drained"), name));
         plan.drained[found->value] = true;
+    }
+    for (const Spelling& side : words::sides) {
+        CaseWord word = case_word("boundary", "left");
+        word.key = side.word;
+        const auto kind = choice_if(table, word);
+        if (!kind) continue;
+        plan.boundary[side.value] = static_cast<Boundary>(*kind);
+        refuse(table, objection_to(plan, static_cast<Side>(side.value)));
+    }
+    if (auto levels = table.table_if("platen_level_m")) {
+        for (const Spelling& side : words::sides) {
+            const std::string key(side.word);
+            const auto level = levels->number_if(key);
+            if (!level) continue;
+            if (plan.boundary[side.value] != Boundary::platen)
+                levels->fail(key, levels->full(key) + ": that side is no platen");
+            const AxisPlan& axis = side.value == static_cast<int>(Side::left) ||
+                                           side.value == static_cast<int>(Side::right)
+                                       ? plan.r
+                                       : plan.z;
+            if (!(*level >= axis.from && *level <= axis.to()))
+                levels->fail(key, fmt::format("{} must be in the grid, [{:g}, {:g}] m, got {:g}",
+                                              levels->full(key), axis.from, axis.to(), *level));
+            plan.platen_level[side.value] = *level;
+        }
+        levels->finish();
     }
     const bool absorbs =
         std::find(plan.boundary, plan.boundary + 4, Boundary::absorbing) != plan.boundary + 4;

@@ -62,6 +62,7 @@ void add_grid(const Case& plan, FixWords& fix) {
         for (const AxisSegment& segment : (direction == 'r' ? plan.r : plan.z).segments)
             fix.add("grid {} {} {} {}", direction, exact(segment.to), segment.cells,
                     exact(segment.growth));
+    if (!plan.inflows.empty()) throw BadInput("fix grit/mpm of LAMMPS has no inflow across sides");
     for (const Spelling& side : words::sides) {
         const Boundary kind = plan.boundary[side.value];
         for (const Spelling& word : words::boundaries)
@@ -164,9 +165,9 @@ void add_contacts(const Case& plan, FixWords& fix) {
 void add_tractions(const Case& plan, FixWords& fix) {
     for (std::size_t i = 0; i < plan.tractions.size(); ++i) {
         const TractionPlan& t = plan.tractions[i];
-        fix.add("traction {} traction_{} {} {} {} {}{}", t.body, i + 1,
+        fix.add("traction {} traction_{} {} {} {} {}{}{}", t.body, i + 1,
                 word_of(words::edges, t.edge), exact(t.direction[0]), exact(t.direction[1]),
-                of_function(t.stress), from(t.from_stage));
+                of_function(t.stress), t.on_mixture ? " mixture" : "", from(t.from_stage));
     }
 }
 

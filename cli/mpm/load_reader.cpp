@@ -101,6 +101,8 @@ std::string stage_name(TomlTable& table, const std::string& key, const Case& pla
 TractionPlan read_traction(TomlTable table, const Case& plan) {
     TractionPlan out;
     out.body = body_name(table, "body", plan);
+    if (const auto on = choice_if(table, case_word("traction", "acts_on")))
+        out.on_mixture = *on != 0;
     refuse(table, objection_to(plan, out));
     out.edge = static_cast<Edge>(choice(table, case_word("traction", "edge")));
     read_range(table, "r_m", out.r);
@@ -113,6 +115,16 @@ TractionPlan read_traction(TomlTable table, const Case& plan) {
     } else {
         out.stress = read_time_table(table, "stress_kPa", words::kilopascal.si);
     }
+    if (table.has("from_stage")) out.from_stage = stage_name(table, "from_stage", plan);
+    table.finish();
+    return out;
+}
+
+InflowPlan read_inflow(TomlTable table, const Case& plan) {
+    InflowPlan out;
+    out.side = static_cast<Side>(choice(table, case_word("inflow", "side")));
+    refuse(table, objection_to(plan, out));
+    out.speed = read_time_table(table, "speed_m_per_s", 1.0);
     if (table.has("from_stage")) out.from_stage = stage_name(table, "from_stage", plan);
     table.finish();
     return out;

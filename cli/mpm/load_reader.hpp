@@ -10,6 +10,7 @@ namespace cli {
 
 // After the bodies.
 grit::mpm::TractionPlan read_traction(TomlTable table, const grit::mpm::Case& plan);
+grit::mpm::InflowPlan read_inflow(TomlTable table, const grit::mpm::Case& plan);
 grit::mpm::ContactPlan read_contact(TomlTable table, const grit::mpm::Case& plan);
 
 // A key that must name a body, or a stage.

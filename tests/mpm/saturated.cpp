@@ -10,11 +10,11 @@
 #include <utility>
 
 #include <adapters/mpm/case/initial_state.hpp>
-#include <adapters/mpm/io/checkpoint.hpp>
 #include <adapters/mpm/run/measures.hpp>
 #include <adapters/mpm/run/run.hpp>
 #include <grit/sand_operators.h>
 
+#include "support/goes_on.hpp"
 #include "support/lausitz.hpp"
 #include "support/one_particle.hpp"
 #include "support/plans.hpp"
@@ -608,12 +608,6 @@ TEST(UndrainedSand, CavitatesAndBearsAgainOnceTheCavityHasClosed) {
     EXPECT_NEAR(J, 1.0, 3e-4);  // of one step
 }
 
-std::string saved(const Simulation& simulation) {
-    std::ostringstream out;
-    save(simulation, out);
-    return out.str();
-}
-
 Case loaded(double conductivity, int threads, bool implicit = false) {
     Column column{.cells = 40,
                   .conductivity = conductivity,
@@ -644,13 +638,8 @@ TEST(SaturatedSand, GoesOnFromACheckpointBitForBit) {
     for (const auto& [k, implicit] :
          {std::pair{0.0, false}, {1e-3, false}, {0.0, true}, {1e-3, true}}) {
         const Case plan = loaded(k, 1, implicit);
-        BuiltCase all = build_case(plan), first = build_case(plan), second = build_case(plan);
-        for (int i = 0; i < 300; ++i) all.simulation->step();
-        for (int i = 0; i < 150; ++i) first.simulation->step();
-        std::istringstream in(saved(*first.simulation));
-        restore(*second.simulation, in);
-        for (int i = 0; i < 150; ++i) second.simulation->step();
-        EXPECT_TRUE(saved(*second.simulation) == saved(*all.simulation)) << k;
+        SCOPED_TRACE(k);
+        expect_goes_on(plan, 150);
     }
 }
 
@@ -658,9 +647,7 @@ TEST(SaturatedSand, RefusesTheCheckpointOfOtherWater) {
     const Case plan = loaded(0.0, 1);
     Case other = plan;
     other.bodies[0].water->bulk_modulus = 1e9;
-    BuiltCase built = build_case(plan), second = build_case(other);
-    std::istringstream in(saved(*built.simulation));
-    EXPECT_THROW(restore(*second.simulation, in), std::runtime_error);
+    expect_refused(plan, other);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <ctime>
 
 #include <grit/sand_catalogue.h>
+#include <tests/mpm/support/mandel_slab.hpp>
 #include <tests/mpm/support/saturated_column.hpp>
 #include <tests/mpm/support/saturated_disk.hpp>
 
@@ -64,6 +65,23 @@ void disk() {
             std::printf("| %d | %.2f | %.4f | %.4f | %+.2f %% | %+.1e |\n", cells, r.T, r.pressure,
                         r.exact, 100.0 * (r.pressure / r.exact - 1.0), r.residual);
             std::fflush(stdout);
+        }
+}
+
+// The implicit pressure in slower water, beside whose flow nothing swings.
+void mandel() {
+    std::printf("\n| pressure | k [m/s] | cells | T | p/p_0 in the middle | exact | error | energy "
+                "residual |\n|---|---|---|---|---|---|---|---|\n");
+    for (const bool implicit : {false, true})
+        for (const int cells : {8, 16, 32}) {
+            const MandelSlab slab{
+                .cells = cells, .conductivity = implicit ? 2e-5 : 1e-4, .implicit = implicit};
+            for (const MandelSlab::Result& r : slab.run({0.1, 0.2, 0.5, 1.0})) {
+                std::printf("| %s | %.0e | %d | %.1f | %.4f | %.4f | %+.2f %% | %+.1e |\n",
+                            implicit ? "implicit" : "explicit", slab.conductivity, cells, r.T,
+                            r.pressure, r.exact, 100.0 * (r.pressure / r.exact - 1.0), r.residual);
+                std::fflush(stdout);
+            }
         }
 }
 
@@ -208,6 +226,7 @@ void cost() {
 int main() {
     waves();
     disk();
+    mandel();
     for (const bool implicit : {false, true}) {
         std::printf("\n%s pressure\n", implicit ? "Implicit" : "Explicit");
         terzaghi(implicit);

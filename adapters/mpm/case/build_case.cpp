@@ -74,7 +74,7 @@ void add_tractions(const Case& plan, const Axis& r, const Axis& z, const BuiltCa
         const std::size_t body = plan.body(traction.body);
         const auto stress = edge_stress(plan, traction, built.clock);
         for (const int id : outermost(built.simulation->body(body).particles, r, z, traction))
-            built.simulation->add_traction({body, id, traction.edge, stress});
+            built.simulation->add_traction({body, id, traction.edge, stress, traction.on_mixture});
     }
 }
 
@@ -111,6 +111,19 @@ SideOfGrid place_of(const Case& plan, Side side) {
         case Side::right: return {0, false, plan.r.to()};
         case Side::bottom: return {1, true, plan.z.from};
         default: return {1, false, plan.z.to()};
+    }
+}
+
+void add_inflows(const Case& plan, const BuiltCase& built) {
+    for (const InflowPlan& inflow : plan.inflows) {
+        auto speed = [since = Since(plan, built.clock, inflow.from_stage),
+                      table = inflow.speed](double t) {
+            const double s = since(t);
+            return s < 0.0 ? 0.0 : table.at(s);
+        };
+        const SideOfGrid edge = place_of(plan, inflow.side);
+        if (edge.first) built.simulation->pour_below(edge.direction, edge.at, std::move(speed));
+        else built.simulation->pour_above(edge.direction, edge.at, std::move(speed));
     }
 }
 
@@ -209,6 +222,12 @@ void add_boundary(const Case& plan, Simulation& simulation) {
             else simulation.absorb_last(edge.direction, plan.absorbing);
             continue;
         }
+        if (boundary == Boundary::platen) {
+            const double level = plan.platen_level[static_cast<int>(side)].value_or(edge.at);
+            if (edge.first) simulation.tie_below(edge.direction, level);
+            else simulation.tie_above(edge.direction, level);
+            continue;
+        }
         const Hold hold = boundary == Boundary::fixed ? Hold::both : Hold::across;
         if (edge.first) simulation.fix_below(edge.direction, edge.at, hold);
         else simulation.fix_above(edge.direction, edge.at, hold);
@@ -223,6 +242,7 @@ BuiltCase build_case(const Case& plan) {
     add_tractions(plan, r, z, out);
     // Fixed nodes are known to a contact when it is made.
     add_boundary(plan, *out.simulation);
+    add_inflows(plan, out);
     add_contacts(plan, *out.simulation);
     return out;
 }

@@ -91,10 +91,11 @@ struct BodyPlan {
 // Sides of the grid.
 enum class Side { left, right, bottom, top };
 enum class Boundary {
-    free,      // nothing: particles that reach it are lost
-    roller,    // no velocity across
-    fixed,     // none at all
-    absorbing  // dashpots, besides what holds the bodies at the start
+    free,       // nothing: particles that reach it are lost
+    roller,     // no velocity across
+    fixed,      // none at all
+    absorbing,  // dashpots, besides what holds the bodies at the start
+    platen      // bodies move as one across
 };
 
 struct TractionPlan {
@@ -103,6 +104,14 @@ struct TractionPlan {
     double r[2] = {-unlimited, unlimited}, z[2] = {-unlimited, unlimited};  // of centres [m]
     Vector2 direction{0.0, -1.0};                                           // unit
     TimeFunction stress = TimeTable{{0.0}, {0.0}};                          // [Pa]
+    bool on_mixture = false;  // grains and water by their shares of the volume, or the grains alone
+    std::string from_stage = {};  // nothing before, and time counts from there; empty: always
+};
+
+// Water that a side of the grid lets into all bodies with water that flows.
+struct InflowPlan {
+    Side side = Side::left;
+    TimeTable speed;              // n (v_w - v_s) across, into the grid [m/s]
     std::string from_stage = {};  // nothing before, and time counts from there; empty: always
 };
 
@@ -169,9 +178,12 @@ struct Case {
     double residual_limit = 0.05;  // share of the energy turned over
     Boundary boundary[4] = {};     // by Side
     bool drained[4] = {};          // by Side: water may leave
-    WaveSpeeds absorbing;          // of sides that are
+    std::optional<double> platen_level[4] =
+        {};                // by Side: of platens, at the start; none: the side [m]
+    WaveSpeeds absorbing;  // of sides that are
     std::vector<BodyPlan> bodies;
     std::vector<TractionPlan> tractions;
+    std::vector<InflowPlan> inflows;
     std::vector<ContactPlan> contacts;
     std::vector<StagePlan> stages;
     HistoryPlan history;

@@ -108,8 +108,9 @@ constexpr FixKeyword keywords[] = {
     {"motion", "NAME V_R V_Z [`from` STAGE]",
      "velocities of a rigid body [m/s], each a FUNCTION, no pulses"},
     {"points", "NAME FILE", "of a body, see below"},
-    {"traction", "NAME GROUP {traction.edge} D_R D_Z FUNCTION [`from` STAGE]",
-     "stress [Pa] times direction on that edge of each atom of the group"},
+    {"traction", "NAME GROUP {traction.edge} D_R D_Z FUNCTION [`mixture`] [`from` STAGE]",
+     "stress [Pa] times direction on that edge of each atom of the group; `mixture`: on grains and "
+     "water by their shares"},
     {"contact",
      "STIFF SOFT {contact.law} MU [`power` K] [`normal` {contact.normal}] [`distance` "
      "{contact.distance}] [`gated` `yes`|`no`] [`relaxation_time` TAU] [`stiffness_multiple` X "
@@ -222,7 +223,7 @@ std::string heading(std::string_view section) {
     if (section == "body.box") return "`[[body.box]]`, `[[body.polygon]]`";
     if (section == "body.elastic") return "`[body.elastic]`, `[body.neo_hooke]`";
     if (section == "contact.stiff_line") return "`[contact.stiff_line]`, `[contact.soft_line]`";
-    for (const char* list : {"body", "traction", "contact", "stage"})
+    for (const char* list : {"body", "traction", "inflow", "contact", "stage"})
         if (section == list) return "`[[" + name + "]]`";
     return name.empty() ? "top of the file" : "`[" + name + "]`";
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "adapters/mpm/case/spellings.hpp"
 #include "adapters/mpm/step/text.hpp"
 
 namespace grit::mpm {
@@ -45,6 +46,14 @@ Objections objection_to(const Case& plan, Side side) {
     if (side == Side::left && plan.settings.axisymmetric && plan.r.from == 0.0 &&
         plan.boundary[static_cast<int>(side)] != Boundary::roller)
         return Objection{"left", " is the axis r = 0: roller"};
+    const std::string_view key = word_of(words::sides, side);
+    if (plan.boundary[static_cast<int>(side)] != Boundary::platen) return {};
+    if (plan.settings.axisymmetric && (side == Side::left || side == Side::right))
+        return Objection{key, ": a platen around an axis does not move as one"};
+    if (plan.settings.scheme == Scheme::musl)
+        return Objection{key, ": the scheme musl knows no platens"};
+    if (plan.drained[static_cast<int>(side)])
+        return Objection{key, " is a platen, which no water passes, and drained"};
     return {};
 }
 
@@ -76,7 +85,22 @@ Objections objection_to(const PulseTrain& pulses, const KeyName& name) {
 Objections objection_to(const Case& plan, const TractionPlan& traction) {
     if (plan.bodies[plan.body(traction.body)].rigid())
         return Objection{"body", ": \"" + traction.body + "\" is rigid, no load moves it"};
+    if (traction.on_mixture && !plan.bodies[plan.body(traction.body)].water)
+        return Objection{"acts_on", ": \"" + traction.body + "\" has no pore water"};
     return {};
+}
+
+Objections objection_to(const Case& plan, const InflowPlan& inflow) {
+    const std::string side(word_of(words::sides, inflow.side));
+    const auto i = static_cast<std::size_t>(inflow.side);
+    if (plan.boundary[i] != Boundary::roller && plan.boundary[i] != Boundary::fixed)
+        return Objection{"side", ": the " + side + " one is neither a roller nor fixed"};
+    if (plan.drained[i]) return Objection{"side", ": the " + side + " one is drained"};
+    if (inflow.side == Side::left && plan.settings.axisymmetric && plan.r.from == 0.0)
+        return Objection{"side", ": the left one is the axis r = 0"};
+    for (const BodyPlan& body : plan.bodies)
+        if (body.water && body.water->drainage == Drainage::flow) return {};
+    return Objection{"", ": no body has water that flows"};
 }
 
 Objections objection_to(const Case& plan, const MaterialPlan& material, const WaterPlan& water,

@@ -24,7 +24,10 @@ inline constexpr Spelling boundaries[] = {
     spelling("roller", Boundary::roller, "no velocity across"),
     spelling("fixed", Boundary::fixed, "no velocity at all"),
     only_in_files(spelling("absorbing", Boundary::absorbing,
-                           "dashpots, besides what holds the bodies at the first step"))};
+                           "dashpots, besides what holds the bodies at the first step")),
+    only_in_files(
+        spelling("platen", Boundary::platen,
+                 "a rigid plate without mass or friction, which tractions of bodies press"))};
 inline constexpr Spelling drainages[] = {
     spelling("undrained", Drainage::undrained, "it moves with the grains"),
     spelling("flow", Drainage::flow, "it moves through them, with a velocity of its own")};
@@ -37,6 +40,10 @@ inline constexpr Spelling conductivity_laws[] = {
 inline constexpr Spelling edges[] = {
     spelling("bottom", Edge::bottom, ""), spelling("right", Edge::right, ""),
     spelling("top", Edge::top, ""), spelling("left", Edge::left, "")};
+inline constexpr Spelling load_bearers[] = {
+    spelling("grains", false, ""),
+    spelling("mixture", true,
+             "and the water by its share, whose pressure at the surface it then is")};
 inline constexpr Spelling pulse_forms[] = {spelling("half_sine", PulseForm::half_sine, ""),
                                            spelling("triangle", PulseForm::triangle, "")};
 inline constexpr int penalty_law_word = -1, surface_law_word = -2;  // no nodal laws

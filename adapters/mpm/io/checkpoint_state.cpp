@@ -24,7 +24,7 @@ std::string of(const Axis& axis) {
 void grid_words(const Simulation& s, std::ostream& out) {
     const Settings& settings = s.current_settings();
     const std::vector<std::uint8_t>& nodes = s.constraints();
-    const std::vector<double> rates = s.absorbing().rates();
+    const std::vector<double> rates = s.absorbing().rates(), tied = s.platen_nodes();
     out << "geometry: " << (settings.axisymmetric ? "axisymmetric" : "plane strain") << '\n'
         << "grid along r: " << of(s.axis_r()) << '\n'
         << "grid along z: " << of(s.axis_z()) << '\n'
@@ -34,6 +34,8 @@ void grid_words(const Simulation& s, std::ostream& out) {
         << "drained nodes: checksum "
         << checksum(s.pore_water().drained_nodes().data(), s.pore_water().drained_nodes().size())
         << '\n'
+        << "platen nodes: checksum " << checksum(tied.data(), tied.size() * sizeof(double)) << '\n'
+        << "inflows: " << s.pore_water().inflow_count() << '\n'
         << "absorbing nodes: " << rates.size() / 3 << ", checksum "
         << checksum(rates.data(), rates.size() * sizeof(double)) << '\n'
         << "shape functions: " << word_of(words::shapes, settings.shape) << '\n'

@@ -33,6 +33,11 @@ double mapped_away(const NodeCall& call, std::ptrdiff_t i, const Vector2& old) {
                   call.internal[i][1] * (call.dt_before * v[lane + 1] - call.dt * old[1]));
 }
 
+void hold(const NodeCall& call, std::ptrdiff_t i) {
+    if (call.fixed[i] & fixed::r) call.motions[i][motion::v_r] = 0.0;
+    if (call.fixed[i] & fixed::z) call.motions[i][motion::v_z] = 0.0;
+}
+
 }  // namespace
 
 void start_nodes(const NodeCall& call, NodeSums& sums) {
@@ -72,23 +77,29 @@ void advance_nodes(const NodeCall& call, NodeSums& sums) {
     }
 }
 
-void close_nodes(const NodeCall& call, NodeSums& sums) {
+void damp_nodes(const NodeCall& call, NodeSums& sums) {
     for (std::ptrdiff_t i = call.begin; i < call.end; ++i) {
         const NodeRecord& n = call.records[i];
         const double m = n[record::m];
         if (!(m > call.least_mass)) continue;
         NodeMotion& v = call.motions[i];
-        if (call.fixed[i] & fixed::r) v[motion::v_r] = 0.0;
-        if (call.fixed[i] & fixed::z) v[motion::v_z] = 0.0;
-        if (call.damping > 0.0) {
-            const double undamped_z = v[motion::v_z];
-            call.add(sums.damping_work, i,
-                     damp(v[motion::v_r], v[motion::other_r], m,
-                          call.dt * (n[record::f_r] + m * call.gravity[0]), call.damping) +
-                         damp(v[motion::v_z], v[motion::other_z], m,
-                              call.dt * (n[record::f_z] + m * call.gravity[1]), call.damping));
-            call.add(sums.damping_z, i, m * (v[motion::v_z] - undamped_z));
-        }
+        hold(call, i);
+        const double undamped_z = v[motion::v_z];
+        call.add(sums.damping_work, i,
+                 damp(v[motion::v_r], v[motion::other_r], m,
+                      call.dt * (n[record::f_r] + m * call.gravity[0]), call.damping) +
+                     damp(v[motion::v_z], v[motion::other_z], m,
+                          call.dt * (n[record::f_z] + m * call.gravity[1]), call.damping));
+        call.add(sums.damping_z, i, m * (v[motion::v_z] - undamped_z));
+    }
+}
+
+void close_nodes(const NodeCall& call, NodeSums& sums) {
+    for (std::ptrdiff_t i = call.begin; i < call.end; ++i) {
+        const double m = call.records[i][record::m];
+        if (!(m > call.least_mass)) continue;
+        const NodeMotion& v = call.motions[i];
+        hold(call, i);
         const double dv_r = v[motion::v_r] - v[motion::other_r];
         const double dv_z = v[motion::v_z] - v[motion::other_z];
         call.add(sums.change, i, 0.5 * m * (dv_r * dv_r + dv_z * dv_z));

@@ -53,8 +53,9 @@ void keep_internal(const NodeCall& call);
 // motions, still of the step before, or as start_nodes leaves them, become v = v_old + dt (f/m + g) and
 // v_old = p/m, without the fixed components.
 void advance_nodes(const NodeCall& call, NodeSums& sums);
-// After contact: what is fixed stays so; local damping, of contact forces as well, or it would carry a share
-// of them; sums the change and the work of gravity.
+// After contact: local damping, of contact forces as well, or it would carry a share of them.
+void damp_nodes(const NodeCall& call, NodeSums& sums);
+// What is fixed stays so; sums the change and the work of gravity.
 void close_nodes(const NodeCall& call, NodeSums& sums);
 // other becomes p/m: the velocities that particles would have left now (MUSL).
 void remap_nodes(const NodeCall& call, NodeSums& sums);

@@ -27,6 +27,11 @@ bool has_water(const WaterNodeCall& call, std::ptrdiff_t i) {
            call.water_records[i][water_record::m] > 0.0;
 }
 
+// The velocity of water that a side lets in, which stands there as the grains do [m/s].
+double poured(const WaterNodeCall& call, std::ptrdiff_t i, int k) {
+    return call.poured ? call.poured[i][k] / call.porosity(i) : 0.0;
+}
+
 // Half a step's work of the pressure on the volume that mapping took away, see NodeSums: what is not counted there,
 // where the grains' share of its force is one of their forces.
 double mapped_away(const WaterNodeCall& call, std::ptrdiff_t i, double n, const NodeMotion& water) {
@@ -104,7 +109,10 @@ void push_water(const WaterNodeCall& call, WaterSums& sums) {
             NodeMotion now{};
             const double m = w[water_record::m];
             for (int k = 0; k < 2; ++k) {
-                if (!component(call, i, k).water_free) continue;
+                if (!component(call, i, k).water_free) {
+                    now[motion::v_r + k] = now[motion::other_r + k] = poured(call, i, k);
+                    continue;
+                }
                 const double old = w[water_record::p_r + k] / m;
                 now[motion::other_r + k] = old;
                 now[motion::v_r + k] =
@@ -150,7 +158,7 @@ void close_water(const WaterNodeCall& call, WaterSums& sums) {
             continue;
         }
         const double n = call.porosity(i), m = call.water_records[i][water_record::m];
-        double change = 0.0, gravity = 0.0, drag = 0.0;
+        double change = 0.0, gravity = 0.0, drag = 0.0, sides = 0.0;
         for (int k = 0; k < 2; ++k) {
             const double now = water[motion::v_r + k], old = water[motion::other_r + k];
             volume[k] = (1.0 - n) * grains[motion::v_r + k] + n * now;
@@ -158,7 +166,13 @@ void close_water(const WaterNodeCall& call, WaterSums& sums) {
             drag +=
                 impulse[k] * (now + old - grains[motion::v_r + k] - grains[motion::other_r + k]);
             gravity += call.grains.gravity[static_cast<std::size_t>(k)] * (now + old);
+            if (call.poured && !component(call, i, k).water_free)
+                sides +=
+                    now * (impulse[k] -
+                           call.grains.dt * (n * call.water_records[i][water_record::f_r + k] +
+                                             m * call.grains.gravity[static_cast<std::size_t>(k)]));
         }
+        call.grains.add(sums.side_work, i, sides);
         call.grains.add(sums.change, i, 0.5 * m * change);
         call.grains.add(sums.drag, i, 0.5 * drag);
         call.grains.add(sums.gravity_work, i, 0.5 * call.grains.dt * m * gravity);

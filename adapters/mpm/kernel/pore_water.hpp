@@ -142,6 +142,7 @@ struct WaterSums {
     Total half;          // of that, by the pressure of the end in half a step [J]
     Total drag;          // taken by drag, at nodes and within particles [J]
     Total gravity_work;  // [J]
+    Total side_work;     // of sides that water comes in by [J]
     Total change;        // as those of NodeSums and GatherSums, of water that flows [J]
     Total mapped_away;
     Total kept;
@@ -191,6 +192,7 @@ struct WaterNodeCall {
     NodeMotion* flowing;  // of the water: v and other, the velocity before the step's forces
     NodeMotion* volume;   // (1 - n) v_s + n v_w, and the impulse of drag on the grains [N s]
     const std::uint8_t* drained;  // bits of components that are free though the grains are fixed
+    const Vector2* poured;        // filter velocity where neither is free [m/s]; null: none
 
     double porosity(std::ptrdiff_t i) const { return water->porosity_at(water_records[i]); }
 };

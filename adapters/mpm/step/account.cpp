@@ -63,7 +63,7 @@ void Account::add_step(const Gather& gather, const Momentum& momentum, const Loa
         }
     for (std::size_t body = 0; body < model.parts.size(); ++body)
         for (const WaterSums& w : water.sums(body)) {
-            step[external_work] += w.gravity_work;
+            (step[external_work] += w.gravity_work) += w.side_work;
             ((step[transfer] += w.change) -= w.kept) += w.mapped_away;
             step[pore_water] += w.work;
             step[half] += w.half;
@@ -72,6 +72,7 @@ void Account::add_step(const Gather& gather, const Momentum& momentum, const Loa
     step[on_walls] += water.taken().contact;
     step[rigid_walls] += water.taken().rigid_work;
     step[implicit] += water.taken().implicit;
+    step[external_work] += water.taken().side_work;
     (step[external_work] += loads.work()) += sides.held_work();
     step[traction_work] += loads.work();
     step[absorption] += sides.absorbed();

@@ -9,6 +9,17 @@
 
 namespace grit::mpm {
 
+void Answers::operator()(std::vector<Vector2>& at) const {
+    std::vector<double> tied(ties.size());
+    for (std::size_t t = 0; t < ties.size(); ++t)
+        for (const std::size_t node : ties[t].nodes.nodes)
+            tied[t] += at[node][ties[t].nodes.direction];
+    for (std::size_t i = 0; i < at.size(); ++i) at[i] = nodes[i](at[i]);
+    for (std::size_t t = 0; t < ties.size(); ++t)
+        for (const std::size_t node : ties[t].nodes.nodes)
+            at[node][ties[t].nodes.direction] = ties[t].per_mass * tied[t];
+}
+
 ImplicitPressure::ImplicitPressure(const GridView& grid, Exchange& processes, bool in_fixed_point,
                                    int strips)
     : row(static_cast<std::size_t>(grid.r.cells) + 3), cells_r(grid.r.cells), exchange(processes),
@@ -161,7 +172,7 @@ void ImplicitPressure::apply(const System& system, const double* x, double* y) {
     for (std::size_t c = 0; c < cells.size(); ++c)
         scaled[c] = cells[c].compliance > 0.0 ? cells[c].scale * x[c] : 0.0;
     push(scaled.data(), at_nodes);
-    for (std::size_t i = 0; i < at_nodes.size(); ++i) at_nodes[i] = system.answers[i](at_nodes[i]);
+    system.answers(at_nodes);
     swell(at_nodes, y);
     for (std::size_t c = 0; c < cells.size(); ++c) {
         const Cell& cell = cells[c];
@@ -212,8 +223,7 @@ Eigen::VectorXd ImplicitPressure::solve(const System& system, Eigen::VectorXd b)
 }
 
 void ImplicitPressure::solve(const PoreWater& water, const GridView& grid, Particles& particles,
-                             double dt, const std::vector<Vector2>& u,
-                             const std::vector<NodeAnswer>& answers,
+                             double dt, const std::vector<Vector2>& u, const Answers& answers,
                              std::vector<Vector2>& impulses) {
     constexpr int most_changes = 10;
     find_particles(water, grid, particles);
@@ -225,10 +235,9 @@ void ImplicitPressure::solve(const PoreWater& water, const GridView& grid, Parti
     // u + dt A G of the values.
     const auto move = [&] {
         push(values.data(), moved);
-        for (std::size_t i = 0; i < moved.size(); ++i) {
-            const Vector2 v = answers[i](moved[i]);
-            moved[i] = {u[i][0] + dt * v[0], u[i][1] + dt * v[1]};
-        }
+        answers(moved);
+        for (std::size_t i = 0; i < moved.size(); ++i)
+            moved[i] = {u[i][0] + dt * moved[i][0], u[i][1] + dt * moved[i][1]};
         swell(moved, swelling.data());
     };
     for (int change = 0; change < most_changes; ++change) {
@@ -242,7 +251,7 @@ void ImplicitPressure::solve(const PoreWater& water, const GridView& grid, Parti
             double diagonal = cell.compliance;
             for (std::size_t k = 0; k < 16; ++k) {
                 const Vector2 f{force[2 * k], force[2 * k + 1]};
-                const Vector2 v = answers[patched[c].first + k / 4 * row + k % 4](f);
+                const Vector2 v = answers.nodes[patched[c].first + k / 4 * row + k % 4](f);
                 diagonal += dt * dt * (f[0] * v[0] + f[1] * v[1]);
             }
             cell.scale = diagonal > 0.0 ? 1.0 / std::sqrt(diagonal) : 1.0;

@@ -20,6 +20,25 @@ struct NodeAnswer {
     }
 };
 
+// Nodes that move as one along a direction (0 r, 1 z).
+struct TiedNodes {
+    int direction;
+    std::vector<std::size_t> nodes;
+};
+
+// The answers of all nodes, and of those that are tied: these take their sum along the direction, for one over the mass
+// of all.
+struct Answers {
+    struct Tie {
+        TiedNodes nodes;
+        double per_mass = 0.0;  // [1/kg]
+    };
+    std::vector<NodeAnswer> nodes = {};
+    std::vector<Tie> ties = {};
+    // Impulses become velocities.
+    void operator()(std::vector<Vector2>& at) const;
+};
+
 class ImplicitPressure {
   public:
     ImplicitPressure(const GridView& grid, Exchange& processes, bool in_fixed_point, int strips);
@@ -40,7 +59,7 @@ class ImplicitPressure {
     // u the volume velocity without it, A the answers of nodes; and its impulses dt G x [N s]. Every process must
     // call it. Throws std::runtime_error without a solution.
     void solve(const PoreWater& water, const GridView& grid, Particles& particles, double dt,
-               const std::vector<Vector2>& u, const std::vector<NodeAnswer>& answers,
+               const std::vector<Vector2>& u, const Answers& answers,
                std::vector<Vector2>& impulses);
 
     template <class Self, class Archive> static void visit(Self& of, Archive& archive) {
@@ -63,7 +82,7 @@ class ImplicitPressure {
     // The matrix of the system, scaled to a diagonal of 1: never assembled. Cells that do not bear have no row.
     struct System {
         double dt;
-        const std::vector<NodeAnswer>& answers;
+        const Answers& answers;
     };
     void apply(const System& system, const double* x, double* y);
     Eigen::VectorXd solve(const System& system, Eigen::VectorXd b);

@@ -9,7 +9,7 @@
 namespace grit::mpm {
 
 void Loads::add(Traction traction) {
-    nodes[traction.body].resize(model.fixed_nodes.size());
+    forces_of(traction)[traction.body].resize(model.fixed_nodes.size());
     tractions.push_back(std::move(traction));
     edges.resize(tractions.size());
 }
@@ -36,11 +36,13 @@ void Loads::push() {
                                    traction.stress(model.t), model.settings);
     }
     const double rounded_to = model.settings.fixed_point ? quantum() : 0.0;
-    for (std::vector<Vector2>& of_body : nodes)
-        std::fill(of_body.begin(), of_body.end(), Vector2{0.0, 0.0});
+    for (Forces* all : {&nodes, &on_mixture})
+        for (std::vector<Vector2>& of_body : *all)
+            std::fill(of_body.begin(), of_body.end(), Vector2{0.0, 0.0});
     for (std::size_t i = 0; i < tractions.size(); ++i)
         if (is_here(tractions[i]))
-            add_edge_forces(model.grid(), edges[i], rounded_to, nodes[tractions[i].body].data());
+            add_edge_forces(model.grid(), edges[i], rounded_to,
+                            forces_of(tractions[i])[tractions[i].body].data());
     for (std::size_t b = 0; b < nodes.size(); ++b) {
         std::vector<Vector2>& of_body = nodes[b];
         if (of_body.empty()) continue;
@@ -50,15 +52,28 @@ void Loads::push() {
             model.parts[b].records[i][record::f_z] += of_body[i][1];
         }
     }
+    for (std::size_t b = 0; b < on_mixture.size(); ++b) {
+        std::vector<Vector2>& of_body = on_mixture[b];
+        if (of_body.empty()) continue;
+        model.exchange.sum_nodes(of_body.data(), static_cast<std::ptrdiff_t>(of_body.size()));
+        for (std::size_t i = 0; i < of_body.size(); ++i)
+            if (of_body[i][0] != 0.0 || of_body[i][1] != 0.0) water.load(b, i, of_body[i]);
+    }
 }
 
 void Loads::find_work() {
     done = Total();
-    for (std::size_t i = 0; i < tractions.size(); ++i)
-        if (is_here(tractions[i]))
-            done.add(edge_work(model.grid(), edges[i],
-                               model.parts[tractions[i].body].motions.data(), model.dt),
-                     model.settings.fixed_point);
+    for (std::size_t i = 0; i < tractions.size(); ++i) {
+        const Traction& traction = tractions[i];
+        if (!is_here(traction)) continue;
+        const auto twice = [&](std::size_t node, int k) {
+            const int now = motion::v_r + k, before = motion::other_r + k;
+            const NodeMotion& v = model.parts[traction.body].motions[node];
+            return traction.on_mixture ? water.volume_velocity(traction.body, node, now, before)
+                                       : v[now] + v[before];
+        };
+        done.add(edge_work(model.grid(), edges[i], model.dt, twice), model.settings.fixed_point);
+    }
 }
 
 Vector2 Loads::force(std::size_t body) const {

@@ -6,13 +6,14 @@
 
 #include "adapters/mpm/step/model.hpp"
 #include "adapters/mpm/step/traction.hpp"
+#include "adapters/mpm/step/water.hpp"
 
 namespace grit::mpm {
 
 class Loads {
   public:
-    explicit Loads(Model& of) : model(of) {}
-    void add_body() { nodes.emplace_back(); }
+    Loads(Model& of, Water& in_pores) : model(of), water(in_pores) {}
+    void add_body() { nodes.emplace_back(), on_mixture.emplace_back(); }
     void add(Traction traction);
 
     // Adds the forces of now to those of the nodes.
@@ -33,12 +34,15 @@ class Loads {
         return model.parts[traction.body].find(traction.particle) >= 0;
     }
     double quantum() const;
+    using Forces = std::vector<std::vector<Vector2>>;  // at nodes of each body that has any [N]
+    Forces& forces_of(const Traction& t) { return t.on_mixture ? on_mixture : nodes; }
 
     Model& model;
+    Water& water;
     std::vector<Traction> tractions;
-    std::vector<EdgeForces> edges;            // of each traction
-    std::vector<std::vector<Vector2>> nodes;  // of each body, if it has any [N]
-    Total done;                               // [J]
+    std::vector<EdgeForces> edges;  // of each traction
+    Forces nodes, on_mixture;       // of those on grains alone, and the others
+    Total done;                     // [J]
 };
 
 }  // namespace grit::mpm

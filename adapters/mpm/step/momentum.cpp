@@ -60,6 +60,13 @@ void Momentum::advance() {
     });
 }
 
+void Momentum::damp() {
+    if (!(model.settings.local_damping > 0.0)) return;
+    model.for_strips([this](std::size_t body, int strip) {
+        if (!is_rigid(body)) damp_nodes(call(body, strip), sums_of(body, strip));
+    });
+}
+
 void Momentum::close() {
     model.for_strips([this](std::size_t body, int strip) {
         if (!is_rigid(body)) close_nodes(call(body, strip), sums_of(body, strip));

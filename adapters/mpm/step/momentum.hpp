@@ -19,7 +19,9 @@ class Momentum {
     void keep_internal_forces();
     // v = v_old + dt (f/m + g); rigid bodies have the velocity of the end of the step.
     void advance();
-    // After contact.
+    // After contact: local damping, if there is any.
+    void damp();
+    // Once velocities are what the step leaves.
     void close();
     // Before and after momenta are scattered again (MUSL).
     void forget();

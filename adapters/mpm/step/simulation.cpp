@@ -31,10 +31,13 @@ void Simulation::step() {
     watch.lap(spent.nodes);
     contacts.correct(account.sums());
     surfaces.correct(account.sums());
+    platens.tie(account.sums());
     watch.lap(spent.contact);
     contacts.change_pressures();
     watch.lap(spent.nodes);
     sides.find_work(model, momentum);
+    momentum.damp();
+    if (model.settings.local_damping > 0.0) platens.tie(account.sums());
     momentum.close();
     loads.find_work();
     watch.lap(spent.nodes);
@@ -125,6 +128,13 @@ void drain(const Model& model, Water& water, int direction,
     each_node(model, direction, where, [&](std::size_t node) { water.drain(direction, node); });
 }
 
+std::vector<std::size_t> nodes_where(const Model& model, int direction,
+                                     const std::function<bool(double)>& where) {
+    std::vector<std::size_t> out;
+    each_node(model, direction, where, [&](std::size_t node) { out.push_back(node); });
+    return out;
+}
+
 // Nodes of a line across a direction, at the end of a cell.
 void absorb(const Model& model, AbsorbingSides& sides, int direction, int line, double cell,
             const WaveSpeeds& speeds) {
@@ -150,6 +160,24 @@ void Simulation::drain_below(int direction, double at) {
 
 void Simulation::drain_above(int direction, double at) {
     drain(model, water, direction, [at](double x) { return x >= at; });
+}
+
+void Simulation::pour_below(int direction, double at, std::function<double(double)> speed) {
+    water.pour({direction, 1.0, nodes_where(model, direction, [at](double x) { return x <= at; }),
+                std::move(speed)});
+}
+
+void Simulation::pour_above(int direction, double at, std::function<double(double)> speed) {
+    water.pour({direction, -1.0, nodes_where(model, direction, [at](double x) { return x >= at; }),
+                std::move(speed)});
+}
+
+void Simulation::tie_below(int direction, double at) {
+    platens.add(direction, nodes_where(model, direction, [at](double x) { return x <= at; }));
+}
+
+void Simulation::tie_above(int direction, double at) {
+    platens.add(direction, nodes_where(model, direction, [at](double x) { return x >= at; }));
 }
 
 void Simulation::absorb_first(int direction, const WaveSpeeds& speeds) {

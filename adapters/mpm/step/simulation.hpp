@@ -16,6 +16,7 @@
 #include "adapters/mpm/step/momentum.hpp"
 #include "adapters/mpm/step/nodal_contacts.hpp"
 #include "adapters/mpm/step/penalty_contacts.hpp"
+#include "adapters/mpm/step/platens.hpp"
 #include "adapters/mpm/step/scatter.hpp"
 #include "adapters/mpm/step/step_size.hpp"
 #include "adapters/mpm/step/stopwatch.hpp"
@@ -43,6 +44,12 @@ class Simulation {
     // Water may leave there, at p_w = 0, though the grains are fixed.
     void drain_below(int direction, double at);
     void drain_above(int direction, double at);
+    // Water comes in across nodes at r or z = at, and beyond, that hold the grains: its filter velocity over time [m/s].
+    void pour_below(int direction, double at, std::function<double(double)> speed);
+    void pour_above(int direction, double at, std::function<double(double)> speed);
+    // Nodes at z = at (direction 1; r: 0), and beyond, move as one across. Without an exchange.
+    void tie_below(int direction, double at);
+    void tie_above(int direction, double at);
     // The first or the last nodes along a direction take up waves; the first step finds balance there.
     void absorb_first(int direction, const WaveSpeeds& speeds);
     void absorb_last(int direction, const WaveSpeeds& speeds);
@@ -93,6 +100,8 @@ class Simulation {
     double least_mass(std::size_t body) const { return model.parts[body].least_mass; }
     const std::vector<std::uint8_t>& constraints() const { return model.fixed_nodes; }
     const AbsorbingSides& absorbing() const { return sides; }
+    // Directions of platens, each with its nodes behind it.
+    std::vector<double> platen_nodes() const { return platens.words(); }
     const Water& pore_water() const { return water; }
     const Axis& axis_r() const { return model.r; }
     const Axis& axis_z() const { return model.z; }
@@ -136,7 +145,8 @@ class Simulation {
     Scatter scatter{model, means};
     Momentum momentum{model};
     Water water{model, momentum};
-    Loads loads{model};
+    Loads loads{model, water};
+    Platens platens{model, water};
     AbsorbingSides sides;
     NodalContacts contacts{model, water};
     PenaltyContacts penalties{model, scatter};

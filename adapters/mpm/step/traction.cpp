@@ -51,19 +51,4 @@ void add_edge_forces(const GridView& grid, const EdgeForces& forces, double quan
     }
 }
 
-double edge_work(const GridView& grid, const EdgeForces& forces, const NodeMotion* motions,
-                 double dt) {
-    double work = 0.0;
-    for (int k = 0; k < 2; ++k) {
-        const GridPoint corner = grid_point(grid, forces.r[k], forces.z[k]);
-        for (int i = 0; i < 4; ++i) {
-            const NodeMotion& v = motions[corner.node[i]];
-            work += 0.5 * dt * corner.N[i] *
-                    (forces.f_r[k] * (v[motion::v_r] + v[motion::other_r]) +
-                     forces.f_z[k] * (v[motion::v_z] + v[motion::other_z]));
-        }
-    }
-    return work;
-}
-
 }  // namespace grit::mpm

@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "adapters/mpm/grid/grid_point.hpp"
 #include "adapters/mpm/kernel/call.hpp"
 #include "adapters/mpm/kernel/nodes.hpp"
 #include "adapters/mpm/step/settings.hpp"
@@ -19,6 +20,7 @@ struct Traction {
     int particle;  // id
     Edge edge;
     std::function<Vector2(double)> stress;  // force per deformed area [Pa] over time [s]
+    bool on_mixture = false;                // grains and water by their shares, or the grains alone
 };
 
 // The forces of a traction at the two ends of its edge, and where they act: as the particle's weights see
@@ -36,8 +38,19 @@ EdgeForces edge_forces(const GridView& grid, const ParticleView& particles, std:
 // order changes a bit.
 void add_edge_forces(const GridView& grid, const EdgeForces& forces, double quantum,
                      Vector2* nodes);
-// Work of a step [J]: forces on the mean of v and other.
-double edge_work(const GridView& grid, const EdgeForces& forces, const NodeMotion* motions,
-                 double dt);
+// Work of a step [J]; twice(node, k) is the sum of the velocities before and after, along r (0) or z (1).
+template <class Twice>
+double edge_work(const GridView& grid, const EdgeForces& forces, double dt, const Twice& twice) {
+    double work = 0.0;
+    for (int k = 0; k < 2; ++k) {
+        const GridPoint corner = grid_point(grid, forces.r[k], forces.z[k]);
+        for (int i = 0; i < 4; ++i) {
+            const auto node = static_cast<std::size_t>(corner.node[i]);
+            work += 0.5 * dt * corner.N[i] *
+                    (forces.f_r[k] * twice(node, 0) + forces.f_z[k] * twice(node, 1));
+        }
+    }
+    return work;
+}
 
 }  // namespace grit::mpm

@@ -26,7 +26,7 @@ void Water::add_body() {
         const std::size_t nodes = body.implicit->nodes();
         body.volume_velocity.resize(nodes);
         body.impulse.resize(nodes);
-        body.node_answers.resize(nodes);
+        body.all_answers.nodes.resize(nodes);
         body.answers.resize(model.fixed_nodes.size());
     }
     if (!flows(i)) return;
@@ -39,6 +39,11 @@ void Water::add_body() {
 void Water::drain(int direction, std::size_t node) {
     drained.resize(model.fixed_nodes.size());
     drained[node] |= direction == 0 ? fixed::r : fixed::z;
+}
+
+void Water::pour(Inflow inflow) {
+    poured.resize(model.fixed_nodes.size());
+    inflows.push_back(std::move(inflow));
 }
 
 bool Water::is_anywhere() const {
@@ -56,7 +61,8 @@ WaterNodeCall Water::nodes(std::size_t i, int strip) {
             body.records.data(),
             body.flowing.data(),
             body.volume.data(),
-            drained.empty() ? nullptr : drained.data()};
+            drained.empty() ? nullptr : drained.data(),
+            poured.empty() ? nullptr : poured.data()};
 }
 
 // The means of cells, of all processes.
@@ -141,6 +147,10 @@ void Water::scatter() {
 void Water::push() {
     if (!is_anywhere()) return;
     impulses_took = {};
+    for (const Inflow& inflow : inflows) {
+        const double speed = inflow.sign * inflow.speed(model.t + model.dt);
+        for (const std::size_t node : inflow.nodes) poured[node][inflow.direction] = speed;
+    }
     scatter();
     model.for_strips([this](std::size_t i, int strip) {
         if (!has(i)) return;
@@ -148,6 +158,17 @@ void Water::push() {
         sums = {};
         push_water(nodes(i, strip), sums);
     });
+}
+
+void Water::load(std::size_t i, std::size_t node, const Vector2& force) {
+    const double n = has_pores(i, node) ? porosity(i, node) : 0.0, m_w = water_mass(i, node);
+    NodeRecord& grains = model.parts[i].records[node];
+    for (int k = 0; k < 2; ++k) {
+        grains[record::f_r + k] += (1.0 - n) * force[k];
+        const int bit = k == 0 ? fixed::r : fixed::z;
+        if (n > 0.0 && !(fixed_bits(node) & bit))
+            bodies[i].flowing[node][motion::v_r + k] += model.dt * n * force[k] / m_w;
+    }
 }
 
 void Water::drag() {
@@ -274,6 +295,12 @@ Water::Answer Water::answer(std::size_t i, std::size_t node, bool grains_free,
     return out;
 }
 
+// Of what holds the water.
+std::uint8_t Water::fixed_bits(std::size_t node) const {
+    const std::uint8_t free = drained.empty() ? std::uint8_t{0} : drained[node];
+    return static_cast<std::uint8_t>(model.fixed_nodes[node] & ~free);
+}
+
 bool Water::has_pores(std::size_t i, std::size_t node) const {
     const Part& part = model.parts[i];
     return part.records[node][record::m] > part.least_mass &&
@@ -286,17 +313,18 @@ double Water::water_mass(std::size_t i, std::size_t node) const {
 
 // (1 - n) of the grains' and n of the water's, of the sum of two lanes of each.
 double Water::volume_velocity(std::size_t i, std::size_t node, int lane, int other_lane) const {
-    const double n = porosity(i, node);
     const auto sum = [&](const NodeMotion& v) { return v[lane] + v[other_lane]; };
     const double grains = sum(model.parts[i].motions[node]);
-    return flows(i) ? (1.0 - n) * grains + n * sum(bodies[i].flowing[node]) : grains;
+    if (!flows(i) || !has_pores(i, node)) return grains;
+    const double n = porosity(i, node);
+    return (1.0 - n) * grains + n * sum(bodies[i].flowing[node]);
 }
 
 void Water::find_answers(std::size_t i) {
     OfBody& body = bodies[i];
     for (std::size_t node = 0; node < body.answers.size(); ++node) {
         const std::size_t in = body.implicit->node(node);
-        body.node_answers[in] = {};
+        body.all_answers.nodes[in] = {};
         body.volume_velocity[in] = {};
         if (!has_pores(i, node)) continue;
         const double n = porosity(i, node);
@@ -304,15 +332,24 @@ void Water::find_answers(std::size_t i) {
         for (int k = 0; k < 2; ++k) {
             const int bit = k == 0 ? fixed::r : fixed::z;
             const bool grains_free = !(model.fixed_nodes[node] & bit);
-            const bool water_free = grains_free || (!drained.empty() && (drained[node] & bit));
+            const bool water_free = !(fixed_bits(node) & bit);
             const Answer& a = body.answers[node][static_cast<std::size_t>(k)] =
                 answer(i, node, grains_free, water_free);
             share[k] = (1.0 - n) * a.grains + n * a.water;
             body.volume_velocity[in][k] =
                 0.5 * volume_velocity(i, node, motion::v_r + k, motion::v_r + k);
         }
-        body.node_answers[in] = {share[0], 0.0, share[1]};
+        body.all_answers.nodes[in] = {share[0], 0.0, share[1]};
     }
+}
+
+// Bits of what a platen holds.
+std::uint8_t Water::tied(std::size_t node) const {
+    std::uint8_t bits = 0;
+    for (const TiedNodes& platen : platens)
+        if (std::binary_search(platen.nodes.begin(), platen.nodes.end(), node))
+            bits |= platen.direction == 0 ? fixed::r : fixed::z;
+    return bits;
 }
 
 // Where another body presses, all that meets there moves alike across; beside, what is free answers as it did.
@@ -323,7 +360,7 @@ std::vector<Water::Together> Water::hold_together(std::size_t i, std::vector<Pre
         const Part& other = model.parts[p.other];
         const double m_o = other.records[p.node][record::m];
         if (!has_pores(i, p.node) || !(m_o > other.least_mass)) continue;
-        Vector2 n = free_part(p.normal, model.fixed_nodes[p.node]);
+        Vector2 n = free_part(p.normal, model.fixed_nodes[p.node] | tied(p.node));
         const double size = std::sqrt(along(n, n));
         if (size == 0.0) continue;
         n = {n[0] / size, n[1] / size};
@@ -339,7 +376,7 @@ std::vector<Water::Together> Water::hold_together(std::size_t i, std::vector<Pre
                     [&](const Together& a, const Together& b) { return node_of(a) == node_of(b); }),
         out.end());
     for (const Together& t : out) {
-        NodeAnswer& a = body.node_answers[body.implicit->node(node_of(t))];
+        NodeAnswer& a = body.all_answers.nodes[body.implicit->node(node_of(t))];
         const double r = t.normal[0], z = t.normal[1];
         const double beside = r != 0.0 && z != 0.0 ? a.rr : 0.0;  // both are free, and alike
         a = {t.per_mass * r * r + (r == 0.0 ? a.rr : beside * z * z), (t.per_mass - beside) * r * z,
@@ -384,13 +421,56 @@ Water::Wall Water::push_together(std::size_t i, const Together& together, const 
     return wall;
 }
 
+// Nodes of platens: across, the mass of all that moves with them answers.
+void Water::hold_platens(std::size_t i) {
+    OfBody& body = bodies[i];
+    body.all_answers.ties.clear();
+    for (const TiedNodes& platen : platens) {
+        double mass = 0.0;
+        each_mass(platen, [&](double m, const NodeMotion&) { mass += m; });
+        Answers::Tie& tie = body.all_answers.ties.emplace_back();
+        tie.nodes.direction = platen.direction;
+        const int bit = platen.direction == 0 ? fixed::r : fixed::z;
+        for (const std::size_t node : platen.nodes) {
+            if (!has_pores(i, node) || (model.fixed_nodes[node] & bit)) continue;
+            tie.nodes.nodes.push_back(body.implicit->node(node));
+            body.answers[node][static_cast<std::size_t>(platen.direction)] = {};
+            tie.per_mass = 1.0 / mass;
+        }
+    }
+}
+
+void Water::push_platens(std::size_t i) {
+    const OfBody& body = bodies[i];
+    for (std::size_t k = 0; k < platens.size(); ++k) {
+        const Answers::Tie& tie = body.all_answers.ties[k];
+        const int now = motion::v_r + tie.nodes.direction;
+        double impulse = 0.0;
+        for (const std::size_t node : tie.nodes.nodes)
+            impulse += body.impulse[node][tie.nodes.direction];
+        const double way = tie.per_mass * impulse;
+        double work = 0.0;  // of the platen, on the mean of the velocities before and after
+        each_mass(platens[k], [&](double m, NodeMotion& v) {
+            v[now] += way;
+            work += 0.5 * m * way * (v[now] + v[now + motion::other_r - motion::v_r]);
+        });
+        for (const std::size_t node : platens[k].nodes)
+            if (has_pores(i, node))
+                work -= 0.5 * body.impulse[body.implicit->node(node)][tie.nodes.direction] *
+                        volume_velocity(i, node, now, now + motion::other_r - motion::v_r);
+        impulses_took.contact.add(-work, model.settings.fixed_point);
+    }
+}
+
 void Water::change(std::size_t i, std::vector<Pressed>& pressed) {
     OfBody& body = bodies[i];
     find_answers(i);
     const std::vector<Together> together = hold_together(i, pressed);
+    hold_platens(i);
     Part& part = model.parts[i];
     body.implicit->solve(*part.body.water, model.grid(), part.body.particles, model.dt,
-                         body.volume_velocity, body.node_answers, body.impulse);
+                         body.volume_velocity, body.all_answers, body.impulse);
+    push_platens(i);
     auto next = together.begin();
     std::vector<Wall> borne;
     for (std::size_t node = 0; node < body.answers.size(); ++node) {
@@ -400,10 +480,16 @@ void Water::change(std::size_t i, std::vector<Pressed>& pressed) {
             borne.push_back(push_together(i, *next++, J));
         else push_by(i, node, J);
         // On the mean of the velocities before and after.
-        for (int k = 0; k < 2 && counts(node); ++k)
+        for (int k = 0; k < 2 && counts(node); ++k) {
+            const int bit = k == 0 ? fixed::r : fixed::z;
+            if (flows(i) && (fixed_bits(node) & bit))
+                impulses_took.side_work.add(-porosity(i, node) * J[k] *
+                                                bodies[i].flowing[node][motion::v_r + k],
+                                            model.settings.fixed_point);
             impulses_took.implicit.add(
                 -0.5 * J[k] * volume_velocity(i, node, motion::v_r + k, motion::other_r + k),
                 model.settings.fixed_point);
+        }
     }
     for (const Wall& wall : borne) account_for(wall);
 }

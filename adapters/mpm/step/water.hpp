@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -20,6 +21,37 @@ class Water {
     void add_body();
     // Water may leave across these nodes, at p_w = 0.
     void drain(int direction, std::size_t node);
+
+    // Water comes in across these nodes, along a direction times a sign: its filter velocity over time [m/s].
+    struct Inflow {
+        int direction;
+        double sign;
+        std::vector<std::size_t> nodes;
+        std::function<double(double)> speed;
+    };
+    void pour(Inflow inflow);
+    std::size_t inflow_count() const { return inflows.size(); }
+    // Force on a node's grains and water by their shares of the volume, once both know theirs [N].
+    void load(std::size_t body, std::size_t node, const Vector2& force);
+    // Lanes of the volume velocity (1 - n) v_s + n v_w of a node, their sum [m/s].
+    double volume_velocity(std::size_t body, std::size_t node, int lane, int other_lane) const;
+    // These nodes move as one: a platen, which no water passes.
+    void tie(const TiedNodes& nodes) { platens.push_back(nodes); }
+    // take(mass, motion) of all that has a velocity of its own at such nodes and is free along them.
+    template <class Take> void each_mass(const TiedNodes& tied, const Take& take) {
+        const int bit = tied.direction == 0 ? fixed::r : fixed::z;
+        for (std::size_t i = 0; i < model.parts.size(); ++i) {
+            Part& part = model.parts[i];
+            if (part.body.rigid()) continue;
+            for (const std::size_t node : tied.nodes) {
+                const double m = part.records[node][record::m];
+                if (!(m > part.least_mass) || (model.fixed_nodes[node] & bit)) continue;
+                take(m, part.motions[node]);
+                if (const double m_w = water_mass(i, node); m_w > 0.0)
+                    take(m_w, bodies[i].flowing[node]);
+            }
+        }
+    }
 
     // Once the stresses are scattered: the force of the pressure.
     void push();
@@ -56,7 +88,7 @@ class Water {
     // What impulses of the pressure took in the last step, at the nodes that this process counts [J].
     struct Taken {
         Total contact = {}, rigid_work = {};  // those on other bodies
-        Total implicit = {};
+        Total implicit = {}, side_work = {};
     };
     const Taken& taken() const { return impulses_took; }
     // What it adds to the square of the speed of waves, at the most, here [m2/s2].
@@ -92,7 +124,7 @@ class Water {
         std::optional<ImplicitPressure> implicit = {};
         std::vector<Vector2> volume_velocity = {}, impulse = {};
         std::vector<std::array<Answer, 2>> answers = {};  // of a node along r, z
-        std::vector<NodeAnswer> node_answers = {};
+        Answers all_answers = {};                         // as the pressure's equation has them
     };
     // Impulses of the pressure along a normal [N s]; those on the other body make their sum zero.
     struct Wall {
@@ -106,7 +138,6 @@ class Water {
     double porosity(std::size_t body, std::size_t node) const;
     double water_mass(std::size_t body, std::size_t node) const;
     bool has_pores(std::size_t body, std::size_t node) const;
-    double volume_velocity(std::size_t body, std::size_t node, int lane, int other_lane) const;
     // A node that another body presses on: the normal along which it is free, and what an impulse moves all by.
     struct Together {
         Pressed* at;
@@ -116,6 +147,10 @@ class Water {
     void find_answers(std::size_t body);
     std::vector<Together> hold_together(std::size_t body, std::vector<Pressed>& pressed);
     void push_by(std::size_t body, std::size_t node, const Vector2& impulse);
+    std::uint8_t tied(std::size_t node) const;
+    std::uint8_t fixed_bits(std::size_t node) const;
+    void hold_platens(std::size_t body);
+    void push_platens(std::size_t body);
     Wall push_together(std::size_t body, const Together& together, const Vector2& impulse);
     bool is_anywhere() const;
     WaterNodeCall nodes(std::size_t body, int strip);
@@ -131,6 +166,9 @@ class Water {
     std::vector<OfBody> bodies;
     Taken impulses_took;
     std::vector<std::uint8_t> drained;  // bits of nodes; empty: none
+    std::vector<TiedNodes> platens;
+    std::vector<Inflow> inflows;
+    std::vector<Vector2> poured;  // filter velocities of nodes; empty: none [m/s]
 };
 
 }  // namespace grit::mpm
