@@ -14,6 +14,7 @@
 //   ... implicit                sum of patches, of cells                        256 a halo cell
 //   ... ..., each change        sums of laws, of cells                          16 a halo cell
 //   ... ..., each iteration     sum of forces                                   16 a halo node
+//   ... ..., each solution      sum of what cells remember                      16 a halo node
 //   ... ...                     products; fixed point: maximum, too             8 each; fixed point: 40
 //   ... ..., per contact        sums of forces                                  8 each; fixed point: 40
 //   after MUSL's second one     sum of node records                             64 a halo node

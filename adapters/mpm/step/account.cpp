@@ -58,6 +58,7 @@ void Account::add_step(const Gather& gather, const Momentum& momentum, const Loa
             (step[external_work] += g.body_work) += n.gravity_work;
             step[damping] += n.damping_work;
             step[viscosity] += strip.viscous_loss;
+            step[half] += strip.half;
             step[pic] += g.pic_loss;
             (((step[transfer] += n.change) -= g.kept) += g.pic_loss) += n.mapped_away;
         }

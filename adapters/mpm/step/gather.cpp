@@ -39,7 +39,7 @@ void Gather::operator()(unsigned tasks) {
         for (OfStrip& strip : body.strips) {
             // The second half of MUSL goes on with the sums of the first.
             if (moves && tasks != (task::position | task::deform_by_other)) strip.sums = {};
-            if (deforms) strip.viscous_loss = Total();
+            if (deforms) strip.viscous_loss = strip.half = Total();
         }
     const auto work = [&, this](std::size_t body, int strip) { gather(body, strip, tasks); };
     if (!means.wanted() || !deforms) return model.for_strips(work);
@@ -138,6 +138,19 @@ double Gather::update_viscosity(OfStrip& sums, const Increments& d, const Range&
     return fastest;
 }
 
+// Half a step's work of the stresses of the end, by which velocities are behind them (WaterSums::half).
+void Gather::add_half(OfStrip& sums, const Increments& d, const Range& range) const {
+    const ParticleView& q = range.particles;
+    for (std::ptrdiff_t p = range.begin; p < range.end; ++p) {
+        const std::ptrdiff_t i = p - range.begin;
+        const double rate = (q[column::S_rr][p] - q[column::q][p]) * d.strain[0][i] +
+                            (q[column::S_zz][p] - q[column::q][p]) * d.strain[1][i] +
+                            (q[column::S_tt][p] - q[column::q][p]) * d.strain[2][i] +
+                            q[column::S_rz][p] * d.strain[3][i];
+        sums.half.add(0.5 * q[column::V0][p] * q.J(p) * rate, model.settings.fixed_point);
+    }
+}
+
 // Stress of a range, and the largest M / rho in it.
 double Gather::update(std::size_t body, int strip, const Range& range) {
     const auto s = static_cast<std::size_t>(strip);
@@ -157,6 +170,7 @@ double Gather::update(std::size_t body, int strip, const Range& range) {
     }
     if (settings.linear_viscosity > 0.0 || settings.quadratic_viscosity > 0.0)
         fastest = update_viscosity(sums, increments, range, moduli);
+    if (model.parts[body].body.water) add_half(sums, increments, range);
     if (sums.sums.reflected > 0)
         for (std::ptrdiff_t p = range.begin; p < range.end; ++p)
             if (q[column::r][p] < 0.0) {

@@ -24,6 +24,7 @@ class Gather {
         GatherSums sums = {};
         double speed = 0.0;             // largest wave speed, viscosity included [m/s]
         Total viscous_loss = {};        // in this step [J]
+        Total half = {};                // of a body with pore water, see WaterSums [J]
         double material_seconds = 0.0;  // since it was built
     };
     const std::vector<OfStrip>& strips(std::size_t body) const { return bodies[body].strips; }
@@ -36,6 +37,7 @@ class Gather {
     void gather(std::size_t body, int strip, unsigned tasks);
     void deform(std::size_t body, int strip);
     double update(std::size_t body, int strip, const Range& range);
+    void add_half(OfStrip& sums, const Increments& increments, const Range& range) const;
     double update_viscosity(OfStrip& sums, const Increments& increments, const Range& range,
                             const double* moduli) const;
     void update_stress(std::size_t body, const Range& range, const Increments& increments) const;

@@ -26,9 +26,10 @@ ImplicitPressure::ImplicitPressure(const GridView& grid, Exchange& processes, bo
       fixed_point(in_fixed_point),
       of_cells(static_cast<std::size_t>(grid.r.cells) * static_cast<std::size_t>(grid.z.cells)),
       end_of(of_cells.size()), sums(2 * of_cells.size()),
-      at_nodes(row * (static_cast<std::size_t>(grid.z.cells) + 3)), moved(at_nodes.size()) {
+      at_nodes(row * (static_cast<std::size_t>(grid.z.cells) + 3)), moved(at_nodes.size()),
+      rates((row - 2) * (static_cast<std::size_t>(grid.z.cells) + 1)) {
     if (fixed_point) rows_of_patches.resize(4 * of_cells.size(), strips);
-    if (exchange.whole()) shared.resize((row - 2) * (static_cast<std::size_t>(grid.z.cells) + 1));
+    if (exchange.whole()) shared.resize(rates.size());
 }
 
 void ImplicitPressure::begin() {
@@ -194,8 +195,32 @@ double ImplicitPressure::dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
     return sum[0].value();
 }
 
+// What the last two steps lead to, as solve has it.
+Eigen::VectorXd ImplicitPressure::guess(double dt) const {
+    Eigen::VectorXd out(static_cast<Eigen::Index>(cells.size()));
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        const Vector2& rate = rates[first_node(patched[c])];
+        out[static_cast<Eigen::Index>(c)] =
+            cells[c].compliance > 0.0 ? dt * (2.0 * rate[0] - rate[1]) / cells[c].scale : 0.0;
+    }
+    return out;
+}
+
+// So that every process has those of all its nodes, wherever the grid will be cut.
+void ImplicitPressure::remember(double dt) {
+    std::vector<Vector2> now(rates.size());
+    for (std::size_t c = 0; c < cells.size(); ++c)
+        if (cells[c].counted) {
+            const std::size_t node = first_node(patched[c]);
+            now[node] = {values[c] / dt, rates[node][0]};
+        }
+    if (!shared.empty()) exchange.sum_nodes(now.data(), static_cast<std::ptrdiff_t>(now.size()));
+    rates.swap(now);
+}
+
 // Conjugate gradients. Processes that share a cell have the same numbers of it; products are those of all.
-Eigen::VectorXd ImplicitPressure::solve(const System& system, Eigen::VectorXd b) {
+Eigen::VectorXd ImplicitPressure::solve(const System& system, Eigen::VectorXd b,
+                                        const Eigen::VectorXd& guess) {
     constexpr double tolerance = 1e-5;
     constexpr int most_iterations = 2000;
     // So that products are neither too large nor too small for integers.
@@ -205,16 +230,26 @@ Eigen::VectorXd ImplicitPressure::solve(const System& system, Eigen::VectorXd b)
     if (!(largest > 0.0)) return x;
     const double unit = std::ldexp(1.0, std::ilogb(largest));
     b /= unit;
-    Eigen::VectorXd direction = b, product(b.size());
-    const double load2 = dot(b, b);
+    Eigen::VectorXd product(b.size());
+    const double load2 = dot(b, b), enough2 = tolerance * tolerance * load2;
     double left2 = load2;
+    // From the guess, if that is nearer than nothing.
+    const Eigen::VectorXd x_0 = guess / unit;
+    apply(system, x_0.data(), product.data());
+    const Eigen::VectorXd left = b - product;
+    if (const double of_guess = dot(left, left); of_guess < load2) {
+        x = x_0;
+        b = left;
+        left2 = of_guess;
+    }
+    Eigen::VectorXd direction = b;
     for (int i = 0; i < most_iterations; ++i) {
+        if (left2 < enough2) return unit * x;
         apply(system, direction.data(), product.data());
         const double along = left2 / dot(direction, product), before = left2;
         x += along * direction;
         b -= along * product;
         left2 = dot(b, b);
-        if (left2 < tolerance * tolerance * load2) return unit * x;
         direction = b + left2 / before * direction;
     }
     throw std::runtime_error("pore pressure: not found after " + std::to_string(most_iterations) +
@@ -261,13 +296,14 @@ void ImplicitPressure::solve(const PoreWater& water, const GridView& grid, Parti
                           (cell.compliance * (cell.reached - cell.pressure) - dt * swelling[c])
                     : 0.0;
         }
-        const Eigen::VectorXd x = solve(system, b);
+        const Eigen::VectorXd x = solve(system, b, guess(dt));
         for (std::size_t c = 0; c < cells.size(); ++c)
             if (cells[c].compliance > 0.0)
                 values[c] = cells[c].scale * x[static_cast<Eigen::Index>(c)];
         move();
         if (!find_laws(water, dt)) break;
     }
+    remember(dt);
     push(values.data(), impulses);
     for (Vector2& J : impulses) J = {dt * J[0], dt * J[1]};
 }

@@ -64,6 +64,7 @@ class ImplicitPressure {
 
     template <class Self, class Archive> static void visit(Self& of, Archive& archive) {
         IntegerRecords::visit(of.rows_of_patches, archive);
+        archive.nodes(of.rates);
     }
 
   private:
@@ -85,7 +86,14 @@ class ImplicitPressure {
         const Answers& answers;
     };
     void apply(const System& system, const double* x, double* y);
-    Eigen::VectorXd solve(const System& system, Eigen::VectorXd b);
+    Eigen::VectorXd solve(const System& system, Eigen::VectorXd b, const Eigen::VectorXd& guess);
+    Eigen::VectorXd guess(double dt) const;
+    void remember(double dt);
+    // Of the grid, the first of the cell itself.
+    std::size_t first_node(const PatchedCell& cell) const {
+        const auto n = static_cast<std::size_t>(cells_r);
+        return cell.patch / n * (n + 1) + cell.patch % n;
+    }
     double dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
     // G x at nodes, and G^T v of all cells.
     void push(const double* x, std::vector<Vector2>& at);
@@ -110,6 +118,8 @@ class ImplicitPressure {
     Rounding of_volume, of_stiffness, of_pressure;  // of addends of these
     std::vector<Vector2> at_nodes, moved, shared;   // shared: of the grid
     std::vector<double> values, swelling, scaled, pushing;
+    // Of cells, at the first of their nodes: how fast values changed in the last two steps [Pa/s].
+    std::vector<Vector2> rates;
 };
 
 }  // namespace grit::mpm

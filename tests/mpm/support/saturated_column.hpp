@@ -107,13 +107,16 @@ inline std::vector<double> pore_pressures(Simulation& simulation, int cells, int
     return sum;
 }
 
-// What alternates from cell to cell: fourth differences, divided so that of (-1)^i a they give a.
+// What alternates from cell to cell: fourth differences, divided so that of (-1)^i a they give a, the smaller of two
+// neighbours whose signs differ. A layer thinner than a cell has one of a single sign.
 inline double alternating(const std::vector<double>& p) {
-    double out = 0.0;
-    for (std::size_t i = 2; i + 2 < p.size(); ++i)
-        out = std::max(
-            out,
-            std::fabs(p[i - 2] - 4.0 * p[i - 1] + 6.0 * p[i] - 4.0 * p[i + 1] + p[i + 2]) / 16.0);
+    double out = 0.0, before = 0.0;
+    for (std::size_t i = 2; i + 2 < p.size(); ++i) {
+        const double now =
+            (p[i - 2] - 4.0 * p[i - 1] + 6.0 * p[i] - 4.0 * p[i + 1] + p[i + 2]) / 16.0;
+        if (now * before < 0.0) out = std::max(out, std::min(std::fabs(now), std::fabs(before)));
+        before = now;
+    }
     return out;
 }
 
