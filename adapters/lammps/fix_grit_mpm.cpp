@@ -341,9 +341,15 @@ void FixGritMpm::read_points(std::size_t body) {
                     const mpm::Case& plan = run->description().plan;
                     points = std::make_unique<PointsFile>(
                         run->column_names(body), line, plan.settings.axisymmetric,
-                        [&plan, body](double z) {
-                            return mpm::pore_pressure_at(*plan.bodies[body].water, plan.gravity, z);
-                        });
+                        std::vector<PointsFile::Otherwise>{
+                            {"p_w",
+                             [&plan, body](std::vector<double>& of) {
+                                 return mpm::pore_pressure_at(*plan.bodies[body].water,
+                                                              plan.gravity, of[mpm::column::z]);
+                             }},
+                            {"m_w", [this, body](std::vector<double>& of) {
+                                 return run->water(body)->mass({of.data(), 1}, 0);
+                             }}});
                     continue;
                 }
                 const int tag = PointsFile::id_of(line.c_str());

@@ -15,8 +15,8 @@ namespace grit::lammps {
 namespace c = mpm::column;
 
 PointsFile::PointsFile(std::vector<std::string> given, const std::string& first_line,
-                       bool is_axisymmetric, std::function<double(double)> pressure)
-    : names(std::move(given)), axisymmetric(is_axisymmetric), pore_pressure(std::move(pressure)) {
+                       bool is_axisymmetric, std::vector<Otherwise> otherwise)
+    : names(std::move(given)), axisymmetric(is_axisymmetric) {
     std::istringstream words(first_line.substr(0, first_line.find('#')));
     std::string word;
     if (!(words >> word) || word != "id")
@@ -41,9 +41,13 @@ PointsFile::PointsFile(std::vector<std::string> given, const std::string& first_
     const auto e = std::find(names.begin(), names.end(), "e");
     if (e != names.end() && !seen[static_cast<std::size_t>(e - names.begin())])
         throw std::invalid_argument("column e, the void ratio of a sand, must be there");
-    const auto p_w = std::find(names.begin(), names.end(), "p_w");
-    if (p_w != names.end() && !seen[static_cast<std::size_t>(p_w - names.begin())])
-        pressure_column = static_cast<int>(p_w - names.begin());
+    for (Otherwise& column_left_out : otherwise) {
+        const auto found = std::find(names.begin(), names.end(), column_left_out.name);
+        const auto at = static_cast<std::size_t>(found - names.begin());
+        if (found == names.end() || seen[at]) continue;
+        left_out_columns.push_back(at);
+        left_out.push_back(std::move(column_left_out));
+    }
 }
 
 int PointsFile::id_of(const char* line) { return static_cast<int>(std::strtol(line, nullptr, 10)); }
@@ -65,13 +69,13 @@ void PointsFile::read(const char* line, std::vector<double>& row) const {
     }
     while (*at == ' ' || *at == '\t' || *at == '\r') ++at;
     if (*at != '\0' && *at != '\n' && *at != '#') fail("more numbers than columns");
-    if (pressure_column >= 0)
-        row[static_cast<std::size_t>(pressure_column)] = pore_pressure(row[c::z]);
     if (!has_volume)
         row[c::V0] = 4.0 * row[c::l_r] * row[c::l_z] * (axisymmetric ? row[c::r] : 1.0);
     if (!has_mass) row[c::mass] = density * row[c::V0];
     if (!(row[c::l_r] > 0.0 && row[c::l_z] > 0.0 && row[c::mass] > 0.0 && row[c::V0] > 0.0))
         fail("half sides, mass and volume must be positive");
+    for (std::size_t i = 0; i < left_out.size(); ++i)
+        row[left_out_columns[i]] = left_out[i].value(row);
 }
 
 }  // namespace grit::lammps

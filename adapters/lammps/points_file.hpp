@@ -12,10 +12,14 @@ namespace grit::lammps {
 // A body's columns, and which of them the file must have, may have, or leaves to the atoms.
 class PointsFile {
   public:
-    // names: of all columns. first_line: of the file. pore_pressure: by z, where the file has none. Throws
-    // std::invalid_argument.
+    // Of a column that the file may leave out: its value, where the row has all that the file says.
+    struct Otherwise {
+        std::string name;
+        std::function<double(std::vector<double>& row)> value;
+    };
+    // names: of all columns. first_line: of the file. Throws std::invalid_argument.
     PointsFile(std::vector<std::string> names, const std::string& first_line, bool axisymmetric,
-               std::function<double(double)> pore_pressure);
+               std::vector<Otherwise> otherwise);
 
     // The number in front of a line; 0: an empty line.
     static int id_of(const char* line);
@@ -27,8 +31,8 @@ class PointsFile {
     std::vector<std::string> names;
     std::vector<int> column;  // of each number in a line behind the first, -1: density
     bool axisymmetric, has_mass, has_volume;
-    std::function<double(double)> pore_pressure;
-    int pressure_column = -1;  // that takes it; -1: none
+    std::vector<Otherwise> left_out;
+    std::vector<std::size_t> left_out_columns;  // of these
 };
 
 }  // namespace grit::lammps

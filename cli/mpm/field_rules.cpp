@@ -32,6 +32,11 @@ double seepage(const ShownParticle& x, int k) {
            x(water.velocity_column() + k);
 }
 
+double saturation(const ShownParticle& x, int) {
+    const grit::mpm::PoreWater& water = *x.body.water;
+    return water.flows ? x(water.content_column()) / water.mass(x.view(), x.p) : 1.0;
+}
+
 double work_density(const ShownParticle& x, int) {
     return x.body.material->energy(x.view(), x.p) / (x(c::V0) * x.view().J(x.p));
 }
@@ -110,6 +115,10 @@ const std::vector<MpmFieldRule>& mpm_field_rules() {
              return mpm::PoreWater::porosity_of(x.body.water->void_ratio(x.view(), x.p));
          }},
         {{"seepage", "m/s", "n (v_w - v_s), along r and z", 2, ShownOf::water}, seepage},
+        {{"saturation", "-",
+          "mass of the water that has come and gone by that of full pores; 1 where none flows", 1,
+          ShownOf::water},
+         saturation},
     };
     return all;
 }

@@ -87,8 +87,10 @@ void read_boundary(TomlTable table, Case& plan) {
         const auto kind = choice_if(table, word);
         if (!kind) continue;
         plan.boundary[side.value] = static_cast<Boundary>(*kind);
-        refuse(table, objection_to(plan, static_cast<Side>(side.value)));
     }
+    for (const Spelling& side : words::sides)
+        if (table.has(std::string(side.word)))
+            refuse(table, objection_to(plan, static_cast<Side>(side.value)));
     if (auto levels = table.table_if("platen_level_m")) {
         for (const Spelling& side : words::sides) {
             const std::string key(side.word);

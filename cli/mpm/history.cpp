@@ -73,7 +73,8 @@ std::vector<std::string> history_comments(const grit::mpm::Runner& runner) {
         "largest_gap: nan where no distance is measured; pore_water_work: that the compression "
         "of pore water took, drag_loss: that the grains took from water that flows, "
         "implicit_pressure_loss: that an implicit pressure took of waves; pore "
-        "pressures: nan where no body has water",
+        "pressures: nan where no body has water; water_mass: of water that flows, nan where none "
+        "does",
         "how the run ended stands below the last row"};
 }
 

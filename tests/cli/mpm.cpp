@@ -33,7 +33,7 @@ TEST(MaterialPointCommand, RunsTheFileThatExplainsEveryKey) {
     EXPECT_EQ(answer.status, 0) << answer.text;
     EXPECT_TRUE(answer.says("stage rest ended by its time")) << answer.text;
     const std::map<std::string, Values> history = here.result("every_key");
-    EXPECT_EQ(history.size(), 33U);
+    EXPECT_EQ(history.size(), 34U);
     EXPECT_EQ(history.at("blow").back(), 2.0);
     EXPECT_GT(history.at("depth").back(), 0.0);
     EXPECT_EQ(history.at("stage").back(), 2.0);
@@ -304,7 +304,7 @@ TEST(SaturatedCase, IsWrittenForLammps) {
     for (const char* words : {"water sand flow pressure implicit porosity ", " cavitation 100000 ",
                               " conductivity 0.001", "# Of atoms: 24 pore_pressure, 25 total_rr, "})
         EXPECT_NE(fix.find(words), std::string::npos) << words << " in\n" << fix;
-    EXPECT_NE(here.text("out/short_sand.points").find(" p_w w_r w_z\n"), std::string::npos);
+    EXPECT_NE(here.text("out/short_sand.points").find(" p_w w_r w_z m_w\n"), std::string::npos);
 }
 
 }  // namespace

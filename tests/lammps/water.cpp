@@ -141,7 +141,7 @@ TEST(LammpsWaterTable, GivesPressuresThatTheFileOfPointsDoesNotHave) {
     std::istringstream lines(hosts.folder.read("both_soil.points"));
     std::string without, line;
     while (std::getline(lines, line)) {
-        for (int words = 0; words < 3; ++words) line.erase(line.rfind(' '));  // p_w w_r w_z
+        for (int words = 0; words < 4; ++words) line.erase(line.rfind(' '));  // p_w w_r w_z m_w
         without += line + '\n';
     }
     EXPECT_EQ(without.find("p_w"), std::string::npos);

@@ -2,6 +2,11 @@
 // Rigid plates on sides of the grid.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+
 #include "support/goes_on.hpp"
 #include "support/mandel_slab.hpp"
 #include "support/plans.hpp"
@@ -73,6 +78,68 @@ TEST(Platen, SharesItsLoadByStiffness) {
         for (std::ptrdiff_t p = 0; p < simulation.body(body).particles.size(); ++p)
             EXPECT_NEAR(q[column::S_zz][p], E * strain, 4e-3 * E * -strain);
     }
+}
+
+// Whatever the last digits of its level and of the grid's lines.
+TEST(Platen, BeginsAtTheNearestLineOfTheGrid) {
+    for (const auto& [end, cells, level] :
+         {std::tuple{0.3, 3, 0.2}, {0.9, 9, 0.8}, {0.9, 9, 0.1}, {0.7, 7, 0.3}}) {
+        Case plan = two_blocks();
+        plan.z = {0.0, {{end, cells, 1.0}}};
+        plan.platen_level[static_cast<int>(Side::top)] = level;
+        for (BodyPlan& body : plan.bodies)
+            for (grit::Vector2& corner : body.outlines[0].corners)
+                if (corner[1] > 0.0) corner[1] = level;
+        BuiltCase built = build_case(plan);
+        Simulation& simulation = *built.simulation;
+        for (int i = 0; i < 5; ++i) simulation.step();
+        const auto row = static_cast<std::size_t>(std::lround(level / (end / cells)));
+        const auto speed = [&](std::size_t body, std::size_t i) {
+            return simulation.motions(body)[row * 9 + i][motion::v_z];
+        };
+        EXPECT_NE(speed(1, 8), 0.0) << level;
+        EXPECT_EQ(speed(0, 0), speed(1, 8)) << level;
+    }
+    Case plan = two_blocks();
+    plan.platen_level[static_cast<int>(Side::top)] = 0.37;
+    EXPECT_THROW(build_case(plan), std::invalid_argument);
+}
+
+// With damping, and where an implicit pressure moves it once more.
+TEST(Platen, KeepsTheBalanceOfEnergyOfDampedWater) {
+    for (const double damping : {0.3, 0.7})
+        for (const bool implicit : {false, true}) {
+            Case plan = two_blocks();
+            plan.settings.local_damping = damping;
+            plan.bodies = {elastic_box("soft", 0.0, 0.8, 0.0, 0.4)};
+            plan.bodies[0].material = ElasticPlan{1e7, 0.0};
+            plan.bodies[0].density = 1590.0;
+            plan.bodies[0].water = WaterPlan{.drainage = Drainage::flow,
+                                             .grain_density = 2650.0,
+                                             .porosity = 0.4,
+                                             .conductivity = 1e-4,
+                                             .implicit = implicit};
+            plan.tractions[0].r[1] = 0.4;
+            BuiltCase built = build_case(plan);
+            Simulation& simulation = *built.simulation;
+            while (simulation.time() < 0.1) simulation.step();
+            const Energy energy = simulation.energy();
+            EXPECT_NEAR(energy.residual(), 0.0, 1e-4 * energy.external_work);
+            EXPECT_GT(energy.damping, 0.0);
+        }
+}
+
+TEST(Platen, EndsTheRunWhereItsNodesAreNoLongerTheSurface) {
+    Case plan = two_blocks();
+    plan.tractions[0].stress = TimeTable{{0.0, 0.05}, {0.0, 5e5}};
+    BuiltCase built = build_case(plan);
+    std::string told;
+    try {
+        while (built.simulation->time() < 0.2) built.simulation->step();
+    } catch (const std::runtime_error& error) {
+        told = error.what();
+    }
+    EXPECT_NE(told.find("a platen has moved by -0.02"), std::string::npos) << told;
 }
 
 TEST(Platen, GoesOnFromACheckpointBitForBit) {

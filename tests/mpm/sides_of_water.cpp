@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "support/goes_on.hpp"
@@ -117,6 +119,35 @@ TEST_P(SidesOfWater, WhatComesInIsThere) {
     const double expected = Column::K_w / Column::n * q * simulation.time() / Column::height;
     EXPECT_NEAR(mean, expected, 1e-3 * expected);
     EXPECT_NEAR(residual(simulation), 0.0, 1e-3);
+}
+
+// Two of a side add up.
+TEST_P(SidesOfWater, InflowsOfOneSideAddUp) {
+    SaturatedColumn closed = column(GetParam());
+    closed.closed = true;
+    Case plan = closed.plan();
+    plan.inflows = {{.side = Side::top, .speed = TimeTable{{0.0}, {1e-6}}}};
+    plan.inflows.push_back({.side = Side::top, .speed = TimeTable{{0.0}, {0.0}}});
+    BuiltCase built = after(plan, 0.2);
+    double mean = 0.0;
+    for (const double p : pore_pressures(*built.simulation, 8)) mean += p / 8.0;
+    const double expected = Column::K_w / Column::n * 1e-6 * built.simulation->time();
+    EXPECT_NEAR(mean, expected, 2e-3 * expected);
+}
+
+// No more leaves a particle than was in it.
+TEST_P(SidesOfWater, EndTheRunWhereNoWaterIsLeft) {
+    SaturatedColumn closed = column(GetParam());
+    closed.closed = true;
+    Case plan = closed.plan();
+    plan.inflows = {{.side = Side::bottom, .speed = TimeTable{{0.0}, {-0.5}}}};
+    std::string told;
+    try {
+        after(plan, 2.0);
+    } catch (const std::runtime_error& error) {
+        told = error.what();
+    }
+    EXPECT_NE(told.find("has no water left"), std::string::npos) << told;
 }
 
 TEST_P(SidesOfWater, GoOnFromACheckpointBitForBit) {

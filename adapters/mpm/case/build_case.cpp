@@ -127,6 +127,19 @@ void add_inflows(const Case& plan, const BuiltCase& built) {
     }
 }
 
+// The line of the grid that a platen begins at.
+double line_at(const Axis& axis, double level) {
+    int nearest = 0;
+    for (int i = 1; i < axis.nodes(); ++i)
+        if (std::abs(axis[i] - level) < std::abs(axis[nearest] - level)) nearest = i;
+    const int beside = nearest + 1 < axis.nodes() ? nearest + 1 : nearest - 1;
+    if (std::abs(axis[nearest] - level) > 1e-6 * std::abs(axis[beside] - axis[nearest]))
+        throw std::invalid_argument("the level of a platen, " + std::to_string(level) +
+                                    " m, is no line of the grid; the nearest is at " +
+                                    std::to_string(axis[nearest]) + " m");
+    return axis[nearest];
+}
+
 // Absorbing sides hold what the first step finds: weight that no stress carries yet would fall through.
 void check_rest(const Case& plan, const SideOfGrid& edge) {
     if (plan.gravity == 0.0 || plan.stages.empty() || !plan.stages[0].gravity) return;
@@ -223,7 +236,9 @@ void add_boundary(const Case& plan, Simulation& simulation) {
             continue;
         }
         if (boundary == Boundary::platen) {
-            const double level = plan.platen_level[static_cast<int>(side)].value_or(edge.at);
+            const double level =
+                line_at(edge.direction == 0 ? simulation.axis_r() : simulation.axis_z(),
+                        plan.platen_level[static_cast<int>(side)].value_or(edge.at));
             if (edge.first) simulation.tie_below(edge.direction, level);
             else simulation.tie_above(edge.direction, level);
             continue;

@@ -196,6 +196,7 @@ void fill_pores(const BodyPlan& body, double gravity, const PoreWater& water,
             (1.0 - n) * plan.grain_density + (water.flows ? 0.0 : n * plan.density);
         q[c::mass][p] = density * q[c::V0][p];
         q[water.first][p] = pore_pressure_at(plan, gravity, q[c::z][p]);
+        if (water.flows) q[water.content_column()][p] = water.mass(q, p);
     }
 }
 

@@ -50,8 +50,15 @@ Objections objection_to(const Case& plan, Side side) {
     if (plan.boundary[static_cast<int>(side)] != Boundary::platen) return {};
     if (plan.settings.axisymmetric && (side == Side::left || side == Side::right))
         return Objection{key, ": a platen around an axis does not move as one"};
-    if (plan.settings.scheme == Scheme::musl)
-        return Objection{key, ": the scheme musl knows no platens"};
+    if (plan.settings.scheme != Scheme::usl)
+        return Objection{key, ": a platen needs the scheme usl"};
+    const bool along_z = side == Side::bottom || side == Side::top;
+    for (const Side beside :
+         {along_z ? Side::left : Side::bottom, along_z ? Side::right : Side::top})
+        if (plan.boundary[static_cast<int>(beside)] == Boundary::fixed)
+            return Objection{key, " is a platen, which the fixed " +
+                                      std::string(word_of(words::sides, beside)) +
+                                      " side would hold at its end: roller"};
     if (plan.drained[static_cast<int>(side)])
         return Objection{key, " is a platen, which no water passes, and drained"};
     return {};
@@ -115,6 +122,15 @@ Objections objection_to(const Case& plan, const MaterialPlan& material, const Wa
     if (!is_sand && !given("porosity")) return Objection{"porosity", " is missing"};
     const bool absorbs =
         std::find(plan.boundary, plan.boundary + 4, Boundary::absorbing) != plan.boundary + 4;
+    const auto is_implicit = [](const BodyPlan& body) {
+        return body.water && body.water->implicit;
+    };
+    const bool has_platen =
+        std::find(plan.boundary, plan.boundary + 4, Boundary::platen) != plan.boundary + 4;
+    // The body itself is not among them yet: processes that share a grid know no platens.
+    if (water.implicit && has_platen &&
+        std::any_of(plan.bodies.begin(), plan.bodies.end(), is_implicit))
+        return Objection{"pressure", ": beside a platen one body alone may have an implicit one"};
     if (water.implicit && absorbs)
         return Objection{"pressure", ": absorbing sides know no implicit one yet"};
     if (water.drainage == Drainage::undrained) {
@@ -132,6 +148,14 @@ Objections objection_to_contact(const Case& plan, std::size_t contact, const Key
     if (c.stiff == c.soft) return Objection{"soft", " must be another body than " + name("stiff")};
     if (plan.bodies[plan.body(c.stiff)].rigid() && plan.bodies[plan.body(c.soft)].rigid())
         return Objection{"soft", ": both bodies are rigid"};
+    const auto is_implicit = [&plan](const std::string& body) {
+        const auto& water = plan.bodies[plan.body(body)].water;
+        return water && water->implicit;
+    };
+    if (is_implicit(c.stiff) && is_implicit(c.soft))
+        return Objection{
+            "", ": \"" + c.stiff + "\" and \"" + c.soft +
+                    "\" both have an implicit pore pressure; one of the two must be explicit"};
     for (const std::string& body : {c.stiff, c.soft}) {
         const auto& water = plan.bodies[plan.body(body)].water;
         if (!water || !(c.penalty || c.at_surfaces)) continue;

@@ -84,13 +84,25 @@ void damp_nodes(const NodeCall& call, NodeSums& sums) {
         if (!(m > call.least_mass)) continue;
         NodeMotion& v = call.motions[i];
         hold(call, i);
-        const double undamped_z = v[motion::v_z];
+        const NodeMotion undamped = v, drag = call.drag ? call.drag[i] : NodeMotion{};
+        const auto without_contact = [&](int k) {
+            if (call.tied && (call.tied[i] & (k == 0 ? fixed::r : fixed::z)))
+                return m * (v[k] - v[motion::other_r + k]);
+            return call.dt * (n[record::f_r + k] + m * call.gravity[static_cast<std::size_t>(k)]) +
+                   drag[motion::other_r + k];
+        };
+        const double of_r =
+            damp(v[motion::v_r], v[motion::other_r], m, without_contact(0), call.damping);
         call.add(sums.damping_work, i,
-                 damp(v[motion::v_r], v[motion::other_r], m,
-                      call.dt * (n[record::f_r] + m * call.gravity[0]), call.damping) +
-                     damp(v[motion::v_z], v[motion::other_z], m,
-                          call.dt * (n[record::f_z] + m * call.gravity[1]), call.damping));
-        call.add(sums.damping_z, i, m * (v[motion::v_z] - undamped_z));
+                 of_r +
+                     damp(v[motion::v_z], v[motion::other_z], m, without_contact(1), call.damping));
+        call.add(sums.damping_z, i, m * (v[motion::v_z] - undamped[motion::v_z]));
+        if (!call.damped) continue;
+        NodeMotion& damped = call.damped[i];
+        for (int k = 0; k < 2; ++k) {
+            damped[k] = v[k];
+            damped[motion::other_r + k] = m * (v[k] - undamped[k]);
+        }
     }
 }
 
@@ -100,6 +112,10 @@ void close_nodes(const NodeCall& call, NodeSums& sums) {
         if (!(m > call.least_mass)) continue;
         const NodeMotion& v = call.motions[i];
         hold(call, i);
+        if (call.damping > 0.0 && call.damped)
+            for (int k = 0; k < 2; ++k)
+                call.add(sums.damping_work, i,
+                         -0.5 * call.damped[i][motion::other_r + k] * (v[k] - call.damped[i][k]));
         const double dv_r = v[motion::v_r] - v[motion::other_r];
         const double dv_z = v[motion::v_z] - v[motion::other_z];
         call.add(sums.change, i, 0.5 * m * (dv_r * dv_r + dv_z * dv_z));

@@ -38,7 +38,13 @@ struct NodeCall {
     bool by_other;      // particles are strained by the other velocity (MUSL)
     bool stress_first;  // (USF)
     double damping;     // local damping (Cundall), share of the force [-]
-    bool fixed_point;   // of the sums
+    // Of drag by pore water, in the lanes other, which its own balance has at the velocities of the end [N s]; null: none.
+    const NodeMotion* drag;
+    // Bits of components that platens tie, whose impulses have no work in sum; null: none.
+    const std::uint8_t* tied;
+    // Out: velocities after damping, and its impulses [N s]; null: nothing comes after it.
+    NodeMotion* damped;
+    bool fixed_point;  // of the sums
     // [nodes] 1: in the sums; where processes share a node, one of them counts it. null: all
     const std::uint8_t* counted;
     void add(Total& sum, std::ptrdiff_t node, double x) const {
@@ -53,7 +59,8 @@ void keep_internal(const NodeCall& call);
 // motions, still of the step before, or as start_nodes leaves them, become v = v_old + dt (f/m + g) and
 // v_old = p/m, without the fixed components.
 void advance_nodes(const NodeCall& call, NodeSums& sums);
-// After contact: local damping, of contact forces as well, or it would carry a share of them.
+// After contact: local damping, of contact forces as well, or it would carry a share of them. What comes after it
+// (damped) is accounted for when nodes are closed.
 void damp_nodes(const NodeCall& call, NodeSums& sums);
 // What is fixed stays so; sums the change and the work of gravity.
 void close_nodes(const NodeCall& call, NodeSums& sums);

@@ -24,7 +24,7 @@ Component component(const WaterNodeCall& call, std::ptrdiff_t i, int k) {
 
 bool has_water(const WaterNodeCall& call, std::ptrdiff_t i) {
     return call.grains.records[i][record::m] > call.grains.least_mass &&
-           call.water_records[i][water_record::m] > 0.0;
+           call.water->is_at(call.water_records[i]);
 }
 
 // The velocity of water that a side lets in, which stands there as the grains do [m/s].
@@ -91,6 +91,11 @@ void update_pressures(const ParticleView& q, std::ptrdiff_t begin, std::ptrdiff_
                 "pore water: a particle at r = " + std::to_string(q[column::r][p]) +
                 " m, z = " + std::to_string(q[column::z][p]) +
                 " m has no pores left, its void ratio is " + std::to_string(e_middle));
+        if (water.flows && !(q[water.content_column()][p] > 0.0))
+            throw std::runtime_error(
+                "pore water: a particle at r = " + std::to_string(q[column::r][p]) +
+                " m, z = " + std::to_string(q[column::z][p]) +
+                " m has no water left: more has flowed out of it than was there");
         const double before = water.pressure(q, p);
         q[water.first][p] -= water.bulk_modulus / PoreWater::porosity_of(e_middle) * strain;
         const double V = q[column::V0][p] * q.J(p), now = water.pressure(q, p);
@@ -154,7 +159,7 @@ void close_water(const WaterNodeCall& call, WaterSums& sums) {
         volume = NodeMotion{};
         if (!has_water(call, i)) {
             water = grains;
-            volume = grains;
+            for (int k = 0; k < 2; ++k) volume[k] = grains[k];
             continue;
         }
         const double n = call.porosity(i), m = call.water_records[i][water_record::m];
@@ -162,6 +167,7 @@ void close_water(const WaterNodeCall& call, WaterSums& sums) {
         for (int k = 0; k < 2; ++k) {
             const double now = water[motion::v_r + k], old = water[motion::other_r + k];
             volume[k] = (1.0 - n) * grains[motion::v_r + k] + n * now;
+            volume[motion::other_r + k] = n * (now - grains[motion::v_r + k]);
             change += (now - old) * (now - old);
             drag +=
                 impulse[k] * (now + old - grains[motion::v_r + k] - grains[motion::other_r + k]);

@@ -43,11 +43,14 @@ struct PoreWater {
     int void_ratio_column = -1;    // of the material; -1: it has none
 
     // Columns beside those of the material. The pressure is p_w >= -largest_tension; below, it says how
-    // far a cavity must close before the water bears again. The velocity is that against the grains.
-    int columns() const { return flows ? 3 : 1; }
+    // far a cavity must close before the water bears again. The velocity is that against the grains. The content, per
+    // radian or per metre [kg], is the water that has come and gone with the flow: the balance of mass. Momentum takes
+    // pores as full, of water without pressure.
+    int columns() const { return flows ? 4 : 1; }
     GRIT_INLINE int velocity_column() const { return first + 1; }
+    GRIT_INLINE int content_column() const { return first + 3; }
     std::vector<const char*> column_names() const {
-        return flows ? std::vector<const char*>{"p_w", "w_r", "w_z"}
+        return flows ? std::vector<const char*>{"p_w", "w_r", "w_z", "m_w"}
                      : std::vector<const char*>{"p_w"};
     }
     // Its law and each of its numbers, exactly.
@@ -57,7 +60,12 @@ struct PoreWater {
         return void_ratio_column >= 0 ? q[void_ratio_column][p] : q.J(p) / (1.0 - porosity) - 1.0;
     }
     static GRIT_INLINE double porosity_of(double e) { return e / (1.0 + e); }
-    // Of a node with this record of water that flows.
+    // Does a node with this record of water that flows have any, in pores of a body? In fixed point a few quanta say
+    // nothing of a porosity.
+    bool is_at(const NodeRecord& w) const {
+        return w[water_record::m] > 0.0 && w[water_record::m] < density * w[water_record::volume];
+    }
+    // There.
     double porosity_at(const NodeRecord& w) const {
         return w[water_record::m] / (density * w[water_record::volume]);
     }
@@ -66,7 +74,7 @@ struct PoreWater {
         const double p_w = q[first][p];
         return p_w > -largest_tension ? p_w : -largest_tension;
     }
-    // In the pores of a particle, per radian or per metre [kg].
+    // That fills the pores of a particle, per radian or per metre [kg].
     GRIT_INLINE double mass(const ParticleView& q, std::ptrdiff_t p) const {
         return porosity_of(void_ratio(q, p)) * density * (q[column::V0][p] * q.J(p));
     }
@@ -165,7 +173,8 @@ struct WaterGatherCall {
     ParticleView particles;
     std::ptrdiff_t begin, end;
     const PoreWater* water;
-    const NodeMotion* volume;   // its divergence takes water: of undrained bodies their velocity
+    const NodeMotion*
+        volume;  // as nodes have it: its divergence takes pressure and water; of undrained bodies v
     const NodeMotion* grains;   // v and other, of water that flows ...
     const NodeMotion* flowing;  // ... and of the water itself
     double dt, pic;
@@ -190,7 +199,9 @@ struct WaterNodeCall {
     const PoreWater* water;
     const NodeRecord* water_records;
     NodeMotion* flowing;  // of the water: v and other, the velocity before the step's forces
-    NodeMotion* volume;   // (1 - n) v_s + n v_w, and the impulse of drag on the grains [N s]
+    // (1 - n) v_s + n v_w and n (v_w - v_s); between drag and close in place of the latter the impulse of drag on the
+    // grains [N s].
+    NodeMotion* volume;
     const std::uint8_t* drained;  // bits of components that are free though the grains are fixed
     const Vector2* poured;        // filter velocity where neither is free [m/s]; null: none
 

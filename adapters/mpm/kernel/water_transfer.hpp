@@ -171,7 +171,12 @@ void gather_water_by(const WaterGatherCall& call, WaterSums& sums) {
         call.cell[p] = cell;
         call.cells[cell].volume += cell_share_rounded(0.125 * V);
         call.cells[cell].weighted += cell_share_rounded(0.125 * V * strain);
-        if (call.water->flows) move_water(call, w, p, sums);
+        if (!call.water->flows) continue;
+        move_water(call, w, p, sums);
+        // Linear in the nodes' velocities: the sum over all particles is what crosses surfaces and sides.
+        const double left = gradient_of<axisymmetric>(g, motion::other_r, call.dt).trace();
+        q[call.water->content_column()][p] -=
+            call.water->density * q[column::V0][p] * q.J(p) * left;
     }
 }
 

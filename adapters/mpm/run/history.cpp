@@ -38,6 +38,7 @@ constexpr HistoryColumn columns[] = {
     {"least_pore_pressure", "Pa", [](const HistoryRow& r) { return r.least_pore_pressure; }},
     {"largest_pore_pressure", "Pa", [](const HistoryRow& r) { return r.largest_pore_pressure; }},
     {"implicit_pressure_loss", "J", [](const HistoryRow& r) { return r.energy.implicit; }},
+    {"water_mass", "kg", [](const HistoryRow& r) { return r.water_mass; }},
 };
 
 }  // namespace

@@ -142,6 +142,22 @@ Extremes pore_pressures(Simulation& simulation) {
     return {-largest[0], largest[1]};
 }
 
+double water_mass(Simulation& simulation) {
+    bool any = false;
+    std::array<Total, 1> sum;
+    const bool fixed_point = simulation.current_settings().fixed_point;
+    for (std::size_t i = 0; i < simulation.bodies(); ++i) {
+        Body& body = simulation.body(i);
+        if (!body.water || !body.water->flows) continue;
+        any = true;
+        for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p)
+            sum[0].add(body.particles(body.water->content_column(), p), fixed_point);
+    }
+    if (!any) return NAN;
+    simulation.shared().sum(sum, fixed_point);
+    return sum[0].value();
+}
+
 Energy times(const Energy& e, double factor) {
     return {factor * e.kinetic,    factor * e.stored,        factor * e.kinetic_0,
             factor * e.stored_0,   factor * e.external_work, factor * e.traction_work,

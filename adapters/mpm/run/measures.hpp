@@ -39,6 +39,8 @@ struct Extremes {
     double least, largest;
 };
 Extremes pore_pressures(Simulation& simulation);
+// Of all water that flows, per radian or per metre [kg]; NaN: none does.
+double water_mass(Simulation& simulation);
 
 // Each of its terms times a factor.
 Energy times(const Energy& energy, double factor);

@@ -283,6 +283,7 @@ HistoryRow Runner::row_so_far() {
     const Extremes pore = pore_pressures(simulation);
     out.least_pore_pressure = pore.least;
     out.largest_pore_pressure = pore.largest;
+    out.water_mass = whole * water_mass(simulation);
     out.unbalanced_share =
         state_now.last_dt > 0.0 ? unbalanced_share(simulation, state_now.last_dt) : 0.0;
     return out;

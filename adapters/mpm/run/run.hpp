@@ -30,6 +30,7 @@ struct HistoryRow {
     double unbalanced_share = 0.0;
     // Of particles with pore water [Pa]; NaN: there are none.
     double least_pore_pressure = 0.0, largest_pore_pressure = 0.0;
+    double water_mass = 0.0;  // of water that flows [kg]; NaN: none does
 };
 
 // All that a run knows besides its simulation.

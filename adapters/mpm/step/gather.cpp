@@ -24,6 +24,7 @@ template <class Work> void each_range(const Strips& strips, int strip, const Wor
 
 void Gather::add_body() {
     OfBody& body = bodies.emplace_back();
+    with_half = with_half || model.parts.back().body.water;
     body.strips.resize(static_cast<std::size_t>(model.strips()));
     body.increments.resize(body.strips.size());
     for (Increments& d : body.increments) {
@@ -170,7 +171,7 @@ double Gather::update(std::size_t body, int strip, const Range& range) {
     }
     if (settings.linear_viscosity > 0.0 || settings.quadratic_viscosity > 0.0)
         fastest = update_viscosity(sums, increments, range, moduli);
-    if (model.parts[body].body.water) add_half(sums, increments, range);
+    if (with_half) add_half(sums, increments, range);
     if (sums.sums.reflected > 0)
         for (std::ptrdiff_t p = range.begin; p < range.end; ++p)
             if (q[column::r][p] < 0.0) {

@@ -24,7 +24,7 @@ class Gather {
         GatherSums sums = {};
         double speed = 0.0;             // largest wave speed, viscosity included [m/s]
         Total viscous_loss = {};        // in this step [J]
-        Total half = {};                // of a body with pore water, see WaterSums [J]
+        Total half = {};                // where any body has pore water, see WaterSums [J]
         double material_seconds = 0.0;  // since it was built
     };
     const std::vector<OfStrip>& strips(std::size_t body) const { return bodies[body].strips; }
@@ -45,6 +45,7 @@ class Gather {
     Model& model;
     CellMeans& means;
     std::vector<OfBody> bodies;
+    bool with_half = false;
 };
 
 }  // namespace grit::mpm

@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "adapters/mpm/step/water.hpp"
+
 namespace grit::mpm {
 
 void Momentum::add_body() {
@@ -28,6 +30,9 @@ NodeCall Momentum::call(std::size_t body, int strip) {
             settings.scheme == Scheme::musl,
             settings.scheme == Scheme::usf,
             settings.local_damping,
+            nullptr,
+            nullptr,
+            bodies[body].damped.empty() ? nullptr : bodies[body].damped.data(),
             settings.fixed_point,
             model.exchange.counted()};
 }
@@ -60,10 +65,16 @@ void Momentum::advance() {
     });
 }
 
-void Momentum::damp() {
+void Momentum::damp(const Water& water, bool tied) {
     if (!(model.settings.local_damping > 0.0)) return;
-    model.for_strips([this](std::size_t body, int strip) {
-        if (!is_rigid(body)) damp_nodes(call(body, strip), sums_of(body, strip));
+    for (std::size_t body = 0; body < bodies.size(); ++body)
+        if (tied || water.is_implicit(body)) bodies[body].damped.resize(model.fixed_nodes.size());
+    model.for_strips([&, this](std::size_t body, int strip) {
+        if (is_rigid(body)) return;
+        NodeCall nodes = call(body, strip);
+        nodes.drag = water.drag_impulses(body);
+        if (tied) nodes.tied = water.tied_nodes().data();
+        damp_nodes(nodes, sums_of(body, strip));
     });
 }
 

@@ -8,6 +8,8 @@
 
 namespace grit::mpm {
 
+class Water;
+
 class Momentum {
   public:
     explicit Momentum(Model& of) : model(of) {}
@@ -19,8 +21,8 @@ class Momentum {
     void keep_internal_forces();
     // v = v_old + dt (f/m + g); rigid bodies have the velocity of the end of the step.
     void advance();
-    // After contact: local damping, if there is any.
-    void damp();
+    // After contact: local damping, if there is any. tied: velocities change once more.
+    void damp(const Water& water, bool tied);
     // Once velocities are what the step leaves.
     void close();
     // Before and after momenta are scattered again (MUSL).
@@ -41,6 +43,8 @@ class Momentum {
     struct OfBody {
         std::vector<Vector2> internal = {};  // nodal forces of stresses and penalties [N]
         std::vector<NodeSums> sums = {};     // of each strip's rows
+        std::vector<NodeMotion> damped =
+            {};  // of nodes, see NodeCall; empty: nothing comes after damping
     };
     NodeSums& sums_of(std::size_t body, int strip) {
         return bodies[body].sums[static_cast<std::size_t>(strip)];

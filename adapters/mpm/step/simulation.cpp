@@ -33,11 +33,11 @@ void Simulation::step() {
     surfaces.correct(account.sums());
     platens.tie(account.sums());
     watch.lap(spent.contact);
-    contacts.change_pressures();
-    watch.lap(spent.nodes);
     sides.find_work(model, momentum);
-    momentum.damp();
+    momentum.damp(water, platens.any());
     if (model.settings.local_damping > 0.0) platens.tie(account.sums());
+    contacts.change_pressures();
+    platens.move();
     momentum.close();
     loads.find_work();
     watch.lap(spent.nodes);
@@ -173,11 +173,19 @@ void Simulation::pour_above(int direction, double at, std::function<double(doubl
 }
 
 void Simulation::tie_below(int direction, double at) {
-    platens.add(direction, nodes_where(model, direction, [at](double x) { return x <= at; }));
+    const Axis& axis = direction == 0 ? model.r : model.z;
+    int inner = 1;
+    while (inner + 1 < axis.nodes() && axis[inner] <= at) ++inner;
+    platens.add(direction, axis[inner] - axis[inner - 1],
+                nodes_where(model, direction, [at](double x) { return x <= at; }));
 }
 
 void Simulation::tie_above(int direction, double at) {
-    platens.add(direction, nodes_where(model, direction, [at](double x) { return x >= at; }));
+    const Axis& axis = direction == 0 ? model.r : model.z;
+    int inner = axis.nodes() - 2;
+    while (inner > 0 && axis[inner] >= at) --inner;
+    platens.add(direction, axis[inner + 1] - axis[inner],
+                nodes_where(model, direction, [at](double x) { return x >= at; }));
 }
 
 void Simulation::absorb_first(int direction, const WaveSpeeds& speeds) {

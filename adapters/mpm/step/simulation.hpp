@@ -126,6 +126,7 @@ class Simulation {
         Momentum::visit(simulation.momentum, archive);
         Water::visit(simulation.water, archive);
         Loads::visit(simulation.loads, archive);
+        Platens::visit(simulation.platens, archive);
         AbsorbingSides::visit(simulation.sides, archive);
         NodalContacts::visit(simulation.contacts, archive);
         PenaltyContacts::visit(simulation.penalties, archive);

@@ -46,6 +46,13 @@ void Water::pour(Inflow inflow) {
     inflows.push_back(std::move(inflow));
 }
 
+void Water::tie(const TiedNodes& nodes) {
+    tied_bits.resize(model.fixed_nodes.size());
+    for (const std::size_t node : nodes.nodes)
+        tied_bits[node] |= nodes.direction == 0 ? fixed::r : fixed::z;
+    platens.push_back(nodes);
+}
+
 bool Water::is_anywhere() const {
     for (std::size_t i = 0; i < bodies.size(); ++i)
         if (has(i)) return true;
@@ -147,9 +154,10 @@ void Water::scatter() {
 void Water::push() {
     if (!is_anywhere()) return;
     impulses_took = {};
+    std::fill(poured.begin(), poured.end(), Vector2{});
     for (const Inflow& inflow : inflows) {
         const double speed = inflow.sign * inflow.speed(model.t + model.dt);
-        for (const std::size_t node : inflow.nodes) poured[node][inflow.direction] = speed;
+        for (const std::size_t node : inflow.nodes) poured[node][inflow.direction] += speed;
     }
     scatter();
     model.for_strips([this](std::size_t i, int strip) {
@@ -304,7 +312,7 @@ std::uint8_t Water::fixed_bits(std::size_t node) const {
 bool Water::has_pores(std::size_t i, std::size_t node) const {
     const Part& part = model.parts[i];
     return part.records[node][record::m] > part.least_mass &&
-           (!flows(i) || bodies[i].records[node][water_record::m] > 0.0);
+           (!flows(i) || model.parts[i].body.water->is_at(bodies[i].records[node]));
 }
 
 double Water::water_mass(std::size_t i, std::size_t node) const {
@@ -343,15 +351,6 @@ void Water::find_answers(std::size_t i) {
     }
 }
 
-// Bits of what a platen holds.
-std::uint8_t Water::tied(std::size_t node) const {
-    std::uint8_t bits = 0;
-    for (const TiedNodes& platen : platens)
-        if (std::binary_search(platen.nodes.begin(), platen.nodes.end(), node))
-            bits |= platen.direction == 0 ? fixed::r : fixed::z;
-    return bits;
-}
-
 // Where another body presses, all that meets there moves alike across; beside, what is free answers as it did.
 std::vector<Water::Together> Water::hold_together(std::size_t i, std::vector<Pressed>& pressed) {
     OfBody& body = bodies[i];
@@ -360,7 +359,9 @@ std::vector<Water::Together> Water::hold_together(std::size_t i, std::vector<Pre
         const Part& other = model.parts[p.other];
         const double m_o = other.records[p.node][record::m];
         if (!has_pores(i, p.node) || !(m_o > other.least_mass)) continue;
-        Vector2 n = free_part(p.normal, model.fixed_nodes[p.node] | tied(p.node));
+        Vector2 n =
+            free_part(p.normal, model.fixed_nodes[p.node] |
+                                    (tied_bits.empty() ? std::uint8_t{0} : tied_bits[p.node]));
         const double size = std::sqrt(along(n, n));
         if (size == 0.0) continue;
         n = {n[0] / size, n[1] / size};

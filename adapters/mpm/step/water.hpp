@@ -36,7 +36,9 @@ class Water {
     // Lanes of the volume velocity (1 - n) v_s + n v_w of a node, their sum [m/s].
     double volume_velocity(std::size_t body, std::size_t node, int lane, int other_lane) const;
     // These nodes move as one: a platen, which no water passes.
-    void tie(const TiedNodes& nodes) { platens.push_back(nodes); }
+    void tie(const TiedNodes& nodes);
+    // Bits of what platens hold; empty: nothing.
+    const std::vector<std::uint8_t>& tied_nodes() const { return tied_bits; }
     // take(mass, motion) of all that has a velocity of its own at such nodes and is free along them.
     template <class Take> void each_mass(const TiedNodes& tied, const Take& take) {
         const int bit = tied.direction == 0 ? fixed::r : fixed::z;
@@ -95,6 +97,15 @@ class Water {
     double speed2(std::size_t body) const;
     // Of water that flows, along z on a node in the last step: of its pressure and its weight [N].
     double force_z(std::size_t body, std::size_t node) const;
+    // Of drag on the grains, in the lanes other [N s], between drag and update; null: nothing flows.
+    const NodeMotion* drag_impulses(std::size_t body) const {
+        return flows(body) ? bodies[body].volume.data() : nullptr;
+    }
+    // Of water that flows, n (v_w - v_s) of a node in the last step [m/s].
+    Vector2 seepage(std::size_t body, std::size_t node) const {
+        const NodeMotion& v = bodies[body].volume[node];
+        return {v[motion::other_r], v[motion::other_z]};
+    }
     const std::vector<std::uint8_t>& drained_nodes() const { return drained; }
 
     template <class Self, class Archive> static void visit(Self& water, Archive& archive) {
@@ -147,7 +158,6 @@ class Water {
     void find_answers(std::size_t body);
     std::vector<Together> hold_together(std::size_t body, std::vector<Pressed>& pressed);
     void push_by(std::size_t body, std::size_t node, const Vector2& impulse);
-    std::uint8_t tied(std::size_t node) const;
     std::uint8_t fixed_bits(std::size_t node) const;
     void hold_platens(std::size_t body);
     void push_platens(std::size_t body);
@@ -167,6 +177,7 @@ class Water {
     Taken impulses_took;
     std::vector<std::uint8_t> drained;  // bits of nodes; empty: none
     std::vector<TiedNodes> platens;
+    std::vector<std::uint8_t> tied_bits;
     std::vector<Inflow> inflows;
     std::vector<Vector2> poured;  // filter velocities of nodes; empty: none [m/s]
 };

@@ -100,6 +100,7 @@ struct PressedSand {
                 q[c][p] = -1000.0 - 17000.0 * (0.5 - q[column::z][p]);
             q[Sand::state + GRIT_SAND_VOID_RATIO][p] = 0.65;
             if (water) q[body.water->first][p] = 9810.0 * (0.5 - q[column::z][p]);
+            if (water && water->flows) q[body.water->content_column()][p] = body.water->mass(q, p);
         }
         return body;
     }

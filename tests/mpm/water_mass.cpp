@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Water is neither made nor lost: what particles have less of has crossed surfaces and sides.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include <adapters/mpm/run/measures.hpp>
+
+#include "support/pressed_sand.hpp"
+#include "support/saturated_column.hpp"
+
+namespace {
+
+using namespace mpm_test;
+
+// The surface of a body as its nodes see it: their forces for a pressure of 1 Pa [m2].
+std::vector<NodeRecord> areas(const Simulation& simulation, std::size_t i) {
+    const Body& body = simulation.body(i);
+    Particles unit = body.particles;
+    PoreWater water = *body.water;
+    water.bulk_modulus = 1.0;
+    const ParticleView q = unit.view();
+    for (std::ptrdiff_t p = 0; p < unit.size(); ++p) q[water.first][p] = 1.0;
+    const GridView grid{simulation.axis_r().view(), simulation.axis_z().view()};
+    const std::size_t cells =
+        static_cast<std::size_t>(grid.r.cells) * static_cast<std::size_t>(grid.z.cells);
+    const std::vector<CellIntegers> none(cells);
+    std::vector<NodeRecord> out(static_cast<std::size_t>(grid.nodes_r()) *
+                                    (static_cast<std::size_t>(grid.z.cells) + 1),
+                                NodeRecord{});
+    const Settings& settings = simulation.current_settings();
+    kernels().scatter_water(settings.shape, settings.axisymmetric,
+                            {grid, q, 0, unit.size(), &water, none.data(), out.data()});
+    return out;
+}
+
+// What left in the last step, per radian or per metre [kg].
+double left(const Simulation& simulation, std::size_t i, const std::vector<NodeRecord>& areas,
+            double dt) {
+    double sum = 0.0;
+    for (std::size_t node = 0; node < areas.size(); ++node)
+        for (int k = 0; k < 2; ++k)
+            sum += areas[node][water_record::f_r + k] *
+                   simulation.pore_water().seepage(i, node)[static_cast<std::size_t>(k)];
+    return simulation.body(i).water->density * dt * sum;
+}
+
+void expect_kept(Simulation& simulation, std::size_t body, int steps) {
+    const double start = water_mass(simulation);
+    double gone = 0.0, turned_over = 0.0;
+    for (int i = 0; i < steps; ++i) {
+        const std::vector<NodeRecord> surface = areas(simulation, body);
+        const double t = simulation.time();
+        simulation.step();
+        const double now = left(simulation, body, surface, simulation.time() - t);
+        gone += now;
+        turned_over += std::fabs(now);
+    }
+    EXPECT_GT(turned_over, 1e-9 * start);
+    EXPECT_NEAR(water_mass(simulation) + gone, start, 1e-13 * start);
+}
+
+// Under a block that hits it, in axisymmetry.
+TEST(WaterMass, IsKeptUnderABlow) {
+    for (const bool implicit : {false, true})
+        for (const bool fixed_point : {false, true}) {
+            PressedSand problem;
+            problem.settings.fixed_point = fixed_point;
+            problem.water = PressedSand::soft_water(true, implicit);
+            const auto simulation = problem.build();
+            expect_kept(*simulation, 1, 200);
+        }
+}
+
+// Through a column, from a side to a surface.
+TEST(WaterMass, IsKeptWhereItComesInAndLeaves) {
+    for (const bool implicit : {false, true}) {
+        const SaturatedColumn column{.cells = 8, .conductivity = 1e-3, .implicit = implicit};
+        Case plan = column.plan();
+        plan.inflows = {{.side = Side::bottom, .speed = TimeTable{{0.0, 0.2}, {0.0, 1e-3}}}};
+        BuiltCase built = build_case(plan);
+        expect_kept(*built.simulation, 0, 500);
+    }
+}
+
+// In a closed box to the last digits, whatever swings in it.
+TEST(WaterMass, IsThatOfTheStartInAClosedBox) {
+    const SaturatedColumn column{.cells = 16, .conductivity = 1e-3, .closed = true};
+    BuiltCase built = build_case(column.plan());
+    Simulation& simulation = *built.simulation;
+    const ParticleView q = simulation.body(0).particles.view();
+    for (std::ptrdiff_t p = 0; p < simulation.body(0).particles.size(); ++p)
+        q[grit::mpm::column::v_z][p] = 0.01 * std::sin(3.0 * q[grit::mpm::column::z][p]);
+    const double start = water_mass(simulation);
+    for (int i = 0; i < 1000; ++i) simulation.step();
+    EXPECT_NEAR(water_mass(simulation), start, 1e-13 * start);
+}
+
+}  // namespace
