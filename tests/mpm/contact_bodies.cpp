@@ -87,4 +87,31 @@ TEST(TwoCylinders, TouchWhenTheirGapIsClosedWhereverTheirSideIs) {
             }
 }
 
+// A wall reaches into the cells of a strip that is one cell wide: at the nodes of the roller behind it the wall can press
+// on nothing, and the ends of the strip are no surface that it meets.
+TEST(Wall, DoesNotHoldWhatSlidesBetweenItAndARoller) {
+    constexpr double h = 0.1, wide = 0.999 * h, speed = 0.1;
+    for (const int law : {GRIT_CONTACT_GEO, GRIT_CONTACT_FRICTIONAL})
+        for (const bool gated : {false, true}) {
+            Simulation simulation(Axis::uniform(0.0, 3.0 * h, 3), Axis::uniform(0.0, 1.0, 10),
+                                  {.axisymmetric = false, .cfl = 0.4});
+            Body wall = make_box({wide, 2.5 * h, 0.0, 1.0, 2, 10, 1000.0}, false, nullptr);
+            wall.prescribed_velocity = [](double) { return grit::Vector2{0.0, 0.0}; };
+            simulation.add_body(std::move(wall));
+            simulation.add_body(make_box({0.0, wide, 0.3, 0.7, 1, 4, 1000.0}, false,
+                                         std::make_unique<LinearElastic>(1e6, 0.0)));
+            simulation.fix_below(0, 0.0);
+            ContactLaw contact = contact_law(law, 0.0);
+            contact.gated = gated;
+            simulation.add_contact(contact);
+            const ParticleView q = simulation.body(1).particles.view();
+            for (std::ptrdiff_t p = 0; p < 4; ++p) q[column::v_z][p] = speed;
+            while (simulation.time() < 0.1) simulation.step();
+            double sum = 0.0;
+            for (std::ptrdiff_t p = 0; p < 4; ++p)
+                sum += simulation.body(1).particles.view()[column::v_z][p];
+            EXPECT_NEAR(sum / 4.0, speed, 1e-9) << law << ", " << gated;
+        }
+}
+
 }  // namespace

@@ -505,6 +505,33 @@ TEST(FlowingWater, StaysAtRestInSandOfUnevenPorosity) {
     }
 }
 
+// Particles of a cell move to and fro, in turn with more and with less water, which goes with them: nothing flows.
+TEST(FlowingWater, GoesWithUnlikeGrainsOfACell) {
+    Case plan = column_case();
+    plan.gravity = 0.0;
+    plan.z = {0.0, {{1.0, 20, 1.0}}};
+    plan.boundary[static_cast<int>(Side::top)] = Boundary::roller;
+    BodyPlan& body = plan.bodies[0];
+    body.material = lausitz_plan(0.75);
+    body.water =
+        WaterPlan{.drainage = Drainage::flow, .grain_density = 2650.0, .conductivity = 1e-9};
+    BuiltCase built = build_case(plan);
+    Simulation& simulation = *built.simulation;
+    apply_stage(plan, plan.stages[0], simulation);
+    const ParticleView q = simulation.body(0).particles.view();
+    for (std::ptrdiff_t p = 0; p < simulation.body(0).particles.size(); ++p) {
+        double& e = q[Sand::state + GRIT_SAND_VOID_RATIO][p];
+        e = p % 2 == 0 ? 0.6 : 0.9;
+        q[column::mass][p] = 2650.0 / (1.0 + e) * q[column::V0][p];
+        for (const int c : {column::S_rr, column::S_zz, column::S_tt}) q[c][p] = -1e5;
+        q[column::v_z][p] = p % 2 == 0 ? 0.01 : -0.01;
+    }
+    for (int i = 0; i < 200; ++i) simulation.step();
+    const Energy energy = simulation.energy();
+    EXPECT_NEAR(energy.drag, 0.0, 1e-4 * energy.kinetic_0);
+    EXPECT_NEAR(energy.residual(), 0.0, 1e-3 * energy.kinetic_0);
+}
+
 // Water that flows to and fro between the particles of a cell, which no node sees.
 TEST(FlowingWater, IsDraggedWithinACellToo) {
     Column column{.cells = 16, .conductivity = 1e-6, .closed = true};

@@ -17,12 +17,18 @@ sys.path.insert(0, str(HERE.parent / "pile"))
 from results import Frame, History  # noqa: E402
 
 RADIUS, EMBEDMENT = 0.15, 0.5  # [m]
+COUNTS, SHOWN = (5, 10, 20), 10  # blows that penetrations are told after, and whose peak the others are of
 
 
 def run(grit, case, out):
     with (out / f"{case}.log").open("w") as log:
-        subprocess.run([grit, "mpm", str(HERE / f"{case}.toml"), "--out", str(out), "--no-plot", "--threads", "1"],
-                       stdout=log, stderr=subprocess.STDOUT, check=True)
+        child = subprocess.Popen([grit, "mpm", str(HERE / f"{case}.toml"), "--out", str(out), "--no-plot", "--threads",
+                                  "1"], stdout=log, stderr=subprocess.STDOUT)
+        _, status, used = os.wait4(child.pid, 0)
+        log.seek(0, os.SEEK_END)
+        log.write(f"processor's time {used.ru_utime + used.ru_stime:.0f} s\n")
+    if status:
+        print(f"piles.py: {case} failed: {out / case}.log", file=sys.stderr)
 
 
 def has_ended(out, case):
@@ -52,19 +58,24 @@ def excess(frame, depth, inside):
 def row(out, case):
     history = History(out / f"{case}.csv")
     blows, depth = history.blows(), history["depth"]
-    sets = [1e3 * (depth[b] - depth[a]) for a, b in blows]
-    cells = [case.removeprefix("pile_"), f"{1e3 * depth[history.drive()]:.0f}", f"{sum(sets):.0f}",
-             ", ".join(f"{s:.0f}" for s in sets)]
-    peak = max(range(*blows[-1]), key=lambda i: history["hammer_force"][i])
-    if "pore_pressure" in Frame(frames(out, case)[-1][1]).values:
-        time, file = min(frames(out, case), key=lambda f: abs(f[0] - history["t"][peak]))
-        now, at = Frame(file), min(range(len(history)), key=lambda i: abs(history["t"][i] - time))
+    driven = [f"{1e3 * (depth[blows[n - 1][1]] - depth[history.drive()]):.0f}" if n <= len(blows) else "–" for n in COUNTS]
+    sand, kind = case.removeprefix("pile_").split("_", 1)
+    kind = f"k = 1e-{kind[-1]} m/s" if kind.startswith("flow_1e") else kind
+    cells = [f"{sand}, {kind}" + (", stopped" if history.stopped else ""),
+             f"{1e3 * depth[history.drive()]:.0f}", *driven, str(len(blows))]
+    first, last = blows[SHOWN - 1]
+    peak = max(range(first, last), key=lambda i: history["hammer_force"][i])
+    time, file = min(frames(out, case), key=lambda f: abs(f[0] - history["t"][peak]))
+    now, at = Frame(file), min(range(len(history)), key=lambda i: abs(history["t"][i] - time))
+    if "pore_pressure" in now.values:
         below = excess(now, depth[at], lambda r, z: r < RADIUS and 0.0 < z < 2 * RADIUS)
         beside = excess(now, depth[at], lambda r, z: RADIUS < r < 2 * RADIUS and -2 * RADIUS < z < 0.0)
         cells += [f"{below:.0f}", f"{beside:.0f}"]
     else:
         cells += ["–", "–"]
-    cells += [f"{max(history['tip_force'][slice(*blows[-1])]):.0f}", f"{max(history['residual_share']):.0e}"]
+    used = re.search(r"processor's time (\d+) s", (out / f"{case}.log").read_text())
+    cells += [f"{max(history['tip_force'][first:last]):.0f}", f"{max(history['residual_share']):.0e}",
+              f"{int(used[1]) / 60:.1f}"]
     return "| " + " | ".join(cells) + " |"
 
 
@@ -83,8 +94,9 @@ def main():
     args.out.mkdir(parents=True, exist_ok=True)
     with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
         list(pool.map(lambda case: run(args.grit, case, args.out), [c for c in cases if not has_ended(args.out, c)]))
-    print("| case | by its weight [mm] | by five blows [mm] | sets [mm] | excess pore pressure at the last peak, below the tip [kPa] "
-          "| beside it [kPa] | tip, most of the last blow [kN] | energy residual, most |\n|---|---|---|---|---|---|---|---|")
+    print("| case | by its weight [mm] | " + " | ".join(f"by {n} blows [mm]" for n in COUNTS) + f" | blows | excess pore pressure at "
+          f"the peak of blow {SHOWN}, below the tip [kPa] | beside it [kPa] | tip, most of that blow [kN] | energy residual, most | "
+          "processor [min] |\n" + "|---" * (8 + len(COUNTS)) + "|")
     for case in cases:
         print(row(args.out, case), flush=True)
 

@@ -114,11 +114,14 @@ void push_water(const WaterNodeCall& call, WaterSums& sums) {
             NodeMotion now{};
             const double m = w[water_record::m];
             for (int k = 0; k < 2; ++k) {
-                if (!component(call, i, k).water_free) {
+                const Component c = component(call, i, k);
+                if (!c.water_free) {
                     now[motion::v_r + k] = now[motion::other_r + k] = poured(call, i, k);
                     continue;
                 }
-                const double old = w[water_record::p_r + k] / m;
+                const double of_grains =
+                    c.grains_free ? grains[record::p_r + k] / grains[record::m] : 0.0;
+                const double old = of_grains + w[water_record::p_r + k] / m;
                 now[motion::other_r + k] = old;
                 now[motion::v_r + k] =
                     old + call.grains.dt * (n * w[water_record::f_r + k] / m +
@@ -168,7 +171,7 @@ void close_water(const WaterNodeCall& call, WaterSums& sums) {
             const double now = water[motion::v_r + k], old = water[motion::other_r + k];
             volume[k] = (1.0 - n) * grains[motion::v_r + k] + n * now;
             volume[motion::other_r + k] = n * (now - grains[motion::v_r + k]);
-            change += (now - old) * (now - old);
+            change += (now - old) * (now - old + 2.0 * grains[motion::other_r + k]);
             drag +=
                 impulse[k] * (now + old - grains[motion::v_r + k] - grains[motion::other_r + k]);
             gravity += call.grains.gravity[static_cast<std::size_t>(k)] * (now + old);

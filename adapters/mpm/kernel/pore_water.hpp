@@ -22,7 +22,7 @@ namespace water_record {
 enum : int {
     m,  // of water that flows [kg]
     p_r,
-    p_z,  // ... its momentum [kg m/s]
+    p_z,  // ... its momentum against the grains [kg m/s]
     f_r,
     f_z,     // of the pore pressure, on grains and water together [N]
     volume,  // of the body [m3]
@@ -151,9 +151,9 @@ struct WaterSums {
     Total drag;          // taken by drag, at nodes and within particles [J]
     Total gravity_work;  // [J]
     Total side_work;     // of sides that water comes in by [J]
-    Total change;        // as those of NodeSums and GatherSums, of water that flows [J]
+    Total change;        // as those of NodeSums and GatherSums, of water that flows, and ...
     Total mapped_away;
-    Total kept;
+    Total kept;  // ... what it has of the grains' velocity times what it changes by [J]
 };
 
 struct WaterScatterCall {

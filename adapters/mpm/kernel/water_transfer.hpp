@@ -77,8 +77,8 @@ GRIT_INLINE void scatter_water_to(const WaterScatterCall& call, Sums& sums, Rows
             const double e = water.void_ratio(q, p);
             mass = water.mass(q, p);
             drag = V * water.drag(e);
-            m_v_r = mass * (q[c::v_r][p] + q[water.velocity_column()][p]);
-            m_v_z = mass * (q[c::v_z][p] + q[water.velocity_column() + 1][p]);
+            m_v_r = mass * q[water.velocity_column()][p];
+            m_v_z = mass * q[water.velocity_column() + 1][p];
         }
         if constexpr (!std::is_same_v<Rows, NoRows>)
             add_to_patch<axisymmetric>(call, place, w, p, rows);
@@ -150,7 +150,7 @@ GRIT_INLINE void move_water(const WaterGatherCall& call, const Stencil& w, std::
         const double change = flowing.now[k] - flowing.before[k];
         const double all_kept = of_grains + against + change, end_water = end + end_against;
         q[water.velocity_column() + k][p] = end_against;
-        kept += change * change;
+        kept += change * (change + 2.0 * of_grains);
         lost += all_kept * all_kept - end_water * end_water;
     }
     sums.kept.add(0.5 * mass * kept, call.fixed_point);

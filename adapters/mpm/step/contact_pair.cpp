@@ -91,13 +91,24 @@ bool ContactPair::find_active(const GridView& grid, const ContactBody& a, const 
 
 void ContactPair::find_normals(const ContactBody& a, const ContactBody& b) {
     find_normals(a, b, pair_law.normal, active, normal);
-    // A node inside the one body whose surface was asked for may be at the surface of the other.
+    // A node inside the one body whose surface was asked for may be at the surface of the other. Not a node of a symmetry plane
+    // that the body does not reach: of its gradient across the plane, which is left out, there is less than of one that does.
     undefined.clear();
-    for (const std::ptrdiff_t node : active) {
-        const double* n = &normal[2 * static_cast<std::size_t>(node)];
-        if (n[0] == 0.0 && n[1] == 0.0) undefined.push_back(node);
-    }
     const bool of_b = pair_law.normal == GRIT_CONTACT_NORMAL_OF_B;
+    const bool average = pair_law.normal == GRIT_CONTACT_NORMAL_AVERAGE;
+    const auto is_aside = [&](std::size_t node) {
+        const NodeRecord& g = (of_b ? b : a).records[node];
+        const double across = fixed_bits[node] == GRIT_CONTACT_FIXED_1   ? g[record::g_r]
+                              : fixed_bits[node] == GRIT_CONTACT_FIXED_2 ? g[record::g_z]
+                                                                         : 0.0;
+        const double along = spacing[2 * node + (fixed_bits[node] == GRIT_CONTACT_FIXED_1 ? 1 : 0)];
+        return std::fabs(across) > 1e-8 * g[record::g_scale] && std::fabs(across) < 0.4 * along;
+    };
+    for (const std::ptrdiff_t node : active) {
+        const auto i = static_cast<std::size_t>(node);
+        if (normal[2 * i] != 0.0 || normal[2 * i + 1] != 0.0) continue;
+        if (average || !is_aside(i)) undefined.push_back(node);
+    }
     find_normals(a, b, of_b ? GRIT_CONTACT_NORMAL_OF_A : GRIT_CONTACT_NORMAL_OF_B, undefined,
                  normal);
 }

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <initializer_list>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -17,6 +19,7 @@ namespace mpm_test {
 struct CavityProblem {
     static constexpr double a = 0.15, outer = 3.0, grain_density = 2650.0;
     double void_ratio = 0.55;
+    double water_density = 0.0;  // of what fills the pores and moves with the grains [kg/m3]
     double local_damping = 0.0;
     double speed = 0.2, back = 0.01;  // of the wall outwards and inwards [m/s]
     double ramp = 0.02;               // from rest, and from out to in [s]
@@ -29,6 +32,15 @@ struct CavityProblem {
         const double after = (t - turn()) / ramp;
         return after <= 0.0 ? speed : std::max(speed - after * (speed + back), -back);
     }
+    // d(a v)/dt on the way out [m2/s2]; where nothing is compressed a radius r has the velocity a v/r.
+    double flow_rate(double t) const {
+        const double v = velocity(t), acceleration = t < ramp ? speed / ramp : 0.0;
+        return v * v + (a + displacement(t)) * acceleration;
+    }
+    // On the way out [m].
+    double displacement(double t) const {
+        return t < ramp ? 0.5 * speed * t * t / ramp : speed * (t - 0.5 * ramp);
+    }
     static double K0() { return 1.0 - std::sin(33.0 / 180.0 * 3.14159265358979323846); }
     void start(const ParticleView& q, std::ptrdiff_t p) const {
         q[column::S_zz][p] = -50e3;
@@ -36,7 +48,10 @@ struct CavityProblem {
         q[Sand::state + GRIT_SAND_VOID_RATIO][p] = void_ratio;
         q[Sand::state + 1][p] = -1e-4;
     }
-    double density() const { return grain_density / (1.0 + void_ratio); }
+    double density() const {
+        return (grain_density + void_ratio * water_density) / (1.0 + void_ratio);
+    }
+    static double far_pressure() { return 50e3 * K0(); }
 };
 
 // What is seen while the wall moves.
@@ -184,13 +199,18 @@ struct CavityByPoints : CavityProblem {
     double pic_rate = 0.0;
     double phase = 0.0;  // of the wall against the grid at the start [cells]
     double window = 1e-3;
+    double bulk_modulus = 0.0;  // of water in the pores, undrained; 0: dry [Pa]
+    bool implicit = false;      // its pressure
+    // On the sand, over time, instead of a wall [Pa].
+    std::function<double(double)> pressure = nullptr;
 
     struct Row {
-        double r0, sigma_rr;  // of particles, at 0.075 m [m], [Pa]
+        double r0 = 0.0, sigma_rr = 0.0, p_w = 0.0;  // of particles, at 0.075 m [m], [Pa]
     };
     struct Result {
         CavityCurve curve;
         std::vector<Row> rows;
+        double time_of_rows = 0.0;
         double work;  // of the wall until 0.075 m [J] per radian and metre
     };
 
@@ -201,6 +221,7 @@ struct CavityByPoints : CavityProblem {
         nodes[0] = 0.0;
         for (double l = h; nodes.back() < outer; l *= 1.06) nodes.push_back(nodes.back() + l);
         nodes.back() = outer;
+        if (is_wet()) nodes.push_back(outer + 0.5 * a);  // the far side moves
         Simulation simulation(Axis(nodes), Axis(std::vector<double>{0.0, h}),
                               {.axisymmetric = true,
                                .cfl = 0.4,
@@ -211,20 +232,52 @@ struct CavityByPoints : CavityProblem {
         wall.prescribed_velocity = [problem = CavityProblem(*this)](double t) {
             return grit::Vector2{problem.velocity(t), 0.0};
         };
+        if (pressure) wall.prescribed_velocity = [](double) { return grit::Vector2{0.0, 0.0}; };
         simulation.add_body(std::move(wall));
         simulation.add_body(sand(nodes, h));
         simulation.fix_below(1, 0.0);
         simulation.fix_above(1, h);
-        simulation.fix_above(0, nodes.back());
-        add_contact(simulation, kind, 0.0, {50e6, h, {{{a, 0.0}, {a, h}}}, {{{a, h}, {a, 0.0}}}});
+        if (is_wet()) press_far_side(simulation);
+        else simulation.fix_above(0, nodes.back());
+        if (pressure) press(simulation, {0, 1}, Edge::left, pressure, 1.0);
+        else
+            add_contact(simulation, kind, 0.0,
+                        {50e6, h, {{{a, 0.0}, {a, h}}}, {{{a, h}, {a, 0.0}}}});
         return watch(simulation, h);
     }
 
   private:
+    bool is_wet() const { return bulk_modulus > 0.0; }
+    static void press(Simulation& simulation, std::initializer_list<int> particles, Edge edge,
+                      const std::function<double(double)>& by, double direction) {
+        for (const int id : particles)
+            simulation.add_traction({1, id, edge, [by, direction](double t) {
+                                         return grit::Vector2{direction * by(t), 0.0};
+                                     }});
+    }
+    static void press_far_side(Simulation& simulation) {
+        const auto particles = static_cast<int>(simulation.body(1).particles.size());
+        press(
+            simulation, {particles - 2, particles - 1}, Edge::right,
+            [](double) { return far_pressure(); }, -1.0);
+    }
+    // Without cavities: its pressure may fall by as much as it likes.
+    PoreWater water(const Sand& material) const {
+        PoreWater out;
+        out.implicit = implicit;
+        out.bulk_modulus = bulk_modulus;
+        out.density = water_density;
+        out.largest_tension = 1e12;
+        out.first = column::own + material.own_columns();
+        out.void_ratio_column = material.separation().void_ratio;
+        return out;
+    }
     Body sand(const std::vector<double>& nodes, double h) const {
         Body body;
         auto material = std::make_unique<Sand>(lausitz(), sand_options());
-        body.particles = Particles(material->own_columns());
+        if (is_wet()) body.water = water(*material);
+        body.particles =
+            Particles(material->own_columns() + (is_wet() ? body.water->columns() : 0));
         const auto add = [&](double from, double to) {
             for (const double z : {0.25, 0.75})
                 body.particles.add(
@@ -235,7 +288,7 @@ struct CavityByPoints : CavityProblem {
         double at = a;
         for (; at < 4.0 * a - 1e-9; at += width) add(at, at + width);
         for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-            if (nodes[i + 1] < at + 1e-9) continue;
+            if (nodes[i + 1] < at + 1e-9 || nodes[i + 1] > outer) continue;
             const double from = std::max(nodes[i], at), whole = nodes[i + 1] - from;
             const int parts = whole < 0.2 * h ? 1 : per_cell;
             for (int k = 0; k < parts; ++k)
@@ -244,6 +297,24 @@ struct CavityByPoints : CavityProblem {
         body.material = std::move(material);
         for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p) start(body.particles.view(), p);
         return body;
+    }
+    static double face(Simulation& simulation) {
+        const ParticleView q = simulation.body(1).particles.view();
+        const std::ptrdiff_t p = simulation.find(1, 0);
+        return q[column::r][p] - q[column::F_rr][p] * q[column::l_r][p];
+    }
+    void note(Simulation& simulation, const std::vector<double>& r0, Result& out) const {
+        const Body& sand = simulation.body(1);
+        const ParticleView q = simulation.body(1).particles.view();
+        out.rows.resize(r0.size() / 2);
+        for (std::size_t i = 0; i < out.rows.size(); ++i) {
+            const std::ptrdiff_t p = simulation.find(1, static_cast<int>(2 * i));
+            Row& row = out.rows[i];
+            row.r0 = r0[2 * i];
+            row.sigma_rr += q[column::S_rr][p];
+            if (is_wet()) row.p_w += sand.water->pressure(q, p);
+        }
+        out.time_of_rows += simulation.time();
     }
     Result watch(Simulation& simulation, double h) const {
         Result out;
@@ -254,21 +325,27 @@ struct CavityByPoints : CavityProblem {
             r0[id] =
                 simulation.body(1).particles(column::r, simulation.find(1, static_cast<int>(id)));
         double u = 0.0;
+        int seen = 0;  // steps around 0.075 m
         while (simulation.time() < end) {
             const double t = simulation.time();
             simulation.step();
-            const double dt = simulation.time() - t, v = velocity(simulation.time());
-            const double force = contact_force(simulation, kind, dt)[0];
+            const double dt = simulation.time() - t;
+            const double v =
+                pressure ? (face(simulation) - a - u) / dt : velocity(simulation.time());
+            const double force =
+                pressure ? pressure(t) * (a + u) * h : contact_force(simulation, kind, dt)[0];
             if (u < 0.075 && v > 0.0) out.work += force * v * dt / h;
             record.add(simulation.time(), dt, u, force / ((a + u) * h), out.curve);
             u += v * dt;
-            if (out.rows.empty() && u >= 0.075) {
-                const Particles& q = simulation.body(1).particles;
-                for (std::size_t id = 0; id < r0.size(); id += 2)
-                    out.rows.push_back(
-                        {r0[id], q(column::S_rr, simulation.find(1, static_cast<int>(id)))});
+            // Undrained, the mean over 10 ms, which waves in it pass twice.
+            const double around = is_wet() ? 1e-3 : 0.0;
+            if (seen == 0 ? u >= 0.075 - around && v > 0.0 : is_wet() && u < 0.075 + around) {
+                note(simulation, r0, out);
+                ++seen;
             }
         }
+        for (Row& row : out.rows) row = {row.r0, row.sigma_rr / seen, row.p_w / seen};
+        out.time_of_rows /= std::max(seen, 1);
         return out;
     }
 };
