@@ -302,6 +302,12 @@ TEST(ParameterDerivatives, OfAnIncrementThatIsZeroStayAndTakeTheStiffnessAtRest)
     const Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>> C(out.tangent);
     const Mat change = (rest.slopes - start).topRightCorner<6, 6>();
     EXPECT_LE((change - C).norm(), 1e-12 * C.norm());
+    // h follows by all of the strain, e by (H9).
+    const Mat of_h = (rest.slopes - start).block<6, 6>(6, 15);
+    EXPECT_LE((of_h - Mat::Identity()).norm(), 1e-14);
+    Vec of_e = Vec::Zero();
+    of_e.head<3>().setConstant(1.0 + x.e);
+    EXPECT_LE(((rest.slopes - start).block<1, 6>(12, 15).transpose() - of_e).norm(), 1e-14);
 }
 
 struct Refusal {
