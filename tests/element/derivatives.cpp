@@ -275,6 +275,8 @@ TEST(TestDerivatives, FollowEndsThatAreMetExactly) {
     Circulating kind;
     kind.rows = std::get<Linear>(triaxial_drained(-0.01).kind).rows;
     kind.amplitude[0] = -0.004;
+    kind.amplitude[1] = kind.amplitude[2] = -10.0;
+    kind.phase[1] = kind.phase[2] = 0.5;
     wave.kind = kind;
     expect("waves to a stress", of(wave, 300), "s1 < -170");
     Step table;
