@@ -11,7 +11,15 @@
 namespace element {
 
 // Of a point.
-using Quantity = std::function<double(const Record&)>;
+struct Quantity {
+    std::function<double(const Record&)> value;
+    // How it changes at a record that changes by another, to first order; empty: that is not known.
+    std::function<double(const Record& at, const Record& by)> change = {};
+
+    double operator()(const Record& record) const { return value(record); }
+};
+// A sum of numbers of a record times constants.
+Quantity linear_quantity(std::function<double(const Record&)> value);
 
 // What a name means; throws BadCase for an unknown one, listing those known.
 using Vocabulary = std::function<Quantity(const std::string& name)>;
@@ -36,6 +44,8 @@ Condition parse_condition(const std::string& text, const Vocabulary& vocabulary)
 // The sum of a condition minus its limit.
 double excess(const Condition& condition, const Record& record);
 bool holds(const Condition& condition, const Record& record);
+// Of the sum, where the record changes: to first order. Throws BadCase where that is not known.
+double change(const Condition& condition, const Record& at, const Record& by);
 
 // The names of incrementalDriver (which takes no principal values):
 //   s1 s2 s3 s12 s13 s23  stress of the law       e1 e2 e3 g12 g13 g23  strain

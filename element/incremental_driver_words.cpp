@@ -16,10 +16,19 @@ constexpr const char* quantities[] = {"s1",  "s2",  "s3",  "s12",  "s13", "s23",
                                       "g12", "g13", "g23", "p",    "q",   "P",   "Q",   "ev", "eq",
                                       "eP",  "eQ",  "pw",  "time", "sI",  "sII", "sIII"};
 
+constexpr std::size_t first_principal = 22;  // and the last three: all others are linear
+
 double principal(const Vector6& stress, int from_smallest) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
         Eigen::Matrix3d(stress_tensor(stress)), Eigen::EigenvaluesOnly);
     return eigen.eigenvalues()[from_smallest];
+}
+
+double principal_change(const Vector6& stress, const Vector6& by, int from_smallest) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
+        Eigen::Matrix3d(stress_tensor(stress)));
+    const Eigen::Vector3d n = eigen.eigenvectors().col(from_smallest);
+    return n.dot(Eigen::Matrix3d(stress_tensor(by)) * n);
 }
 
 double known_quantity(std::size_t index, const Record& record) {
@@ -61,10 +70,16 @@ Vocabulary incremental_driver_words(std::vector<std::string> state_names) {
         const auto* const found = std::find(std::begin(quantities), std::end(quantities), name);
         if (found != std::end(quantities)) {
             const auto index = static_cast<std::size_t>(found - std::begin(quantities));
-            return [index](const Record& record) { return known_quantity(index, record); };
+            Quantity out = linear_quantity(
+                [index](const Record& record) { return known_quantity(index, record); });
+            if (index >= first_principal)
+                out.change = [index](const Record& at, const Record& by) {
+                    return principal_change(at.stress, by.stress, 24 - static_cast<int>(index));
+                };
+            return out;
         }
         const auto of_state = [](std::size_t index) -> Quantity {
-            return [index](const Record& record) { return record.state[index]; };
+            return linear_quantity([index](const Record& record) { return record.state[index]; });
         };
         if (const std::size_t number = state_number(name)) {
             if (number <= names.size()) return of_state(number - 1);

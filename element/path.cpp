@@ -22,6 +22,13 @@ Vector6 interpolate(const std::vector<double>& knots, const Table& values, doubl
     return values[i - 1] + t * (values[i] - values[i - 1]);
 }
 
+// Its slope; at a knot, of what ends there.
+Vector6 slope_between(const std::vector<double>& knots, const Table& values, double x) {
+    const auto after = std::lower_bound(knots.begin() + 1, knots.end() - 1, x);
+    const auto i = static_cast<std::size_t>(after - knots.begin());
+    return (values[i] - values[i - 1]) / (knots[i] - knots[i - 1]);
+}
+
 Vector6 change_of(const Linear& linear, const Sample& sample) {
     const Vector6 total = sample.point.stress - sample.pore_pressure * unit_tensor();
     const Vector6 now = linear.rows.stress * total + linear.rows.strain * sample.strain;
@@ -36,6 +43,14 @@ Vector6 harmonic(const Circulating& c, double x) {
     Vector6 out = c.drift * x;
     for (int r = 0; r < 6; ++r)
         out[r] += c.amplitude[r] * (std::sin(angle + c.phase[r]) - std::sin(c.phase[r]));
+    return out;
+}
+
+Vector6 harmonic_rate(const Circulating& c, double x) {
+    const double frequency = 2.0 * std::numbers::pi * c.cycles;
+    Vector6 out = c.drift;
+    for (int r = 0; r < 6; ++r)
+        out[r] += c.amplitude[r] * frequency * std::cos(frequency * x + c.phase[r]);
     return out;
 }
 
@@ -82,6 +97,11 @@ Table table_of(const RandomWalk& walk, int increments) {
     return out;
 }
 
+void follow(Path& path, const Table& table) {
+    path.change = [knots = path.knots, table](double x) { return interpolate(knots, table, x); };
+    path.rate = [knots = path.knots, table](double x) { return slope_between(knots, table, x); };
+}
+
 }  // namespace
 
 int increments_of(const Step& step) {
@@ -102,19 +122,17 @@ Path path_of(const Step& step, const Sample& sample) {
     if (const auto* linear = std::get_if<Linear>(&step.kind)) {
         path.rows = linear->rows;
         path.straight = true;
-        path.change = [change = change_of(*linear, sample)](double x) {
-            return Vector6(x * change);
-        };
+        const Vector6 whole = change_of(*linear, sample);
+        path.change = [whole](double x) { return Vector6(x * whole); };
+        path.rate = [whole](double) { return whole; };
     } else if (const auto* circulating = std::get_if<Circulating>(&step.kind)) {
         path.rows = circulating->rows;
-        path.change = [c = as_midpoint_rate(*circulating, step.increments)](double x) {
-            return harmonic(c, x);
-        };
+        const Circulating c = as_midpoint_rate(*circulating, step.increments);
+        path.change = [c](double x) { return harmonic(c, x); };
+        path.rate = [c](double x) { return harmonic_rate(c, x); };
     } else if (const auto* imported = std::get_if<Imported>(&step.kind)) {
         path.rows = imported->rows;
-        path.change = [knots = path.knots, table = table_of(*imported)](double x) {
-            return interpolate(knots, table, x);
-        };
+        follow(path, table_of(*imported));
         if (imported->time.index >= 0) {
             Table times;
             for (std::size_t row = 0; row < imported->table.size(); ++row)
@@ -125,9 +143,7 @@ Path path_of(const Step& step, const Sample& sample) {
         }
     } else if (const auto* walk = std::get_if<RandomWalk>(&step.kind)) {
         path.rows = walk->rows;
-        path.change = [knots = path.knots, table = table_of(*walk, step.increments)](double x) {
-            return interpolate(knots, table, x);
-        };
+        follow(path, table_of(*walk, step.increments));
     }
     return path;
 }

@@ -11,6 +11,7 @@ namespace element {
 struct Path {
     Restrictions rows;
     std::function<Vector6(double)> change;  // c(x), zero at x = 0
+    std::function<Vector6(double)> rate;    // dc/dx; at a knot, of the increment that ends there
     std::function<double(double)> time;     // since the step began
     std::vector<double> knots;              // ends of the increments, from 0
     bool straight = false;                  // c is proportional to x

@@ -37,6 +37,21 @@ struct Ending {
     const Condition* condition = nullptr;
 };
 
+// A direction of what is recorded.
+Record change_of(const RecordSlopes& slopes, Eigen::Index k) {
+    Record out;
+    out.strain = slopes.strain.col(k);
+    out.stress = slopes.stress.col(k);
+    out.state.resize(static_cast<std::size_t>(slopes.state.rows()));
+    for (Eigen::Index i = 0; i < slopes.state.rows(); ++i)
+        out.state[static_cast<std::size_t>(i)] = slopes.state(i, k);
+    out.void_ratio = slopes.void_ratio[k];
+    out.pore_pressure = slopes.pore_pressure[k];
+    out.effective_stress = slopes.effective_stress.col(k);
+    out.total_stress = slopes.total_stress.col(k);
+    return out;
+}
+
 // A run in progress; every function that returns bool returns false where the run is over.
 class Runner {
   public:
@@ -86,11 +101,13 @@ class Runner {
             const double to = knots[static_cast<std::size_t>(i)];
             context.increment = place.increment = i;
             const Sample before = exactly ? sample : Sample{};
-            Advance work = advance(*stage, sample, from, to, settings.smallest_part);
+            KeptPart part;
+            Advance work = advance(*stage, sample, from, to, settings.smallest_part,
+                                   exactly && sample.slopes.wanted() ? &part : nullptr);
             if (!work.done) return fail(step, work, last);
             const Ending ending = ending_now();
             if (ending.step && ending.step->exit.exactly)
-                locate(*stage, *ending.condition, before, from, to, work);
+                locate(*stage, *ending.condition, before, from, to, part, work);
             accept(work);
             const bool go_on = report();
             const bool due = i % step.every == (step.record_first ? 1 % step.every : 0) ||
@@ -142,22 +159,55 @@ class Runner {
     // The increment from `before` has been taken as a whole and the condition holds at its end. Leaves
     // the sample where it begins to hold.
     void locate(Stage& stage, const Condition& exit, const Sample& before, double from, double to,
-                Advance& work) {
+                KeptPart& part_beyond, Advance& work) {
         Sample beyond = sample;
         sample = before;
-        double low = from, high = holds_now(exit) ? from : to;  // held before: nothing to find
+        const bool held = holds_now(exit);  // before: nothing to find
+        double low = from, high = held ? from : to;
         while (high - low > 1e-9 * (to - from)) {
             const double middle = 0.5 * (low + high);
             sample = before;
-            const Advance part = advance(stage, sample, from, middle, settings.smallest_part);
+            KeptPart last;
+            const Advance part = advance(stage, sample, from, middle, settings.smallest_part,
+                                         sample.slopes.wanted() ? &last : nullptr);
             work.iterations += part.iterations;
             work.evaluations += part.evaluations;
             if (!part.done) break;
             const bool reached = holds_now(exit);
             (reached ? high : low) = middle;
-            if (reached) beyond = sample;
+            if (reached) {
+                beyond = sample;
+                part_beyond = std::move(last);
+            }
         }
         sample = beyond;
+        if (sample.slopes.wanted() && !held) follow_end(stage, exit, part_beyond);
+    }
+
+    // The share x of the step at which a condition g just holds depends on the directions: dg/dx dx = -dg.
+    void follow_end(Stage& stage, const Condition& exit, const KeptPart& part) {
+        const auto by_share = stage.slopes_by_share(part);
+        if (!by_share)
+            throw BadCase("the restrictions do not determine the derivatives (singular)");
+        const Record now = recorder.snapshot(sample, place);
+        Sample along = sample;
+        along.slopes = *by_share;
+        Record rate = change_of(recorder.snapshot(along, place).slopes, 0);
+        rate.time = (sample.time - part.start.time) / (part.to - part.from);
+        const double slope = change(exit, now, rate);
+        Slopes& s = sample.slopes;
+        Eigen::RowVectorXd share(s.strain.cols());
+        for (Eigen::Index k = 0; k < share.size(); ++k)
+            share[k] = -change(exit, now, change_of(now.slopes, k)) / slope;
+        if (!share.allFinite())
+            throw BadCase(
+                text("%s does not change where it begins to hold: where the step ends has "
+                     "no derivative",
+                     exit.text.c_str()));
+        s.strain += by_share->strain * share;
+        s.point.stress += by_share->point.stress * share;
+        s.point.state += by_share->point.state * share;
+        s.pore_pressure += by_share->pore_pressure * share;
     }
 
     void accept(const Advance& work) {
@@ -207,10 +257,13 @@ class Runner {
     const Step* ended = nullptr;    // by a condition: what is left of it is left out
 };
 
-bool ends_exactly(const Program& program) {
-    return std::any_of(program.begin(), program.end(), [](const Step& step) {
+// A deformation gradient that a condition ends exactly, its own or that of a repetition around it.
+bool ends_gradient_exactly(const Program& program, bool around = false) {
+    return std::any_of(program.begin(), program.end(), [&](const Step& step) {
+        const bool exactly = around || step.exit.exactly;
         const auto* repetition = std::get_if<Repetition>(&step.kind);
-        return step.exit.exactly || (repetition && ends_exactly(repetition->steps));
+        return (exactly && std::holds_alternative<DeformationGradient>(step.kind)) ||
+               (repetition && ends_gradient_exactly(repetition->steps, exactly));
     });
 }
 
@@ -225,9 +278,9 @@ void check_slopes(const Sample& sample, const Program& program) {
         throw BadCase(text("the derivatives at the start must have %d columns, and %d rows of "
                            "state variables",
                            static_cast<int>(count), static_cast<int>(states)));
-    if (ends_exactly(program))
-        throw BadCase("an exit that ends a step exactly where it holds depends on the parameters: "
-                      "it cannot be differentiated");
+    if (ends_gradient_exactly(program))
+        throw BadCase("an exit that ends a deformation gradient exactly where it holds depends on "
+                      "the parameters: it cannot be differentiated");
 }
 
 }  // namespace

@@ -72,6 +72,19 @@ class ControlledStage : public Stage {
         return differentiate(context.law, task_between(now, from, to), attempt.solution, given);
     }
 
+    std::optional<Slopes> slopes_by_share(const KeptPart& part) override {
+        const Sample& now = part.start;
+        Slopes none;  // what it starts from does not depend on how far it goes
+        none.by = {by_void_ratio};
+        none.point.stress = none.strain = Matrix6X::Zero(6, 1);
+        none.point.state = MatrixX::Zero(static_cast<Eigen::Index>(now.point.state.size()), 1);
+        none.pore_pressure = Eigen::RowVectorXd::Zero(1);
+        TaskSlopes given{none, path.rate(part.to), none.pore_pressure};
+        if (step.drains) given.pore_pressure[0] = -first_pore_pressure;
+        return differentiate(context.law, task_between(now, part.from, part.to),
+                             part.attempt.solution, given);
+    }
+
     void keep(const Attempt& attempt, double from, double to) override {
         if (path.straight) slope = attempt.solution.strain_increment / (to - from);
         else tangent = attempt.solution.tangent;
@@ -154,6 +167,10 @@ class GradientStage : public Stage {
         return end;
     }
 
+    std::optional<Slopes> slopes_by_share(const KeptPart&) override {
+        throw BadCase("derivatives by the share of a deformation gradient are not known");
+    }
+
     void keep(const Attempt&, double, double) override {}
     void forget() override {}
 
@@ -186,7 +203,8 @@ std::unique_ptr<Stage> begin_stage(const Step& step, const Sample& sample,
     return std::make_unique<ControlledStage>(step, sample, context);
 }
 
-Advance advance(Stage& stage, Sample& sample, double from, double to, double smallest_part) {
+Advance advance(Stage& stage, Sample& sample, double from, double to, double smallest_part,
+                KeptPart* last) {
     Advance out;
     const double whole = to - from;
     double part = whole;
@@ -207,6 +225,7 @@ Advance advance(Stage& stage, Sample& sample, double from, double to, double sma
                 attempt.end.slopes = std::move(*slopes);
             }
             stage.keep(attempt, from, next);
+            if (last) *last = {sample, attempt, from, next};
             out.residuals = solution.residuals;
             sample = std::move(attempt.end);
             out.moved = true;

@@ -14,6 +14,13 @@ struct Attempt {
     Sample end;  // meaningful if the solution is done
 };
 
+// What was done last, and from where.
+struct KeptPart {
+    Sample start;
+    Attempt attempt;
+    double from = 0.0, to = 0.0;
+};
+
 class Stage {
   public:
     Stage() = default;
@@ -28,6 +35,9 @@ class Stage {
     // Derivatives at its end, from those at its start where the sample is now; nothing where they are undetermined.
     virtual std::optional<Slopes> slopes_after(const Sample& now, const Attempt& attempt,
                                                double from, double to) = 0;
+    // Of the end of a part by the share of the step that is done there: a column; nothing where they are undetermined.
+    // Throws BadCase where there are none.
+    virtual std::optional<Slopes> slopes_by_share(const KeptPart& part) = 0;
     // The last attempt failed: what guided it is not to be trusted.
     virtual void forget() = 0;
 };
@@ -51,6 +61,8 @@ struct Advance {
     long iterations = 0, evaluations = 0, cut_backs = 0;
     std::vector<double> residuals;  // of the last part
 };
-Advance advance(Stage& stage, Sample& sample, double from, double to, double smallest_part);
+// last: if wanted, what was kept last.
+Advance advance(Stage& stage, Sample& sample, double from, double to, double smallest_part,
+                KeptPart* last = nullptr);
 
 }  // namespace element

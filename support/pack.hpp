@@ -93,6 +93,24 @@ template <int W> GRIT_INLINE PackMask<W> select(PackMask<W> mask, PackMask<W> ye
 }
 template <int W> GRIT_INLINE Pack<W> value(Pack<W> x) { return x; }
 
+// The first count of W numbers one behind the other; the others are 0.
+template <int W> GRIT_INLINE Pack<W> load_first(const double* from, int count) {
+#if defined(__AVX512F__)
+    if constexpr (W == 8)
+        return typename Pack<W>::Vector(
+            _mm512_maskz_loadu_pd(static_cast<__mmask8>((1U << count) - 1U), from));
+#endif
+    return Pack<W>::each([&](int lane) { return lane < count ? from[lane] : 0.0; });
+}
+// What lies behind them is left alone.
+template <int W> GRIT_INLINE void store_first(double* to, int count, const Pack<W>& x) {
+#if defined(__AVX512F__)
+    if constexpr (W == 8)
+        return _mm512_mask_storeu_pd(to, static_cast<__mmask8>((1U << count) - 1U), (__m512d)x.v);
+#endif
+    for (int lane = 0; lane < count; ++lane) to[lane] = x[lane];
+}
+
 template <int W> GRIT_INLINE bool any(PackMask<W> mask) {
 #if defined(__AVX512F__)
     if constexpr (W == 8) return _mm512_test_epi64_mask((__m512i)mask.v, (__m512i)mask.v) != 0;

@@ -120,13 +120,27 @@ grit_mutable_view Arrays::write(const char* name, const py::object& object, py::
                                 view.component_stride);
 }
 
-grit_mutable_matrix_view Arrays::write_matrix(const char* name, const py::object& object,
-                                              py::ssize_t size) {
+grit_matrix_view Arrays::read_matrix(const char* name, const py::object& object, py::ssize_t rows,
+                                     py::ssize_t columns) {
     if (object.is_none()) return {};
-    const py::array& a = hold(name, object, true, with_points({size, size}));
+    const py::array& a = hold(name, object, false, with_points({rows, columns}));
     const py::ssize_t row = single ? 0 : 1;
-    return grit_mutable_matrix_view_of(base_of(a), single ? 0 : stride(a, 0), stride(a, row),
-                                       stride(a, row + 1));
+    // Where there is one of them, NumPy may give it any stride.
+    const auto step = [&](py::ssize_t axis) {
+        return a.shape(axis) > 1 ? stride(a, axis) : ptrdiff_t{1};
+    };
+    return grit_matrix_view_of(base_of(a), single ? 0 : step(0), step(row), step(row + 1));
+}
+
+grit_mutable_matrix_view Arrays::write_matrix(const char* name, const py::object& object,
+                                              py::ssize_t rows, py::ssize_t columns) {
+    if (object.is_none()) return {};
+    const grit_matrix_view view = read_matrix(name, object, rows, columns);
+    Held& last = held.back();
+    last.array = judged(name, object, true);
+    last.written = true;
+    return grit_mutable_matrix_view_of(const_cast<double*>(view.base), view.point_stride,
+                                       view.row_stride, view.column_stride);
 }
 
 grit_view Arrays::read_same_or_each(const char* name, const py::object& object, py::ssize_t size) {

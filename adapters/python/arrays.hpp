@@ -26,8 +26,10 @@ class Arrays {
     // None makes a view without a base. size 0: one number per point, shape (n,), or (1,) of one point.
     grit_view read(const char* name, const py::object& object, py::ssize_t size);
     grit_mutable_view write(const char* name, const py::object& object, py::ssize_t size);
+    grit_matrix_view read_matrix(const char* name, const py::object& object, py::ssize_t rows,
+                                 py::ssize_t columns);
     grit_mutable_matrix_view write_matrix(const char* name, const py::object& object,
-                                          py::ssize_t size);
+                                          py::ssize_t rows, py::ssize_t columns);
     // (c,) for all points, or (n, c).
     grit_view read_same_or_each(const char* name, const py::object& object, py::ssize_t size);
     // (n, 3, 3) or (3, 3): copied where the matrices do not lie as C wants them.

@@ -76,16 +76,6 @@ py::dict arrays_of(const std::vector<element::Record>& records) {
     return out;
 }
 
-// By name or symbol.
-int direction_of(const std::string& name) {
-    if (name == "void_ratio") return element::by_void_ratio;
-    for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i) {
-        const grit_sand_parameter_info* const info = grit_sand_parameter_describe(i);
-        if (name == info->name || name == info->symbol) return i;
-    }
-    refuse("parameters: %s is none of this sand", name.c_str());
-}
-
 template <class Get>
 py::array slopes(const std::vector<element::Record>& records, py::ssize_t width, Get get) {
     const auto m = static_cast<py::ssize_t>(records.size());

@@ -2,6 +2,8 @@
 // What the module is made of.
 #pragma once
 
+#include <string>
+
 #include <grit/grit.h>
 #include <pybind11/pybind11.h>
 
@@ -13,6 +15,9 @@ namespace py = pybind11;
 struct Sand {
     grit_sand prepared{};
 };
+
+// The number of a parameter by its name or symbol; -1 for "void_ratio": GRIT_SAND_NO_PARAMETER, element::by_void_ratio.
+int direction_of(const std::string& name);
 
 void add_sand(py::module_& module);
 py::class_<Sand> add_sand_type(py::module_& module);

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <string>
+#include <vector>
 
+#include <grit/sand_derivatives.h>
 #include <grit/sand_water.h>
 #include <pybind11/numpy.h>
+#include <pybind11/stl.h>
 
 #include "adapters/python/arrays.hpp"
 #include "adapters/python/errors.hpp"
@@ -47,6 +52,23 @@ constexpr const char* update_undrained_doc =
 stress is effective, and tangent that of the total stress, with K_w/n on its normal entries unless the water
 has cavitated, which the flag CAVITATED says. p_w changes by -K_w ln(e/e_0), or by -(K_w/n) tr strain_increment;
 below -largest_tension it says how far a cavity must close. All else is as in update.)";
+
+constexpr const char* update_differentiated_doc =
+    R"(update of n points, with the same bits, and the derivatives of what it returns along k directions.
+
+    stress_slope            (n, 6, k)   d stress; in: of the start, out: of the end
+    state_slope             (n, 8, k)   d state, the same
+    parameters              k names or symbols of parameters of the sand, a direction each; or "void_ratio" or None,
+                            a direction without a parameter
+    strain_increment_slope  (n, 6, k)   d strain_increment; None: it depends on none
+
+slopes(parameters, n) makes those of a start that depends on no parameter. From call to call they are carried along a
+path, per unit of a parameter (rad, stress or 1). Six directions of strain are the consistent tangent. At most 32
+directions. There is no tangent beside them; all else is as in update.)";
+
+constexpr const char* slopes_doc =
+    R"(stress_slope and state_slope of points at the start of a path, for update_differentiated: zeros, and 1 in the row
+VOID_RATIO of the direction "void_ratio". (n, 6, k) and (n, 8, k), of one point without n; components 6 or 4.)";
 
 grit_sand_options options_of(bool tangent, bool continuum, double tolerance, int evaluation_limit,
                              bool intergranular_strain, bool stress_is_rotated) {
@@ -93,7 +115,7 @@ struct Points {
         views.strain_increment = arrays.read("strain_increment", strain_increment, c);
         views.stress = arrays.write("stress", stress, c);
         views.state = arrays.write("state", state, GRIT_SAND_STATE_SIZE);
-        views.tangent = arrays.write_matrix("tangent", tangent, c);
+        views.tangent = arrays.write_matrix("tangent", tangent, c, c);
         views.rotation_increment = arrays.read_rotation("rotation_increment", rotation_increment);
         views.substep = arrays.write("substep", substep, 0);
         views.index = arrays.read_index(index);
@@ -159,6 +181,68 @@ py::array update_undrained(const Sand& sand, const py::object& strain_increment,
     });
 }
 
+// A direction each.
+using Names = std::vector<std::optional<std::string>>;
+
+std::vector<int> directions_of(const Names& names) {
+    std::vector<int> out;
+    for (const auto& name : names)
+        out.push_back(name ? direction_of(*name) : static_cast<int>(GRIT_SAND_NO_PARAMETER));
+    return out;
+}
+
+py::array update_differentiated(const Sand& sand, const py::object& strain_increment,
+                                const py::object& stress, const py::object& state,
+                                const py::object& stress_slope, const py::object& state_slope,
+                                const Names& names, const py::object& strain_increment_slope,
+                                const py::object& rotation_increment, const py::object& substep,
+                                const py::object& index, double tolerance, int evaluation_limit,
+                                bool intergranular_strain, bool stress_is_rotated,
+                                bool validate_only) {
+    Points points(strain_increment, stress, state, py::none(), rotation_increment, substep, index,
+                  {false, tolerance, evaluation_limit, intergranular_strain, stress_is_rotated,
+                   validate_only});
+    refuse_none("stress_slope", stress_slope);
+    refuse_none("state_slope", state_slope);
+    const std::vector<int> parameters = directions_of(names);
+    const auto k = static_cast<py::ssize_t>(parameters.size());
+    const int c = points.arrays.components();
+    grit_sand_derivatives d{};
+    d.struct_size = sizeof d;
+    d.count = static_cast<int>(k);
+    d.parameters = parameters.data();
+    d.strain_increment =
+        points.arrays.read_matrix("strain_increment_slope", strain_increment_slope, c, k);
+    d.stress = points.arrays.write_matrix("stress_slope", stress_slope, c, k);
+    d.state = points.arrays.write_matrix("state_slope", state_slope, GRIT_SAND_STATE_SIZE, k);
+    return points.run(validate_only, [&](grit_sand_report* reports, grit_error& error) {
+        return grit_sand_update_differentiated(&sand.prepared, &points.options, &d,
+                                               points.arrays.taken(), &points.views, reports,
+                                               &error);
+    });
+}
+
+py::tuple slopes(const Sand&, const Names& names, std::optional<py::ssize_t> n, int components) {
+    if (components != 6 && components != 4) refuse("components must be 6 or 4, got %d", components);
+    if (n && *n < 0) refuse("n must be >= 0, got %td", *n);
+    directions_of(names);  // known
+    const auto k = static_cast<py::ssize_t>(names.size());
+    const auto zeros = [&](py::ssize_t rows) {
+        std::vector<py::ssize_t> shape{rows, k};
+        if (n) shape.insert(shape.begin(), *n);
+        py::array_t<double> all(shape);
+        std::fill_n(all.mutable_data(), all.size(), 0.0);
+        return all;
+    };
+    py::array_t<double> stress = zeros(components), state = zeros(GRIT_SAND_STATE_SIZE);
+    double* const of_state = state.mutable_data();
+    for (py::ssize_t i = 0; i < n.value_or(1); ++i)
+        for (py::ssize_t j = 0; j < k; ++j)
+            if (names[static_cast<std::size_t>(j)] == "void_ratio")
+                of_state[(i * GRIT_SAND_STATE_SIZE + GRIT_SAND_VOID_RATIO) * k + j] = 1.0;
+    return py::make_tuple(stress, state);
+}
+
 }  // namespace
 
 void add_sand(py::module_& module) {
@@ -183,6 +267,15 @@ void add_sand(py::module_& module) {
         arg("index") = py::none(), arg("continuum") = false, arg("tolerance") = usual.tolerance,
         arg("evaluation_limit") = usual.evaluation_limit, arg("intergranular_strain") = true,
         arg("stress_is_rotated") = false, arg("validate_only") = false, update_undrained_doc);
+    sand.def(
+        "update_differentiated", &update_differentiated, arg("strain_increment"), arg("stress"),
+        arg("state"), arg("stress_slope"), arg("state_slope"), py::kw_only(), arg("parameters"),
+        arg("strain_increment_slope") = py::none(), arg("rotation_increment") = py::none(),
+        arg("substep") = py::none(), arg("index") = py::none(), arg("tolerance") = usual.tolerance,
+        arg("evaluation_limit") = usual.evaluation_limit, arg("intergranular_strain") = true,
+        arg("stress_is_rotated") = false, arg("validate_only") = false, update_differentiated_doc);
+    sand.def("slopes", &slopes, arg("parameters"), arg("n") = py::none(), py::kw_only(),
+             arg("components") = 6, slopes_doc);
     add_sand_operators(sand);
     module.attr("STATE_SIZE") = static_cast<int>(GRIT_SAND_STATE_SIZE);
     module.attr("VOID_RATIO") = static_cast<int>(GRIT_SAND_VOID_RATIO);

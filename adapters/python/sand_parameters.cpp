@@ -99,6 +99,15 @@ Sand restored(const py::dict& parameters) {
 
 }  // namespace
 
+int direction_of(const std::string& name) {
+    if (name == "void_ratio") return -1;
+    for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i) {
+        const grit_sand_parameter_info* const info = grit_sand_parameter_describe(i);
+        if (name == info->name || name == info->symbol) return i;
+    }
+    refuse("parameters: %s is none of this sand", name.c_str());
+}
+
 py::class_<Sand> add_sand_type(py::module_& module) {
     using py::arg;
     py::class_<Sand> sand(module, "Sand", sand_doc);

@@ -170,17 +170,18 @@ element::Vocabulary Columns::words(bool loaded_by_shear) const {
         for (const Definition& definition : definitions) {
             if (!definition.of_a_point) continue;
             if (definition.name == name)
-                return [&definition, loaded_by_shear, sand = this_.sand](const Record& record) {
+                return {[&definition, loaded_by_shear, sand = this_.sand](const Record& record) {
                     const Setting setting{0, loaded_by_shear, unknown};
                     return definition.of(derive(record, setting, sand));
-                };
+                }};
             known.emplace_back(definition.name);
         }
         for (std::size_t i = 0; i < this_.states.size(); ++i) {
             known.push_back(this_.heads[std::size(definitions) + i].name);
             if (known.back() == name)
-                return
-                    [place = this_.states[i]](const Record& record) { return record.state[place]; };
+                return {[place = this_.states[i]](const Record& record) {
+                    return record.state[place];
+                }};
         }
         throw element::BadCase("a condition speaks of columns of the result, got \"" + name + "\"" +
                                element::suggestion(name, known));

@@ -75,7 +75,8 @@ Row slopes_of(const Record& r, Eigen::Index k) {
 }
 
 // Every number of every record; per relative change of the parameter, by the largest that there is of its kind.
-void expect_central_differences(const char* name, const Case& c, double tolerance = 1e-6) {
+void expect_central_differences(const char* name, const Case& c, double tolerance = 1e-6,
+                                double step = 4e-4) {
     const Directions by = all_directions(c.options.intergranular_strain);
     const History history = run(c, by), plain = run(c);
     ASSERT_EQ(history.records.size(), plain.records.size());
@@ -84,15 +85,14 @@ void expect_central_differences(const char* name, const Case& c, double toleranc
     double worst = 0.0;
     for (std::size_t k = 0; k < by.size(); ++k) {
         const double size = value_of(c, by[k]);
-        const auto differences = [&](double step) {
-            const History up = run(changed(c, by[k], step * size)),
-                          down = run(changed(c, by[k], -step * size));
+        const auto differences = [&](double by_share) {
+            const History up = run(changed(c, by[k], by_share * size)),
+                          down = run(changed(c, by[k], -by_share * size));
             std::vector<Row> out;
             for (std::size_t i = 0; i < plain.records.size(); ++i)
-                out.push_back((row_of(up.records[i]) - row_of(down.records[i])) / (2.0 * step));
+                out.push_back((row_of(up.records[i]) - row_of(down.records[i])) / (2.0 * by_share));
             return out;
         };
-        constexpr double step = 4e-4;
         const std::vector<Row> wide = differences(step), narrow = differences(0.5 * step);
         // strain, stress, void ratio, pore pressure
         constexpr Eigen::Index first[] = {0, 6, 18, 19, 20};
@@ -196,13 +196,17 @@ TEST(TestDerivatives, AreCentralDifferencesOfAbsoluteGoals) {
                                {{of(triaxial_drained(-0.01), 10, 1e-2), of(absolute, 8)}});
 }
 
-TEST(TestDerivatives, AreCentralDifferencesOfADeformationGradientThatTurns) {
+Step gradient_that_turns() {
     DeformationGradient gradient;
     gradient.F << 0.99, 0.03, 0.0, -0.02, 0.985, 0.0, 0.0, 0.0, 1.0;
     Step step;
     step.kind = gradient;
+    return of(step, 10);
+}
+
+TEST(TestDerivatives, AreCentralDifferencesOfADeformationGradientThatTurns) {
     expect_central_differences("deformation gradient",
-                               {{of(triaxial_drained(-0.005), 5), of(step, 10)}});
+                               {{of(triaxial_drained(-0.005), 5), gradient_that_turns()}});
 }
 
 // e = e_0 exp(-x), and a K0 stress of 1 - sin phi_c.
@@ -244,6 +248,55 @@ TEST(TestDerivatives, FollowAStartThatDependsOnParameters) {
     }
 }
 
+// Recorded where it ends only.
+Step ending_exactly(Step step, const char* condition) {
+    step.exit.exactly = true;
+    step.exit.any_of.push_back(parse_condition(
+        condition, incremental_driver_words({"", "", "", "", "", "", "void_ratio"})));
+    step.every = step.increments;
+    return step;
+}
+
+// Where a step ends depends on the directions, and so does all that follows. The end is found to 1e-9 of an increment:
+// small increments and wide differences, which do not see that.
+TEST(TestDerivatives, FollowEndsThatAreMetExactly) {
+    const Step back = of(triaxial_drained(0.001), 4);
+    const auto ends = [](const char* name, const Case& c, double step = 4e-3) {
+        EXPECT_EQ(run(c).exits.size(), 1U) << name;
+        expect_central_differences(name, c, 5e-6, step);
+    };
+    const auto expect = [&](const char* name, const Step& step, const char* condition) {
+        ends(name, {{ending_exactly(step, condition), back}});
+    };
+    expect("drained to a stress", of(triaxial_drained(-0.02), 200), "s1 < -140");
+    expect("oedometer to a void ratio", of(oedometer_strain(-0.05), 200), "void_ratio < 0.62");
+    expect("undrained to a pore pressure", of(triaxial_undrained(-0.02), 200), "pw > 20");
+    expect("shear to a principal stress", of(simple_shear_constant_stress(0.02), 200),
+           "sIII < -112");
+    expect("by stress to a strain", of(oedometer_stress(-400.0), 200), "e1 < -0.004");
+    expect("to a sum of both", of(triaxial_drained(-0.02), 200), "1000*e1 + 0.1*s1 < -24");
+    Step wave;
+    Circulating kind;
+    kind.rows = std::get<Linear>(triaxial_drained(-0.01).kind).rows;
+    kind.amplitude[0] = -0.004;
+    kind.amplitude[1] = kind.amplitude[2] = -10.0;
+    kind.phase[1] = kind.phase[2] = 0.5;
+    wave.kind = kind;
+    expect("waves to a stress", of(wave, 300), "s1 < -112");
+    Step table;
+    Imported history{kind.rows, {}, {}, {}};
+    for (int i = 0; i <= 30; ++i) history.table.push_back({-2e-5 * i * i});
+    history.columns[0] = {0, 1.0};
+    table.kind = history;
+    // It has a corner at each row: differences must not reach the next.
+    ends("by a table to a stress", {{ending_exactly(of(table, 30), "s1 < -140"), back}}, 1e-3);
+    Step drained = of(triaxial_undrained(0.0), 200);
+    drained.undrained = false;
+    drained.drains = true;
+    ends("drained to a volume",
+         {{of(triaxial_undrained(-0.002), 10, 1e-2), ending_exactly(drained, "ev > 1e-4"), back}});
+}
+
 TEST(TestDerivatives, AreRefusedWhereTheyMakeNoSense) {
     const auto refused = [](const char* part, auto act) {
         try {
@@ -263,11 +316,17 @@ TEST(TestDerivatives, AreRefusedWhereTheyMakeNoSense) {
     without.start.intergranular_strain = IntergranularStrain::off;
     refused("elastic_strain_radius (R), which an update without intergranular strain does not use",
             [&] { run(without, {of_R}); });
-    Case exact = c;
-    exact.program[0].exit.exactly = true;
-    exact.program[0].exit.any_of.push_back(
-        parse_condition("e1 < -0.005", incremental_driver_words({})));
-    refused("an exit that ends a step exactly where it holds", [&] { run(exact, {0}); });
+    const Case turned({ending_exactly(gradient_that_turns(), "e1 < -0.005")});
+    refused("ends a deformation gradient exactly", [&] { run(turned, {0}); });
+    Case unknown({of(triaxial_drained(-0.02), 1)});
+    unknown.program[0].exit.exactly = true;
+    unknown.program[0].exit.any_of.push_back(parse_condition("f < -1", [](const std::string&) {
+        return Quantity{[](const Record& r) { return 100.0 * r.strain[0]; }};
+    }));
+    refused("\"f < -1\" speaks of a quantity without derivatives", [&] { run(unknown, {0}); });
+    // Held before: it ends where the increment does.
+    EXPECT_EQ(run({{ending_exactly(of(triaxial_drained(-0.01), 5), "e1 < 1")}}, {0}).exits.size(),
+              1U);
 }
 
 }  // namespace

@@ -283,6 +283,32 @@ TEST(ParameterDerivatives, FollowSeparatedPoints) {
     compare();
 }
 
+// It is scaled back to the cone, and its derivatives with it. It goes on from the kink at the edge: differences see 1e-5
+// of how steps leave that.
+TEST(ParameterDerivatives, FollowAStartOutsideTheCone) {
+    const Sand sand = sand_named("lausitz");
+    const State start{principal(-100.0, 4.0, 1.0), Vec::Zero(), 0.7};
+    const Voigt strain = voigt_strain(1e-4 * principal(-1.0, 0.3, 0.2));
+    const grit_sand_options tight = options_with(1e-12);
+    Differentiated x(point_of(start), 6);
+    x.slopes.topRows<6>().setIdentity();  // by the stress at the start
+    const std::vector<int> none(6, GRIT_SAND_NO_PARAMETER);
+    const Outcome out = update(sand, x, strain.data(), none, {}, tight);
+    ASSERT_EQ(out.status, GRIT_OK) << out.error.message;
+    EXPECT_TRUE(out.report.flags & GRIT_SAND_OUTSIDE_CONE);
+    for (int k = 0; k < 6; ++k) {
+        constexpr double step = 1e-4;
+        const auto end = [&](double change) {
+            Point point = point_of(start);
+            point.stress[k] += change;
+            EXPECT_EQ(update(sand, point, strain.data(), tight).status, GRIT_OK);
+            return numbers_of(point);
+        };
+        const Numbers differences = (end(step) - end(-step)) / (2.0 * step);
+        EXPECT_LE((x.slopes.col(k) - differences).norm(), 1e-4 * differences.norm()) << k;
+    }
+}
+
 TEST(ParameterDerivatives, OfAnIncrementThatIsZeroStayAndTakeTheStiffnessAtRest) {
     const Sand sand = sand_named("lausitz");
     Random random(207);
@@ -302,6 +328,12 @@ TEST(ParameterDerivatives, OfAnIncrementThatIsZeroStayAndTakeTheStiffnessAtRest)
     const Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>> C(out.tangent);
     const Mat change = (rest.slopes - start).topRightCorner<6, 6>();
     EXPECT_LE((change - C).norm(), 1e-12 * C.norm());
+    // h follows by all of the strain, e by (H9).
+    const Mat of_h = (rest.slopes - start).block<6, 6>(6, 15);
+    EXPECT_LE((of_h - Mat::Identity()).norm(), 1e-14);
+    Vec of_e = Vec::Zero();
+    of_e.head<3>().setConstant(1.0 + x.e);
+    EXPECT_LE(((rest.slopes - start).block<1, 6>(12, 15).transpose() - of_e).norm(), 1e-14);
 }
 
 struct Refusal {

@@ -7,17 +7,18 @@
 
 GRIT_KERNEL_BEGIN
 
-constexpr int largest_direction_count = GRIT_SAND_LARGEST_DIRECTION_COUNT;
-constexpr int largest_pass_count = largest_direction_count / sensitivity_lanes;
+constexpr int largest_pass_count = GRIT_SAND_LARGEST_DIRECTION_COUNT / sensitivity_lanes;
 constexpr int sensitive_rows = 6 + GRIT_SAND_STATE_SIZE;
 
-// Of one point, stress and state one below the other, as the host has them.
-struct PointDerivatives {
-    double row[sensitive_rows][largest_direction_count];
-    double strain_increment[6][largest_direction_count];
+using Directions = Sensitive::Derivatives;
 
-    double* stress(int c) { return row[c]; }
-    double* state(int c) { return row[6 + c]; }
+// Of one point along the directions of a pass, as the host has them: stress and state one below the other.
+struct PointDerivatives {
+    Directions row[sensitive_rows];
+    Directions strain_increment[6];
+
+    Directions& stress(int c) { return row[c]; }
+    Directions& state(int c) { return row[6 + c]; }
 };
 
 // Stress and state of a point, with derivatives.
@@ -65,10 +66,18 @@ inline Advanced<Real> advance(const MaterialOf<Real>& m, const Control& control,
     return {value(marched), value(path), to};
 }
 
-template <class View>
-GRIT_INLINE auto& entry(const View& view, std::ptrdiff_t at, std::ptrdiff_t r, std::ptrdiff_t c) {
-    return view.base[at * view.point_stride + r * view.row_stride + c * view.column_stride];
-}
+// Those of the directions of a pass that are carried by a part of them.
+struct PartOfPass {
+    static constexpr int lanes = Directions::per_part;
+    int first = 0, count = 0;
+
+    PartOfPass(int pass, int part, int directions) {
+        const int begin = pass * sensitivity_lanes + part * lanes;
+        if (begin >= directions) return;
+        first = begin;
+        count = directions - begin < lanes ? directions - begin : lanes;
+    }
+};
 
 class DifferentiatedPoints : public PointByPoint {
   public:
@@ -85,23 +94,24 @@ class DifferentiatedPoints : public PointByPoint {
         const std::ptrdiff_t at = q.points->index ? q.points->index[i] : i;
         const RawPoint raw = read_point(*q.points, at);
         Fault fault = check_point(m, *q.options, q.igs, q.points->components, raw);
-        PointDerivatives d;
+        PointDerivatives d[largest_pass_count];
         if (fault == Fault::none && !read(at, d)) fault = Fault::derivative_not_finite;
         if (fault != Fault::none) return fail(i, fault, raw.strain, 0.0, 0);
         if (q.options->validate_only) {
             write_report(q.reports ? q.reports + i : nullptr, 0, 0, 0, 0.0);
             return;
         }
-        Point p = prepare_point(*q.options, raw);
+        const Point start = prepare_point(*q.options, raw);
+        Point p = start;
         enter_domain(m, q.igs, p);
         for (int pass = 0; pass < passes(); ++pass) {
-            PointOf<Sensitive> s = prepared(p, raw, d, pass);
+            PointOf<Sensitive> s = prepared(start, raw, d[pass]);
             enter_domain(material[pass], q.igs, s);
-            if (p.resting) keep(rested(s, pass), pass, d);
-            else if (p.stress_free) keep(separated(q.igs, s), pass, d);
-            else if (!march(p, s, pass, i, d)) return;
+            if (p.resting) keep(rested(s, pass), d[pass]);
+            else if (p.stress_free) keep(separated(q.igs, s), d[pass]);
+            else if (!march(p, s, pass, i, d[pass])) return;
         }
-        if (!all_finite(d.row)) {
+        if (!all_finite(d)) {
             const bool marched = !p.resting && !p.stress_free;
             return fail(i, Fault::derivative_leaves_range, raw.strain, 0.0,
                         marched ? result.evaluations : 0);
@@ -115,66 +125,90 @@ class DifferentiatedPoints : public PointByPoint {
     int components() const { return q.points->components == 4 ? 4 : 6; }
     int passes() const { return (of.count + sensitivity_lanes - 1) / sensitivity_lanes; }
 
-    bool read(std::ptrdiff_t at, PointDerivatives& d) const {
-        for (auto& row : d.row) clear(row);
-        for (auto& row : d.strain_increment) clear(row);
-        for (int k = 0; k < of.count; ++k) {
+    // A row of a view, the directions of a pass; of those that are not there, 0.
+    template <class View>
+    GRIT_INLINE Directions read_row(const View& view, std::ptrdiff_t at, int row, int pass) const {
+        return Directions::each([&](int part) {
+            const PartOfPass own(pass, part, of.count);
+            const double* const from = view.base + at * view.point_stride + row * view.row_stride +
+                                       own.first * view.column_stride;
+            if (view.column_stride == 1) return load_first<PartOfPass::lanes>(from, own.count);
+            return Pack<PartOfPass::lanes>::each(
+                [&](int k) { return k < own.count ? from[k * view.column_stride] : 0.0; });
+        });
+    }
+
+    GRIT_INLINE void write_row(const grit_mutable_matrix_view& view, std::ptrdiff_t at, int row,
+                               int pass, const Directions& x) const {
+        for (int part = 0; part * PartOfPass::lanes < sensitivity_lanes; ++part) {
+            const PartOfPass own(pass, part, of.count);
+            double* const to = view.base + at * view.point_stride + row * view.row_stride +
+                               own.first * view.column_stride;
+            if (view.column_stride == 1) store_first(to, own.count, x.part[part]);
+            else
+                for (int k = 0; k < own.count; ++k) to[k * view.column_stride] = x.part[part][k];
+        }
+    }
+
+    bool read(std::ptrdiff_t at, PointDerivatives* d) const {
+        for (int pass = 0; pass < passes(); ++pass) {
+            PointDerivatives& x = d[pass];
+            for (Directions& row : x.row) row = Directions::zero();
+            for (Directions& row : x.strain_increment) row = Directions::zero();
             for (int c = 0; c < components(); ++c) {
-                d.stress(c)[k] = entry(of.stress, at, c, k);
+                x.stress(c) = read_row(of.stress, at, c, pass);
                 if (of.strain_increment.base)
-                    d.strain_increment[c][k] = entry(of.strain_increment, at, c, k);
+                    x.strain_increment[c] = read_row(of.strain_increment, at, c, pass);
             }
             for (int c = 0; c < GRIT_SAND_STATE_SIZE; ++c)
-                d.state(c)[k] = entry(of.state, at, c, k);
+                x.state(c) = read_row(of.state, at, c, pass);
         }
-        return all_finite(d.row) && all_finite(d.strain_increment);
+        return all_finite(d);
     }
 
-    void clear(double (&row)[largest_direction_count]) const {
-        for (int k = 0; k < passes() * sensitivity_lanes; ++k) row[k] = 0.0;
-    }
-
-    template <int rows> bool all_finite(const double (&x)[rows][largest_direction_count]) const {
+    // Of the directions that there are.
+    bool all_finite(const PointDerivatives* d) const {
         bool all = true;
-        for (const auto& row : x) all = all && are_finite(row, of.count);
+        for (int pass = 0; pass < passes(); ++pass) {
+            Directions sum = Directions::zero();  // 0 x is 0 for a finite x, NaN otherwise
+            for (const Directions& row : d[pass].row) sum = scaled_sum(row, 0.0, sum);
+            for (const Directions& row : d[pass].strain_increment) sum = scaled_sum(row, 0.0, sum);
+            double of_lane[sensitivity_lanes];
+            for (int lane = 0; lane < sensitivity_lanes; ++lane) of_lane[lane] = sum[lane];
+            const int left = of.count - pass * sensitivity_lanes;
+            all = all && are_finite(of_lane, left < sensitivity_lanes ? left : sensitivity_lanes);
+        }
         return all;
     }
 
-    void write(std::ptrdiff_t at, PointDerivatives& d) const {
+    void write(std::ptrdiff_t at, PointDerivatives* d) const {
         const int first = q.igs ? 0 : GRIT_SAND_VOID_RATIO;  // as of the state
-        for (int k = 0; k < of.count; ++k) {
-            for (int c = 0; c < components(); ++c) entry(of.stress, at, c, k) = d.stress(c)[k];
+        for (int pass = 0; pass < passes(); ++pass) {
+            for (int c = 0; c < components(); ++c)
+                write_row(of.stress, at, c, pass, d[pass].stress(c));
             for (int c = first; c < GRIT_SAND_STATE_SIZE; ++c)
-                entry(of.state, at, c, k) = d.state(c)[k];
+                write_row(of.state, at, c, pass, d[pass].state(c));
         }
-    }
-
-    // The directions of a pass, of a row.
-    static Sensitive::Derivatives lanes_of(const double* row, int pass) {
-        return Sensitive::Derivatives::along(
-            [&](int lane) { return row[pass * sensitivity_lanes + lane]; });
     }
 
     // What prepare_point makes of a point: scaled to Mandel, turned with Q.
-    PointOf<Sensitive> prepared(const Point& p, const RawPoint& raw, PointDerivatives& d,
-                                int pass) const {
+    PointOf<Sensitive> prepared(const Point& start, const RawPoint& raw,
+                                PointDerivatives& d) const {
         const bool turn_T = raw.rotates && !q.options->stress_is_rotated;
-        const Point start = prepare_point(*q.options, raw);
         PointOf<Sensitive> s;
         for (int c = 0; c < 6; ++c) {
             const double to_stress = c < 3 ? 1.0 : root_2, to_strain = c < 3 ? 1.0 : root_half;
-            s.T[c] = {start.T[c], lanes_of(d.stress(c), pass) * to_stress};
-            s.h[c] = {start.h[c], lanes_of(d.state(c), pass) * to_strain};
-            s.strain_increment[c] = {start.strain_increment[c],
-                                     lanes_of(d.strain_increment[c], pass) * to_strain};
+            s.T[c] = {start.T[c], d.stress(c) * to_stress};
+            s.h[c] = {start.h[c], d.state(c) * to_strain};
+            s.strain_increment[c] = {start.strain_increment[c], d.strain_increment[c] * to_strain};
         }
         if (turn_T) turn(raw.Q, s.T);
         if (raw.rotates) turn(raw.Q, s.h);
-        s.e = {start.e, lanes_of(d.state(GRIT_SAND_VOID_RATIO), pass)};
-        s.w = {start.w, lanes_of(d.state(GRIT_SAND_SEPARATION), pass)};
+        s.e = {start.e, d.state(GRIT_SAND_VOID_RATIO)};
+        s.w = {start.w, d.state(GRIT_SAND_SEPARATION)};
         s.advised_step = start.advised_step;
         s.flags = 0;
-        s.resting = p.resting;
+        s.resting = start.resting;
         s.separated = s.stress_free = false;
         return s;
     }
@@ -212,21 +246,17 @@ class DifferentiatedPoints : public PointByPoint {
         result = result_of(m, q.igs, p, to.path, to.end);
         if (const Fault f = fault_of(m, result); f != Fault::none)
             return fail(p, i, to.end, f), false;
-        keep(to.state, pass, d);
+        keep(to.state, d);
         return true;
     }
 
-    static void keep(const StateOf<Sensitive>& x, int pass, PointDerivatives& d) {
-        const auto put = [&](double* row, const Sensitive& from, double scale) {
-            for (int lane = 0; lane < sensitivity_lanes; ++lane)
-                row[pass * sensitivity_lanes + lane] = scale * from.d[lane];
-        };
+    static void keep(const StateOf<Sensitive>& x, PointDerivatives& d) {
         for (int c = 0; c < 6; ++c) {
-            put(d.stress(c), x.T[c], c < 3 ? 1.0 : root_half);
-            put(d.state(c), x.h[c], c < 3 ? 1.0 : root_2);
+            d.stress(c) = x.T[c].d * (c < 3 ? 1.0 : root_half);
+            d.state(c) = x.h[c].d * (c < 3 ? 1.0 : root_2);
         }
-        put(d.state(GRIT_SAND_VOID_RATIO), x.e, 1.0);
-        put(d.state(GRIT_SAND_SEPARATION), x.w, 1.0);
+        d.state(GRIT_SAND_VOID_RATIO) = x.e.d;
+        d.state(GRIT_SAND_SEPARATION) = x.w.d;
     }
 
     const grit_sand_derivatives& of;

@@ -27,11 +27,15 @@ enum Parameter {
 // parameter(lane): of which the direction is.
 template <class Number, class ParameterOf>
 inline SensitiveMaterial<Number> differentiated(const Material& m, const ParameterOf& parameter) {
+    using Directions = typename Number::Derivatives;
+    const auto by = Directions::along([&](int lane) -> double { return parameter(lane); });
     const auto variable = [&](double x, Parameter own) {
-        Number r(x);
-        for (int lane = 0; lane < sensitivity_lanes; ++lane)
-            if (parameter(lane) == own) r.d.set(lane, 1.0);
-        return r;
+        const auto of_own = [&](const auto& of) {
+            using Part = std::decay_t<decltype(of)>;
+            return select(fabs(of - Part(static_cast<double>(own))) < Part(0.5), Part(1.0),
+                          Part(0.0));
+        };
+        return Number(x, Directions::each([&](int i) { return of_own(by.part[i]); }));
     };
     const auto as_prepared = [](double x, const Number& with) { return Number(x, with.d); };
     const auto exponent = [&](const Exponent& q, const Number& with) {
@@ -61,11 +65,15 @@ inline SensitiveMaterial<Number> differentiated(const Material& m, const Paramet
     r.inverse_R = as_prepared(m.inverse_R, 1.0 / r.R);
     r.three_over_hs = as_prepared(m.three_over_hs, 3.0 / h_s);
     r.p_floor = as_prepared(m.p_floor, floor_per_hardness * h_s);
+    // (H8): ln stiffness = ln h_s - ln n + beta ln(e_i0/e_c0) - ln bracket
     const Number looseness = exp(alpha * log((r.e_i0 - r.e_d0) * r.inverse_e_range));
     const Number bracket = 3.0 + r.a * r.a - root_3 * (r.a * looseness);
-    const Number isotropic_stiffness =
-        h_s / r.n * exp(beta * log(r.e_i0 / r.e_c0)) / bracket;  // (H8)
-    r.stiffness = as_prepared(m.stiffness, isotropic_stiffness);
+    const auto relative = [](const Number& x) { return x.d * (1.0 / x.v); };
+    const double log_ratio = log(m.e_i0 / m.e_c0);
+    r.stiffness = {m.stiffness,
+                   (relative(h_s) - relative(r.n) + beta.d * log_ratio +
+                    (relative(r.e_i0) - relative(r.e_c0)) * m.beta - relative(bracket)) *
+                       m.stiffness};
     r.alpha_power = exponent(m.alpha_power, alpha);
     r.beta_power = exponent(m.beta_power, beta);
     r.chi_power = exponent(m.chi_power, r.chi);

@@ -15,48 +15,85 @@
 namespace grit::kernel_test {
 namespace {
 
-struct Shadowed {
+// When the shadow returns to its plain number, so that it is the derivative of the same points: where a step has ended, or
+// with every operation.
+enum class Settles { by_step, by_operation };
+
+template <Settles when> struct ShadowedBy {
     using Shadow = std::complex<long double>;
     double v = 0.0;
     Shadow x = 0.0L;
 
-    Shadowed() = default;
-    Shadowed(double plain) : v(plain), x(plain) {}
-    Shadowed(double plain, Shadow shadow) : v(plain), x(shadow) {}
+    ShadowedBy() = default;
+    ShadowedBy(double plain) : v(plain), x(plain) {}
+    ShadowedBy(double plain, const Shadow& shadow) : v(plain), x(shadow) {
+        if constexpr (when == Settles::by_operation) settle(*this);
+    }
 
-    friend Shadowed operator+(const Shadowed& a, const Shadowed& b) {
+    friend void settle(ShadowedBy& a) { a.x.real(a.v); }
+    friend ShadowedBy operator+(const ShadowedBy& a, const ShadowedBy& b) {
         return {a.v + b.v, a.x + b.x};
     }
-    friend Shadowed operator-(const Shadowed& a, const Shadowed& b) {
+    friend ShadowedBy operator-(const ShadowedBy& a, const ShadowedBy& b) {
         return {a.v - b.v, a.x - b.x};
     }
-    friend Shadowed operator*(const Shadowed& a, const Shadowed& b) {
+    friend ShadowedBy operator*(const ShadowedBy& a, const ShadowedBy& b) {
         return {a.v * b.v, a.x * b.x};
     }
-    friend Shadowed operator/(const Shadowed& a, const Shadowed& b) {
+    friend ShadowedBy operator/(const ShadowedBy& a, const ShadowedBy& b) {
         return {a.v / b.v, a.x / b.x};
     }
-    friend Shadowed operator-(const Shadowed& a) { return {-a.v, -a.x}; }
-    friend bool operator<(const Shadowed& a, const Shadowed& b) { return a.v < b.v; }
-    friend bool operator>(const Shadowed& a, const Shadowed& b) { return a.v > b.v; }
-    friend bool operator>=(const Shadowed& a, const Shadowed& b) { return a.v >= b.v; }
-    friend double value(const Shadowed& a) { return a.v; }
-    friend Shadowed select(bool mask, const Shadowed& yes, const Shadowed& no) {
+    friend ShadowedBy operator-(const ShadowedBy& a) { return {-a.v, -a.x}; }
+    friend bool operator<(const ShadowedBy& a, const ShadowedBy& b) { return a.v < b.v; }
+    friend bool operator>(const ShadowedBy& a, const ShadowedBy& b) { return a.v > b.v; }
+    friend bool operator>=(const ShadowedBy& a, const ShadowedBy& b) { return a.v >= b.v; }
+    friend double value(const ShadowedBy& a) { return a.v; }
+    friend ShadowedBy select(bool mask, const ShadowedBy& yes, const ShadowedBy& no) {
         return mask ? yes : no;
     }
-    friend Shadowed fma(const Shadowed& a, const Shadowed& b, const Shadowed& c) {
+    friend ShadowedBy fma(const ShadowedBy& a, const ShadowedBy& b, const ShadowedBy& c) {
         return {kernel_test::fma(a.v, b.v, c.v), a.x * b.x + c.x};
     }
-    friend Shadowed sqrt(const Shadowed& a) { return {kernel_test::sqrt(a.v), std::sqrt(a.x)}; }
-    friend Shadowed fabs(const Shadowed& a) { return a.v < 0.0 ? -a : a; }
-    friend Shadowed exp(const Shadowed& a) { return {kernel_test::exp(a.v), std::exp(a.x)}; }
-    friend Shadowed log(const Shadowed& a) { return {kernel_test::log(a.v), std::log(a.x)}; }
+    friend ShadowedBy sqrt(const ShadowedBy& a) { return {kernel_test::sqrt(a.v), std::sqrt(a.x)}; }
+    friend ShadowedBy fabs(const ShadowedBy& a) { return a.v < 0.0 ? -a : a; }
+    friend ShadowedBy exp(const ShadowedBy& a) { return {kernel_test::exp(a.v), std::exp(a.x)}; }
+    friend ShadowedBy log(const ShadowedBy& a) { return {kernel_test::log(a.v), std::log(a.x)}; }
 };
 
-template <> constexpr bool is_sensitive<Shadowed> = true;
+template <Settles when> constexpr bool is_sensitive<ShadowedBy<when>> = true;
 
-inline Shadowed power(const SensitiveExponent<Shadowed>& q, const Shadowed& x) {
+template <Settles when>
+ShadowedBy<when> power(const SensitiveExponent<ShadowedBy<when>>& q, const ShadowedBy<when>& x) {
     return {power(Exponent{q.value.v, q.quarters}, x.v), std::exp(q.value.x * std::log(x.x))};
+}
+
+template <Settles when> void settle(Tensor<ShadowedBy<when>>& A) {
+    for (auto& component : A.c) settle(component);
+}
+template <Settles when> void settle(Marched<ShadowedBy<when>>& y) {
+    settle(y.T);
+    settle(y.compression.x);
+    settle(y.compression.expansion);
+}
+template <Settles when> void settle(Mobilisation<ShadowedBy<when>>& h) {
+    for (auto* x : {&h.rho, &h.c, &h.across, &h.J, &h.J_growth, &h.rho_beta}) settle(*x);
+}
+template <Settles when> void settle(Waypoint<ShadowedBy<when>>& w) {
+    for (auto* x : {&w.ds, &w.e, &w.along, &w.across, &w.flow}) settle(*x);
+}
+template <Settles when> void settle(StateOf<ShadowedBy<when>>& x) {
+    settle(x.T);
+    settle(x.h);
+    settle(x.e);
+    settle(x.w);
+}
+
+// The kernels call it where they take over what a step has made.
+template <template <class> class Of, Settles when>
+void assign(bool where, Of<ShadowedBy<when>>& to, const Of<ShadowedBy<when>>& x) {
+    if (!where) return;
+    to = x;
+    settle(to);
 }
 
 }  // namespace
@@ -67,22 +104,26 @@ namespace {
 namespace kernel = grit::kernel_test;
 using namespace tests;
 using kernel::Sensitive;
-using kernel::Shadowed;
-using Shadow = Shadowed::Shadow;
+using kernel::Settles;
+using kernel::ShadowedBy;
+using Shadow = std::complex<long double>;
 
-constexpr long double step = 1e-30L;
 constexpr int of_e = GRIT_SAND_PARAMETER_COUNT;  // the initial void ratio
 constexpr int directions = of_e + 1;
 
+// So small that no derivative of a path makes it a large one: some grow by 1e70.
+constexpr long double step = 1e-1000L;
+
 // The constants of a material as grit_sand_prepare has them, in long double: (H4), (H8).
-kernel::SensitiveMaterial<Shadowed> shadowed(const grit::Material& m, int direction) {
-    const auto variable = [&](double x, int own) {
-        return Shadowed(x, Shadow(x, own == direction ? step : 0.0L));
-    };
+template <class Number>
+kernel::SensitiveMaterial<Number> shadowed(const grit::Material& m, int direction) {
     using kernel::SensitiveExponent;
-    const Shadowed phi_c = variable(m.phi_c, 0), h_s = variable(m.h_s, 1),
-                   alpha = variable(m.alpha, 6), beta = variable(m.beta, 7);
-    kernel::SensitiveMaterial<Shadowed> r;
+    const auto variable = [&](double x, int own) {
+        return Number(x, Shadow(x, own == direction ? step : 0.0L));
+    };
+    const Shadow phi_c = variable(m.phi_c, 0).x, h_s = variable(m.h_s, 1).x,
+                 alpha = variable(m.alpha, 6).x, beta = variable(m.beta, 7).x;
+    kernel::SensitiveMaterial<Number> r;
     r.at = &m;
     r.n = variable(m.n, 2);
     r.e_d0 = variable(m.e_d0, 3);
@@ -94,51 +135,48 @@ kernel::SensitiveMaterial<Shadowed> shadowed(const grit::Material& m, int direct
     r.R = variable(m.R, 11);
     r.beta_r = variable(m.beta_r, 12);
     r.chi = variable(m.chi, 13);
-    const Shadow sine = std::sin(phi_c.x), one = 1.0L;
+    const Shadow sine = std::sin(phi_c);
     const long double root_2 = std::sqrt(2.0L), root_3 = std::sqrt(3.0L);
     const Shadow a = root_3 * (3.0L - sine) / (2.0L * root_2 * sine);
     const Shadow range = r.e_c0.x - r.e_d0.x;
     const Shadow bracket =
-        3.0L + a * a - root_3 * a * std::pow((r.e_i0.x - r.e_d0.x) / range, alpha.x);
+        3.0L + a * a - root_3 * a * std::pow((r.e_i0.x - r.e_d0.x) / range, alpha);
     r.a = {m.a, a};
-    r.stiffness = {m.stiffness, h_s.x / r.n.x * std::pow(r.e_i0.x / r.e_c0.x, beta.x) / bracket};
-    r.three_over_hs = {m.three_over_hs, 3.0L / h_s.x};
-    r.inverse_e_range = {m.inverse_e_range, one / range};
-    r.inverse_e_i0 = {m.inverse_e_i0, one / r.e_i0.x};
-    r.inverse_R = {m.inverse_R, one / r.R.x};
-    r.p_floor = {m.p_floor, static_cast<long double>(grit::floor_per_hardness) * h_s.x};
+    r.stiffness = {m.stiffness, h_s / r.n.x * std::pow(r.e_i0.x / r.e_c0.x, beta) / bracket};
+    r.three_over_hs = {m.three_over_hs, 3.0L / h_s};
+    r.inverse_e_range = {m.inverse_e_range, 1.0L / range};
+    r.inverse_e_i0 = {m.inverse_e_i0, 1.0L / r.e_i0.x};
+    r.inverse_R = {m.inverse_R, 1.0L / r.R.x};
+    r.p_floor = {m.p_floor, static_cast<long double>(grit::floor_per_hardness) * h_s};
     const auto exponent = [](const grit::Exponent& plain, const Shadow& x) {
-        return SensitiveExponent<Shadowed>{{plain.value, x}, plain.quarters};
+        return SensitiveExponent<Number>{{plain.value, x}, plain.quarters};
     };
-    r.alpha_power = exponent(m.alpha_power, alpha.x);
-    r.beta_power = exponent(m.beta_power, beta.x);
+    r.alpha_power = exponent(m.alpha_power, alpha);
+    r.beta_power = exponent(m.beta_power, beta);
     r.chi_power = exponent(m.chi_power, r.chi.x);
     r.beta_r_power = exponent(m.beta_r_power, r.beta_r.x);
-    r.inverse_beta_r_power = exponent(m.inverse_beta_r_power, one / r.beta_r.x);
+    r.inverse_beta_r_power = exponent(m.inverse_beta_r_power, 1.0L / r.beta_r.x);
     return r;
 }
 
-// Along a path; false where an increment failed.
+// By an increment; false where it failed.
 template <class Real, class Material>
-bool follow(const Material& m, const kernel::Control& control, const std::vector<Vec>& increments,
-            kernel::StateOf<Real>& x) {
-    for (const Vec& dE : increments) {
-        kernel::PointOf<Real> p{};
-        p.T = x.T;
-        p.h = x.h;
-        p.e = x.e;
-        p.w = x.w;
-        for (int c = 0; c < 6; ++c) p.strain_increment[c] = Real(dE[c]);
-        kernel::enter_domain(m, true, p);
-        if (p.stress_free) {
-            x = kernel::separated(true, p);
-            continue;
-        }
-        const auto to = kernel::advance<Real>(m, control, true, p);
-        if (to.end.failed || !(kernel::norm(to.end.y.T) < 1e3 * grit::kernel_test::plain(m).h_s))
-            return false;
-        x = to.state;
+bool advance(const Material& m, const kernel::Control& control, const Vec& dE,
+             kernel::StateOf<Real>& x) {
+    kernel::PointOf<Real> p{};
+    p.T = x.T;
+    p.h = x.h;
+    p.e = x.e;
+    p.w = x.w;
+    for (int c = 0; c < 6; ++c) p.strain_increment[c] = Real(dE[c]);
+    kernel::enter_domain(m, true, p);
+    if (p.stress_free) {
+        x = kernel::separated(true, p);
+        return true;
     }
+    const auto to = kernel::advance<Real>(m, control, true, p);
+    if (to.end.failed || !(kernel::norm(to.end.y.T) < 1e3 * kernel::plain(m).h_s)) return false;
+    x = to.state;
     return true;
 }
 
@@ -147,6 +185,9 @@ struct Path {
     State start;
     std::vector<Vec> increments;
     double tolerance;
+
+    const grit::Material& material() const { return grit::material_of(sand.prepared); }
+    kernel::Control control() const { return {tolerance, 20000}; }
 };
 
 Path random_path(Random& random) {
@@ -163,22 +204,55 @@ Path random_path(Random& random) {
     return path;
 }
 
-kernel::StateOf<Shadowed> start_of(const Path& path, int direction) {
-    kernel::StateOf<Shadowed> y{};
-    for (int c = 0; c < 6; ++c) y.T[c] = path.start.T[c];
-    for (int c = 0; c < 6; ++c) y.h[c] = path.start.h[c];
-    y.e = {path.start.e, Shadow(path.start.e, direction == of_e ? step : 0.0L)};
-    y.w = 0.0;
-    return y;
+template <class Real> kernel::StateOf<Real> start_of(const Path& path) {
+    kernel::StateOf<Real> x{};
+    for (int c = 0; c < 6; ++c) x.T[c] = Real(path.start.T[c]);
+    for (int c = 0; c < 6; ++c) x.h[c] = Real(path.start.h[c]);
+    x.e = Real(path.start.e);
+    x.w = Real(0.0);
+    return x;
 }
 
-kernel::StateOf<Sensitive> start_of(const Path& path) {
-    kernel::StateOf<Sensitive> x{};
-    for (int c = 0; c < 6; ++c) x.T[c] = Sensitive(path.start.T[c]);
-    for (int c = 0; c < 6; ++c) x.h[c] = Sensitive(path.start.h[c]);
+// A state after each increment.
+template <class Real> using Course = std::vector<kernel::StateOf<Real>>;
+
+bool is_finite(const kernel::StateOf<Sensitive>& x) {
+    double sum = 0.0;
+    const auto add = [&](const Sensitive& of) {
+        for (int k = 0; k < directions; ++k) sum += 0.0 * of.d[k];
+    };
+    for (int c = 0; c < 6; ++c) add(x.T[c]);
+    for (int c = 0; c < 6; ++c) add(x.h[c]);
+    add(x.e);
+    return sum == 0.0;
+}
+
+// Empty where an update fails.
+Course<Sensitive> differentiated(const Path& path) {
+    const auto m = kernel::differentiated<Sensitive>(
+        path.material(), [](int lane) { return lane < of_e ? lane : GRIT_SAND_NO_PARAMETER; });
+    kernel::StateOf<Sensitive> x = start_of<Sensitive>(path);
     x.e = Sensitive::variable(path.start.e, of_e);
-    x.w = Sensitive(0.0);
-    return x;
+    Course<Sensitive> course;
+    for (const Vec& dE : path.increments) {
+        if (!advance(m, path.control(), dE, x) || !is_finite(x)) return {};
+        course.push_back(x);
+    }
+    return course;
+}
+
+template <Settles when> Course<ShadowedBy<when>> shadowed(const Path& path, int direction) {
+    using Number = ShadowedBy<when>;
+    const auto m = shadowed<Number>(path.material(), direction);
+    auto y = start_of<Number>(path);
+    if (direction == of_e) y.e.x.imag(step);
+    Course<Number> course;
+    for (const Vec& dE : path.increments) {
+        if (!advance(m, path.control(), dE, y)) return {};
+        course.push_back(y);
+        settle(y);
+    }
+    return course;
 }
 
 // Of derivatives per relative change of the parameter: their error over the larger of them and a hundredth of what is
@@ -186,7 +260,7 @@ kernel::StateOf<Sensitive> start_of(const Path& path) {
 struct Error {
     long double square = 0.0L, size = 0.0L;
 
-    void add(const Sensitive& x, const Shadowed& y, int direction) {
+    template <class Number> void add(const Sensitive& x, const Number& y, int direction) {
         const long double exact = y.x.imag() / step, off = exact - x.d[direction];
         square += off * off;
         size += exact * exact;
@@ -198,8 +272,9 @@ struct Error {
     }
 };
 
-double largest_error(const Path& path, int direction, const kernel::StateOf<Sensitive>& x,
-                     const kernel::StateOf<Shadowed>& y) {
+template <class Number>
+double error_of(const Path& path, int direction, const kernel::StateOf<Sensitive>& x,
+                const kernel::StateOf<Number>& y) {
     double theta = path.start.e;
     if (direction < of_e) grit_sand_parameter_get(&path.sand.p, direction, &theta);
     Error T, h, e;
@@ -218,39 +293,51 @@ double largest_error(const Path& path, int direction, const kernel::StateOf<Sens
                      e.relative(theta, x.e.v)});
 }
 
-// Of all parameters over their whole ranges; two directions a path. Beyond are paths whose plain stress has lost digits
-// too: past e_d, where a sand is as good as unstable, and from a point that has opened and closed.
+// After any increment.
+template <Settles when>
+double largest_error(const Path& path, int direction, const Course<Sensitive>& x) {
+    const auto y = shadowed<when>(path, direction);
+    EXPECT_EQ(x.size(), y.size());
+    double worst = 0.0;
+    for (std::size_t i = 0; i < y.size(); ++i)
+        worst = std::max(worst, error_of(path, direction, x[i], y[i]));
+    return worst;
+}
+
+// Of all parameters over their whole ranges; two directions a path. What is beyond 1e-10 where the shadow settles by steps
+// is the roundoff of plain numbers within steps, which the path magnifies: where it has these numbers, nothing is.
 TEST(Sensitive, AreTheComplexStepInLongDoubleOfThePathsOfRandomSands) {
+    constexpr int wanted = 1000;
     Random random(301);
     int failed = 0, beyond = 0;
     std::vector<double> errors;
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; static_cast<int>(errors.size()) < wanted; ++i) {
         const Path path = random_path(random);
-        const grit::Material& m = grit::material_of(path.sand.prepared);
-        const kernel::Control control{path.tolerance, 20000};
-        kernel::StateOf<Sensitive> x = start_of(path);
-        if (!follow(kernel::differentiated<Sensitive>(
-                        m, [](int lane) { return lane < of_e ? lane : GRIT_SAND_NO_PARAMETER; }),
-                    control, path.increments, x)) {
+        const Course<Sensitive> x = differentiated(path);
+        if (x.empty()) {
             ++failed;
             continue;
         }
         double worst = 0.0;
         for (const int k : {i % directions, (i + 8) % directions}) {
-            kernel::StateOf<Shadowed> y = start_of(path, k);
-            ASSERT_TRUE(follow(shadowed(m, k), control, path.increments, y));
-            worst = std::max(worst, largest_error(path, k, x, y));
+            const double error = largest_error<Settles::by_step>(path, k, x);
+            worst = std::max(worst, error);
+            if (error <= 1e-10) continue;
+            ++beyond;
+            const double own = largest_error<Settles::by_operation>(path, k, x);
+            std::cout << "path " << i << ", direction " << k << ": " << error
+                      << ", of its own numbers " << own << "\n";
+            EXPECT_LE(own, 1e-10) << "path " << i << ", direction " << k;
         }
         errors.push_back(worst);
-        beyond += !(worst <= 1e-10);
     }
     std::sort(errors.begin(), errors.end());
-    std::cout << errors.size() << " paths: relative error p50 " << errors[errors.size() / 2]
-              << ", p90 " << errors[errors.size() * 9 / 10] << ", p99 "
-              << errors[errors.size() * 99 / 100] << ", above 1e-10 in " << beyond << "; " << failed
-              << " left the range of stresses\n";
+    std::cout << errors.size() << " paths: relative error p50 " << errors[wanted / 2] << ", p90 "
+              << errors[wanted * 9 / 10] << ", p99 " << errors[wanted * 99 / 100] << ", largest "
+              << errors.back() << ", above 1e-10 in " << beyond << "; " << failed
+              << " others failed\n";
     EXPECT_LE(failed, 20);
-    EXPECT_LE(beyond, 5);
+    EXPECT_LE(errors.back(), 1e-7);
 }
 
 }  // namespace
