@@ -129,10 +129,11 @@ void say_posterior(const CalibrationCase& file, const CalibrationResult& result)
     }
     const calibration::Posterior& posterior = *result.posterior;
     say("posterior: {} samples of {} walkers in {} ensembles (seed {}), {:.1f} s; acceptance "
-        "{:.2f}, R-hat {:.3f} at worst, {:.0f} independent samples at least\n",
+        "{:.2f}, {} computed to the end or dropped on the way, R-hat {:.3f} at worst, {:.0f} "
+        "independent samples at least\n",
         posterior.samples.rows(), posterior.walkers * posterior.ensembles, posterior.ensembles,
-        file.seed, result.posterior_seconds, posterior.acceptance, posterior.r_hat.maxCoeff(),
-        posterior.effective.minCoeff());
+        file.seed, result.posterior_seconds, posterior.acceptance, posterior.computed,
+        posterior.r_hat.maxCoeff(), posterior.effective.minCoeff());
     if (!(posterior.r_hat.maxCoeff() < 1.05))
         say("note: R-hat above 1.05: the ensembles disagree yet, take more samples\n");
 }

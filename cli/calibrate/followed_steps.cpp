@@ -29,38 +29,49 @@ double increments_to(double way) {
     return out;
 }
 
-void divide(element::Step& step, double exact, double first_share) {
-    step.increments = std::max(1, static_cast<int>(std::ceil(exact - 1e-9)));
-    if (step.increments > 1 && first_share * step.increments < 1.0) step.first_share = first_share;
-    step.every = element::increment_limit;
+// Shares of the way from row to row, from 0 to 1.
+std::vector<double> shares(double exact, double first_share) {
+    const int count = std::max(1, static_cast<int>(std::ceil(exact - 1e-9)));
+    const bool graded = count > 1 && first_share * count < 1.0;
+    return element::schedule(count, graded ? first_share : 0.0);
 }
 
 }  // namespace
 
-element::Program follow(const Way& way, const std::vector<double>& values, double resolution) {
-    element::Program out;
+Followed follow(const Way& way, const std::vector<double>& values, double resolution) {
+    Followed out;
+    out.step = way.step(1.0);
+    element::Imported path;
+    path.rows = std::get<element::Linear>(out.step.kind).rows;
+    const element::Vector6& unit = std::get<element::Linear>(out.step.kind).change;
+    for (std::size_t r = 0; r < 6; ++r)
+        if (unit[static_cast<int>(r)] != 0.0)
+            path.columns[r] = {0, way.sign * unit[static_cast<int>(r)]};
     double largest = 0.0, since = 0.0;  // the last turn
     for (const double each : values) largest = std::max(largest, std::abs(each));
+    path.table.push_back({values.front()});
+    out.increments.push_back(0);
     for (std::size_t i = 1; i < values.size(); ++i) {
         const double change = values[i] - values[i - 1], length = std::abs(change);
         const bool turned = i == 1 || change * (values[i - 1] - values[i - 2]) < 0.0;
         if (turned) since = 0.0;
-        element::Step step = way.step(way.sign * (way.strain() ? change : values[i]));
+        std::vector<double> parts;
         if (way.strain()) {
-            divide(step, resolution * (increments_to(since + length) - increments_to(since)),
-                   length > 0.0 ? increment_after(since) / resolution / length : 0.0);
+            parts = shares(resolution * (increments_to(since + length) - increments_to(since)),
+                           length > 0.0 ? increment_after(since) / resolution / length : 0.0);
         } else {
-            for (const int row : way.reached)
-                std::get<element::Linear>(step.kind).absolute[static_cast<std::size_t>(row)] = true;
             const double fair =
                 std::max(share_of_stress * std::min(std::abs(values[i]), std::abs(values[i - 1])),
                          least_share_of_largest * largest);
-            divide(step, resolution * (length / fair + (turned ? more_after_turn : 0)),
-                   turned ? 0.02 / resolution : 0.0);
+            parts = shares(resolution * (length / fair + (turned ? more_after_turn : 0)),
+                           turned ? 0.02 / resolution : 0.0);
         }
+        for (std::size_t k = 1; k < parts.size(); ++k)
+            path.table.push_back({values[i - 1] + parts[k] * change});
+        out.increments.push_back(static_cast<int>(path.table.size()) - 1);
         since += length;
-        out.push_back(std::move(step));
     }
+    out.step.kind = std::move(path);
     return out;
 }
 

@@ -408,6 +408,15 @@ element::Program prepare(TestTable& test) {
     return out;
 }
 
+// Stages before may end at another stress than that of the first row.
+element::Step to_first_row(const TestTable& test, double value) {
+    const Way& way = *test.driver.way;
+    element::Step out = way.step(way.sign * value);
+    for (const int row : way.reached)
+        std::get<element::Linear>(out.kind).absolute[static_cast<std::size_t>(row)] = true;
+    return out;
+}
+
 Experiment make(TestTable& test, Rows rows, bool fitted, const Selection& selection,
                 const element::Program& before) {
     Experiment out;
@@ -439,10 +448,12 @@ Experiment make(TestTable& test, Rows rows, bool fitted, const Selection& select
                                     test.columns[driver].name));
     read_readings(test, rows, driver, out);
     out.driven = values;
-    out.rows = static_cast<int>(values.size());
     out.program = before;
-    for (element::Step& step : follow(*test.driver.way, values, test.defaults.resolution))
-        out.program.push_back(std::move(step));
+    if (!before.empty() && !test.driver.way->strain())
+        out.program.push_back(to_first_row(test, values.front()));
+    Followed followed = follow(*test.driver.way, values, test.defaults.resolution);
+    out.program.push_back(std::move(followed.step));
+    out.records = std::move(followed.increments);
     try {
         element::check_program(out.program);
     } catch (const element::BadCase& error) {

@@ -15,7 +15,8 @@ namespace {
 
 struct Walker {
     Vector x;
-    double sum = INFINITY;  // of rho(r^2)
+    double sum = INFINITY;     // of rho(r^2)
+    double linear = INFINITY;  // the same of linear residuals
 };
 
 struct Ensemble {
@@ -27,13 +28,18 @@ struct Ensemble {
 struct Proposal {
     Walker* walker = nullptr;
     Vector x;
-    double limit = 0.0;         // it is accepted where its sum is no larger
+    // It is accepted where its linear sum is no larger than the first, and its sum no larger than the second plus
+    // its linear sum.
+    double limit = 0.0, exact_limit = 0.0;
+    double linear = 0.0;
+    bool computed = false;
     std::optional<double> sum;  // found
 };
 
 // One half of all moves stretches the line through another walker by 1/2 to 2, the other steps along the difference of
 // two others; these are of the half that stands still meanwhile. Accepted with the probability
-// z^(d-1) exp[-(sum' - sum)/2 variance]: the random number is drawn before, so that a sum may be dropped on the way.
+// z^(d-1) exp[-(sum' - sum)/2 variance], in two parts: of the linear sums, then of what the sums differ from these. Random
+// numbers are drawn before, so that a sum may be dropped on the way.
 Proposal propose(Ensemble& ensemble, std::size_t number, double variance, const Vector& deviation) {
     auto& [walkers, random] = ensemble;
     const std::size_t half = walkers.size() / 2;
@@ -59,9 +65,34 @@ Proposal propose(Ensemble& ensemble, std::size_t number, double variance, const 
         for (Eigen::Index k = 0; k < out.x.size(); ++k)
             out.x[k] += 1e-6 * deviation[k] * random.normal();
     }
-    out.limit = walker.sum + 2.0 * variance * (log_factor - std::log(1.0 - random.uniform()));
+    const auto chance = [&] { return -2.0 * variance * std::log(1.0 - random.uniform()); };
+    out.limit = walker.linear + 2.0 * variance * log_factor + chance();
+    out.exact_limit = walker.sum - walker.linear + chance();
     return out;
 }
+
+// Residuals as they are at a point and change with it there.
+class Linear {
+  public:
+    Linear(const Problem& problem, const Vector& at, const Loss& given) : x(at), loss(given) {
+        const auto found = problem.residuals(x, true);
+        if (!found) throw element::BadCase("the best parameters cannot be computed again");
+        residuals = *found;
+    }
+
+    double sum(const Vector& y) const {
+        const Vector r = residuals.values + residuals.slopes * (y - x);
+        if (!loss.function()) return r.squaredNorm();
+        double out = 0.0;
+        for (const double each : r) out += loss(each * each);
+        return out;
+    }
+
+  private:
+    Vector x;
+    Loss loss;
+    Residuals residuals;
+};
 
 std::size_t walkers_of(Eigen::Index size) {
     return 2 * static_cast<std::size_t>(std::max<Eigen::Index>(8, size + 2));
@@ -73,9 +104,14 @@ Posterior sample(const Problem& problem, const Vector& x, const Laplace& around,
                  const SampleOptions& options) {
     const ParameterSpace& space = problem.space();
     const double variance = options.inflation * options.inflation;
+    const Linear linear(problem, x, options.loss);
     const auto find = [&](Proposal& proposal) {
         if (!space.contains(proposal.x)) return;
-        proposal.sum = problem.sum(proposal.x, proposal.limit, options.loss);
+        proposal.linear = linear.sum(proposal.x);
+        if (proposal.linear > proposal.limit) return;
+        proposal.computed = true;
+        proposal.sum =
+            problem.sum(proposal.x, proposal.exact_limit + proposal.linear, options.loss);
     };
 
     // Walkers start around the best point, where it can be computed.
@@ -86,7 +122,11 @@ Posterior sample(const Problem& problem, const Vector& x, const Laplace& around,
     for (std::size_t i = 0; i < ensembles.size(); ++i) {
         ensembles[i].random = grit::SplitMix(options.seed * 1000003 + i);
         ensembles[i].walkers.resize(count);
-        for (Walker& walker : ensembles[i].walkers) proposals.push_back({&walker, x, INFINITY, {}});
+        for (Walker& walker : ensembles[i].walkers) {
+            proposals.emplace_back();
+            proposals.back().walker = &walker;
+            proposals.back().limit = proposals.back().exact_limit = INFINITY;
+        }
     }
     in_parallel(problem.threads(), proposals.size(), [&](std::size_t i) {
         grit::SplitMix random(options.seed * 7919 + i);
@@ -101,7 +141,7 @@ Posterior sample(const Problem& problem, const Vector& x, const Laplace& around,
         if (!each.sum)
             throw element::BadCase("no sample can be computed around the best parameters: they lie "
                                    "at the edge of what the tests allow");
-        *each.walker = {each.x, *each.sum};
+        *each.walker = {each.x, *each.sum, each.linear};
     }
 
     Posterior out;
@@ -121,12 +161,12 @@ Posterior sample(const Problem& problem, const Vector& x, const Laplace& around,
             in_parallel(problem.threads(), proposals.size(),
                         [&](std::size_t i) { find(proposals[i]); });
             for (Proposal& each : proposals) {
+                if (each.computed) ++out.computed;
                 if (!each.sum) continue;
-                *each.walker = {std::move(each.x), *each.sum};
+                *each.walker = {std::move(each.x), *each.sum, each.linear};
                 if (step >= 0) ++accepted;
             }
         }
-        out.computed += all;
         if (step < 0) continue;
         ++kept;
         for (std::size_t e = 0; e < ensembles.size(); ++e)

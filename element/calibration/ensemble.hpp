@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A sample of the posterior distribution: ensembles of walkers that move by each other's differences (Goodman & Weare
-// 2010, ter Braak & Vrugt 2008), in any coordinates alike.
+// 2010, ter Braak & Vrugt 2008), in any coordinates alike. What residuals that are linear around the best parameters
+// would refuse is not computed (delayed acceptance, Christen & Fox 2005): the distribution is the exact one all the same.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +30,7 @@ struct Posterior {
     double acceptance = 0.0;  // share of the proposals
     Vector r_hat,
         effective;      // of each coordinate: 1 at best; independent samples that these are worth
-    long computed = 0;  // proposals that were computed to their end or dropped on the way
+    long computed = 0;  // proposals that were more than their linear residuals
     bool stopped = false;  // by progress
 
     Vector quantile(double share) const;  // of each coordinate

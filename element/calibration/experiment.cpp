@@ -59,7 +59,8 @@ StartSlopes slopes_of(const Experiment& experiment, const element::GritLaw& law,
 
 void read_off(const Experiment& experiment, const std::vector<element::Record>& records,
               Prediction& out) {
-    const std::size_t first = records.size() - static_cast<std::size_t>(experiment.rows);
+    const std::size_t first =
+        records.size() - 1 - static_cast<std::size_t>(experiment.records.back());
     const element::Record& start = records[first];
     const auto count = static_cast<Eigen::Index>(experiment.readings.size());
     const Eigen::Index directions = start.slopes.strain.cols();
@@ -68,7 +69,9 @@ void read_off(const Experiment& experiment, const std::vector<element::Record>& 
     for (Eigen::Index i = 0; i < count; ++i) {
         const Reading& reading = experiment.readings[static_cast<std::size_t>(i)];
         const Channel& channel = experiment.channels[static_cast<std::size_t>(reading.channel)];
-        const element::Record& record = records[first + static_cast<std::size_t>(reading.row)];
+        const element::Record& record =
+            records[first + static_cast<std::size_t>(
+                                experiment.records[static_cast<std::size_t>(reading.row)])];
         const element::LinearQuantity& quantity = channel.quantity;
         out.values[i] = quantity.of(record) - (channel.change ? quantity.of(start) : 0.0);
         if (directions == 0) continue;

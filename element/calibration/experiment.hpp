@@ -34,9 +34,9 @@ struct Experiment {
     element::Start start;
     bool at_rest = false, at_zero_pressure = false;
     double void_ratio_error = 0.0;  // standard deviation of the void ratio at the start
-    // The last `rows - 1` steps lead from row to row; those before prepare the sample.
+    // The last step leads from row to row and records each increment; those before prepare the sample.
     element::Program program;
-    int rows = 1;
+    std::vector<int> records;    // of that step, in which a row is reached; 0: where it begins
     std::vector<double> driven;  // what drives the test, a value per row, in the signs of Grit
     std::string driver;          // "axial_strain", "axial_stress_kPa"
     std::vector<Channel> channels;

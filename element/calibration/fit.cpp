@@ -100,7 +100,7 @@ Descent descend(const Problem& problem, const Vector& start, const FitOptions& o
     solver.linear_solver_type = ceres::DENSE_QR;
     solver.max_num_iterations = options.iteration_limit;
     solver.max_num_consecutive_invalid_steps = 20;
-    solver.function_tolerance = 1e-14;
+    solver.function_tolerance = 1e-10;
     solver.parameter_tolerance = 1e-12;
     solver.gradient_tolerance = 1e-16;
     solver.logging_type = ceres::SILENT;
