@@ -53,10 +53,12 @@ calibration::Fit best_fit(const CalibrationCase& file, calibration::Problem& pro
     if (!out.stopped && problem.weigh_starts(out.x)) {
         const std::vector<calibration::Descent> descents = std::move(out.descents);
         const std::size_t best = out.best;
+        const int agreeing = out.agreeing;
         options.starts = 1;
         out = fit(problem, out.x, options);
         out.descents = descents;
         out.best = best;
+        out.agreeing = agreeing;
     }
     result.fit_seconds = watch.seconds();
     return out;
@@ -105,13 +107,9 @@ void say_parameters(const CalibrationCase& file, const CalibrationResult& result
 
 void say_fit(const CalibrationCase& file, const CalibrationResult& result) {
     const calibration::Fit& fit = result.fit;
-    const double near = fit.sum * (1.0 + 1e-6) + 1e-12;
-    const auto same =
-        std::count_if(fit.descents.begin(), fit.descents.end(),
-                      [&](const calibration::Descent& each) { return each.sum <= near; });
     int iterations = 0;
     for (const calibration::Descent& each : fit.descents) iterations += each.iterations;
-    say("\nbest fit: {} of {} starts end there, {} iterations, {:.2f} s\n", same,
+    say("\nbest fit: {} of {} starts end there, {} iterations, {:.2f} s\n", fit.agreeing,
         fit.descents.size(), iterations, result.fit_seconds);
     say("misfit: chi^2/({:.0f} - {}) = {:.4g}{}\n", result.independent, file.space.size(),
         result.laplace.misfit,

@@ -125,7 +125,7 @@ void read_picture(TomlTable& root, CaseFile& file) {
 }
 
 CaseFile read_case(const std::filesystem::path& path, TomlTable& root, const std::string& sample,
-                   const UmatChoice& choice) {
+                   const UmatChoice& choice, const std::filesystem::path& sand) {
     CaseFile out;
     out.path = path;
     out.inputs = {path};
@@ -139,7 +139,9 @@ CaseFile read_case(const std::filesystem::path& path, TomlTable& root, const std
         out.name += "_" + sample;
     }
     if (std::optional<TomlTable> umat = root.table_if("umat")) read_umat(std::move(*umat), out);
-    if (!out.umat || root.has("sand")) read_sand(root.table("sand"), out);
+    if (out.umat && !sand.empty() && !root.has("sand"))
+        root.fail("umat", "--sand: this case has the PROPS of a UMAT and no sand");
+    if (!out.umat || root.has("sand")) read_sand(root.table("sand"), out, sand);
     if (auto numerics = root.table_if("numerics")) {
         read_numerics(*numerics, out.options, out.settings);
         numerics->finish();
@@ -160,14 +162,15 @@ CaseFile read_case(const std::filesystem::path& path, TomlTable& root, const std
 
 }  // namespace
 
-std::vector<CaseFile> read_case_file(const std::filesystem::path& path, const UmatChoice& umat) {
+std::vector<CaseFile> read_case_file(const std::filesystem::path& path, const UmatChoice& umat,
+                                     const std::filesystem::path& sand) {
     std::vector<std::filesystem::path> inputs;
     TomlTable root = TomlTable::of_file(path, &inputs);
     const Samples samples = read_samples(root);
     std::vector<CaseFile> out;
     for (const SampleRow& row : samples.rows) {
         if (samples.given) root.take_columns_from(row);
-        out.push_back(read_case(path, root, row.name, umat));
+        out.push_back(read_case(path, root, row.name, umat, sand));
         CaseFile& file = out.back();
         file.inputs.insert(file.inputs.end(), inputs.begin() + 1, inputs.end());
         if (samples.given) file.inputs.push_back(samples.table);

@@ -7,27 +7,12 @@
 #include <fmt/format.h>
 #include <grit/radian_layout.h>
 
-#include "cli/sand/parameter_units.hpp"
+#include "cli/sand/sand_file.hpp"
 #include "element/errors.hpp"
 #include "element/nearest.hpp"
 
 namespace cli {
 namespace {
-
-void read_sand_parameter(TomlTable& table, int index, grit_sand_parameters& parameters) {
-    const grit_sand_parameter_info& info = *grit_sand_parameter_describe(index);
-    const std::string key = parameter_key(info);
-    const std::optional<double> value = table.number_if(key);
-    if (!value) return;
-    const Unit unit = unit_of(info);
-    const double low = info.lowest / unit.size, high = info.highest / unit.size;
-    // Limits in degrees round to a hair inside those in radians.
-    if (!(*value >= low * (1.0 - 1e-12) && *value <= high * (1.0 + 1e-12)))
-        table.fail(key, fmt::format("{} ({}) must be in [{:.6g}, {:.6g}] {}, got {:g}{}",
-                                    table.full(key), info.symbol, low, high, unit.name, *value,
-                                    unit.name == "deg" && *value < low ? ": radians?" : ""));
-    grit_sand_parameter_set(&parameters, index, *value * unit.size);
-}
 
 std::vector<std::string> sand_names() {
     std::vector<std::string> names;
@@ -57,24 +42,6 @@ int statev_index(TomlTable& table, const std::string& key, int size) {
 
 }  // namespace
 
-NamedSand read_sand_file(const std::filesystem::path& path) {
-    TomlTable file = TomlTable::of_file(path);
-    TomlTable table = file.table("sand");
-    NamedSand out;
-    grit_sand_parameters_init(&out.parameters, sizeof out.parameters);
-    for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i)
-        read_sand_parameter(table, i, out.parameters);
-    table.finish();
-    file.finish();
-    out.name = path.stem().string();
-    out.file = path;
-    grit_sand sand;
-    grit_error error{};
-    if (grit_sand_prepare(&out.parameters, &sand, &error) != GRIT_OK)
-        table.fail("", std::string("sand: ") + error.message);
-    return out;
-}
-
 NamedSand read_sand_parameters(TomlTable& table) {
     NamedSand out;
     grit_sand_parameters_init(&out.parameters, sizeof out.parameters);
@@ -82,7 +49,9 @@ NamedSand read_sand_parameters(TomlTable& table) {
         if (table.has("name"))
             table.fail("name", fmt::format("{} and {}: the sand comes from one or the other",
                                            table.full("name"), table.full("file")));
-        out = read_sand_file(table.folder() / *file);
+        out.file = table.folder() / *file;
+        out.name = out.file.stem().string();
+        out.parameters = read_sand_file(out.file);
     }
     if (const std::optional<std::string> name = table.string_if("name")) {
         const int record = grit_sand_record_find(name->c_str());
@@ -97,8 +66,9 @@ NamedSand read_sand_parameters(TomlTable& table) {
     return out;
 }
 
-void read_sand(TomlTable table, CaseFile& file) {
-    const NamedSand named = read_sand_parameters(table);
+void read_sand(TomlTable table, CaseFile& file, const std::filesystem::path& given) {
+    NamedSand named = read_sand_parameters(table);
+    if (!given.empty()) named = {given.stem().string(), read_sand_file(given), given};
     file.parameters = named.parameters;
     file.sand = named.name;
     if (!named.file.empty()) file.inputs.push_back(named.file);

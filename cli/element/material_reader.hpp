@@ -15,12 +15,11 @@ struct NamedSand {
 };
 // name or file, and parameters, of a table that may have other keys.
 NamedSand read_sand_parameters(TomlTable& table);
-// A file with [sand] alone, as grit calibrate writes it. Throws BadInput.
-NamedSand read_sand_file(const std::filesystem::path& path);
 // Water of [sand].
 void read_water(TomlTable& table, element::GritLawOptions& options);
 
-void read_sand(TomlTable table, CaseFile& file);
+// given: a file whose parameters count instead, empty: none.
+void read_sand(TomlTable table, CaseFile& file, const std::filesystem::path& given);
 void read_umat(TomlTable table, CaseFile& file);
 // Parts of a start that may have other keys: pressure_kPa or stress_kPa; what is said of h.
 element::Vector6 read_start_stress(TomlTable& table);

@@ -8,7 +8,15 @@
 
 #include <grit/grit.h>
 
+#include "cli/toml/toml_table.hpp"
+
 namespace cli {
+
+// A parameter by its key (parameter_key), if the table has it. Throws BadInput beyond its limits.
+void read_sand_parameter(TomlTable& table, int index, grit_sand_parameters& parameters);
+
+// [sand] with all parameters, stresses in kPa. Throws BadInput.
+grit_sand_parameters read_sand_file(const std::filesystem::path& path);
 
 // Comments say where the parameters come from; those that are not given (NaN) are left out. Throws
 // element::CannotWrite.

@@ -305,7 +305,7 @@ double density_factor_at_peak(double critical_friction_angle, double ratio) {
     return 1.0 / flow.norm();
 }
 
-// Compression indices C = -de/d ln p near both ends: e n (3p/h_s)^n.
+// Compression indices C = -de/d ln p near both ends: e n (3p/h_s)^n. Their ratio says n, within what sands have.
 std::optional<Compression> compression_curve(const std::vector<double>& p,
                                              const std::vector<double>& e) {
     const std::size_t count = p.size();
@@ -329,7 +329,7 @@ std::optional<Compression> compression_curve(const std::vector<double>& p,
     const auto [C_2, p_2, e_2] = line(count - third, count);
     if (!(C_1 > 0.0) || !(C_2 > 0.0) || !(p_2 > 1.5 * p_1)) return std::nullopt;
     Compression out;
-    out.exponent = std::clamp(std::log(e_1 * C_2 / (e_2 * C_1)) / std::log(p_2 / p_1), 0.15, 0.6);
+    out.exponent = std::clamp(std::log(e_1 * C_2 / (e_2 * C_1)) / std::log(p_2 / p_1), 0.2, 0.4);
     out.hardness = 3.0 * p_2 * std::pow(out.exponent * e_2 / C_2, 1.0 / out.exponent);
     out.void_ratio = e_2 * std::exp(std::pow(3.0 * p_2 / out.hardness, out.exponent));
     return out;

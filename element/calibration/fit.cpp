@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <ceres/ceres.h>
+#include <glog/logging.h>
 
 #include "element/errors.hpp"
 
@@ -100,13 +101,14 @@ Descent descend(const Problem& problem, const Vector& start, const FitOptions& o
     solver.linear_solver_type = ceres::DENSE_QR;
     solver.max_num_iterations = options.iteration_limit;
     solver.max_num_consecutive_invalid_steps = 20;
-    solver.function_tolerance = 1e-10;
-    solver.parameter_tolerance = 1e-12;
+    solver.function_tolerance = 1e-9;
+    solver.parameter_tolerance = 1e-9;
     solver.gradient_tolerance = 1e-16;
     solver.logging_type = ceres::SILENT;
     solver.update_state_every_iteration = true;
     Watch watch(options, iterations);
     solver.callbacks.push_back(&watch);
+    FLAGS_minloglevel = google::GLOG_FATAL;  // what goes wrong is in the summary
     ceres::Solver::Summary summary;
     ceres::Solve(solver, &ceres_problem, &summary);
     out.end = x;
@@ -155,7 +157,7 @@ Fit fit(Problem& problem, const Vector& start, const FitOptions& options) {
     for (int i = 0; i < options.starts && going; ++i) {
         double spread = options.spread;
         Vector from = i == 0 ? start : start_around(problem.space(), start, spread, i);
-        for (int nearer = 0; i > 0 && nearer < 6 && !problem.residuals(from, false); ++nearer)
+        for (int nearer = 0; i > 0 && nearer < 6 && !problem.residuals(from, true); ++nearer)
             from = start_around(problem.space(), start, spread *= 0.5, i);
         out.descents.push_back(descend(problem, from, watched, iterations));
         if (!(out.descents.back().sum < out.sum)) continue;
@@ -165,6 +167,8 @@ Fit fit(Problem& problem, const Vector& start, const FitOptions& options) {
     if (!std::isfinite(out.sum))
         throw element::BadCase("no start can be computed: " + out.descents.front().message);
     out.stopped = !going;
+    const double near = out.sum * (1.0 + 1e-6) + 1e-12;
+    for (const Descent& each : out.descents) out.agreeing += each.sum <= near ? 1 : 0;
     out.x = out.descents[out.best].end;
     const auto at_end = problem.residuals(out.x, true);
     if (!at_end) throw element::BadCase("the best parameters cannot be computed again");

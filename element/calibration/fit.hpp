@@ -31,6 +31,7 @@ struct Fit {
     Residuals residuals;  // at x, with slopes, as the loss weighs them
     std::vector<Descent> descents;
     std::size_t best = 0;  // of descents
+    int agreeing = 0;      // descents that end at the best sum
     bool stopped = false;  // by progress
 };
 
