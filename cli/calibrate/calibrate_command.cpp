@@ -12,6 +12,7 @@
 #include "cli/calibrate/calibration_case.hpp"
 #include "cli/calibrate/calibration_result.hpp"
 #include "cli/calibrate/misfit.hpp"
+#include "cli/calibrate/report_page.hpp"
 #include "cli/process/abnormal_end.hpp"
 #include "cli/process/outputs.hpp"
 #include "cli/process/progress.hpp"
@@ -29,6 +30,12 @@ namespace fs = std::filesystem;
 fs::path sand_of(const CalibrateRequest& request, const CalibrationCase& file) {
     return request.out / (file.name + "_sand.toml");
 }
+
+fs::path report_of(const CalibrateRequest& request, const CalibrationCase& file) {
+    return request.out / (file.name + "_report.html");
+}
+
+constexpr int draws_of_bands = 200;
 
 class Watch {
   public:
@@ -194,6 +201,7 @@ ExitCode run_calibration(const CalibrateRequest& request) {
     const std::string who = fmt::format("case {} ({})", file.name, file.path.string());
     Outputs outputs;
     outputs.add(sand_of(request, file), who);
+    outputs.add(report_of(request, file), who);
     outputs.spare(file.inputs);
     const auto lock = outputs.lock();
     const int threads = request.threads > 0
@@ -239,6 +247,9 @@ ExitCode run_calibration(const CalibrateRequest& request) {
         result.beside = misfits(file.experiments, file.beside_parameters, threads);
     result.advice = advice(file.space, result.laplace);
 
+    const std::vector<NextTest> next = next_tests(file, result, threads);
+    write_report_page(report_of(request, file), file, result,
+                      bands(file, result, draws_of_bands, threads), next);
     write_sand_file(sand_of(request, file), result.best, provenance(file, result));
     if (request.quiet) return ok;
     say_fit(file, result);
@@ -247,7 +258,8 @@ ExitCode run_calibration(const CalibrateRequest& request) {
     say_misfits(file, result);
     say("\n");
     for (const std::string& sentence : result.advice) say("{}\n", sentence);
-    say("-> {}\n", sand_of(request, file).string());
+    if (!next.empty()) say("most would be learnt from a further {}\n", next.front().name);
+    say("-> {}, {}\n", sand_of(request, file).string(), report_of(request, file).string());
     return ok;
 }
 
