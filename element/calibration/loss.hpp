@@ -15,7 +15,8 @@ namespace calibration {
 class Loss {
   public:
     // "squares", "huber", "soft_l1" or "cauchy"; beyond about the scale, residuals count less than their squares.
-    explicit Loss(const std::string& word = "squares", double scale = 2.0);
+    explicit Loss(const std::string& word, double scale = 2.0);
+    Loss() = default;  // squares
 
     static const std::vector<std::string>& words();
     double operator()(double square) const;
