@@ -34,6 +34,15 @@ int follow(int argc, char** argv) {
     cli::add_plot_command(app, asked);
 #ifdef GRIT_CLI_HAS_CALIBRATION
     cli::add_calibrate_command(app, asked);
+#else
+    CLI::App* calibrate = app.add_subcommand("calibrate", "Left out of this build");
+    calibrate->allow_extras();
+    calibrate->callback([&asked] {
+        asked = []() -> cli::ExitCode {
+            throw cli::BadInput("calibrate: this grit was built without Ceres, libzip and pugixml, "
+                                "see docs/calibration.md");
+        };
+    });
 #endif
     try {
         app.parse(argc, argv);

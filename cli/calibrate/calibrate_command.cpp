@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <thread>
 
 #include <fmt/format.h>
@@ -43,8 +44,14 @@ class Watch {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
 
+    // Of all threads.
+    double processor_seconds() const {
+        return static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC;
+    }
+
   private:
     std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+    std::clock_t processor = std::clock();
 };
 
 calibration::Fit best_fit(const CalibrationCase& file, calibration::Problem& problem,
@@ -68,6 +75,7 @@ calibration::Fit best_fit(const CalibrationCase& file, calibration::Problem& pro
         out.agreeing = agreeing;
     }
     result.fit_seconds = watch.seconds();
+    result.fit_processor_seconds = watch.processor_seconds();
     return out;
 }
 
@@ -116,8 +124,9 @@ void say_fit(const CalibrationCase& file, const CalibrationResult& result) {
     const calibration::Fit& fit = result.fit;
     int iterations = 0;
     for (const calibration::Descent& each : fit.descents) iterations += each.iterations;
-    say("\nbest fit: {} of {} starts end there, {} iterations, {:.2f} s\n", fit.agreeing,
-        fit.descents.size(), iterations, result.fit_seconds);
+    say("\nbest fit: {} of {} starts end there, {} iterations, {:.1f} s ({:.1f} s of processors)\n",
+        fit.agreeing, fit.descents.size(), iterations, result.fit_seconds,
+        result.fit_processor_seconds);
     say("misfit: chi^2/({:.0f} - {}) = {:.4g}{}\n", result.independent, file.space.size(),
         result.laplace.misfit,
         result.laplace.inflation > 1.0
@@ -133,12 +142,14 @@ void say_posterior(const CalibrationCase& file, const CalibrationResult& result)
         return;
     }
     const calibration::Posterior& posterior = *result.posterior;
-    say("posterior: {} samples of {} walkers in {} ensembles (seed {}), {:.1f} s; acceptance "
+    say("posterior: {} samples of {} walkers in {} ensembles (seed {}), {:.1f} s ({:.1f} s of "
+        "processors); acceptance "
         "{:.2f}, {} computed to the end or dropped on the way, R-hat {:.3f} at worst, {:.0f} "
         "independent samples at least\n",
         posterior.samples.rows(), posterior.walkers * posterior.ensembles, posterior.ensembles,
-        file.seed, result.posterior_seconds, posterior.acceptance, posterior.computed,
-        posterior.r_hat.maxCoeff(), posterior.effective.minCoeff());
+        file.seed, result.posterior_seconds, result.posterior_processor_seconds,
+        posterior.acceptance, posterior.computed, posterior.r_hat.maxCoeff(),
+        posterior.effective.minCoeff());
     if (!(posterior.r_hat.maxCoeff() < 1.05))
         say("note: R-hat above 1.05: the ensembles disagree yet, take more samples\n");
 }
@@ -236,6 +247,7 @@ ExitCode run_calibration(const CalibrateRequest& request) {
         result.posterior = calibration::sample(problem, result.fit.x, result.laplace, options);
         progress.finish();
         result.posterior_seconds = watch.seconds();
+        result.posterior_processor_seconds = watch.processor_seconds();
         if (result.posterior->stopped) {
             warn("grit: {}: stopped on request, nothing is written\n", file.name);
             return failed_computation;

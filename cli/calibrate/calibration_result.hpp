@@ -27,6 +27,7 @@ struct CalibrationResult {
     std::vector<Misfit> misfits, beside;
     std::vector<std::string> advice;
     double fit_seconds = 0.0, posterior_seconds = 0.0;
+    double fit_processor_seconds = 0.0, posterior_processor_seconds = 0.0;  // of all threads
 };
 
 // From the samples of the posterior, if there are any; otherwise normal at the best fit, within the bounds.

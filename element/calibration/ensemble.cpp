@@ -36,8 +36,8 @@ struct Proposal {
     std::optional<double> sum;  // found
 };
 
-// One half of all moves stretches the line through another walker by 1/2 to 2, the other steps along the difference of
-// two others; these are of the half that stands still meanwhile. Accepted with the probability
+// Three of ten moves stretch the line through another walker by 1/2 to 2, the others step along the difference of two
+// others; these are of the half that stands still meanwhile. Accepted with the probability
 // z^(d-1) exp[-(sum' - sum)/2 variance], in two parts: of the linear sums, then of what the sums differ from these. Random
 // numbers are drawn before, so that a sum may be dropped on the way.
 Proposal propose(Ensemble& ensemble, std::size_t number, double variance, const Vector& deviation) {
@@ -52,14 +52,14 @@ Proposal propose(Ensemble& ensemble, std::size_t number, double variance, const 
     Proposal out;
     out.walker = &walker;
     double log_factor = 0.0;
-    if (random.uniform() < 0.5) {
+    if (random.uniform() < 0.3) {
         const double z = std::pow(1.0 + random.uniform(), 2.0) / 2.0;
         const Vector& through = other();
         out.x = through + z * (walker.x - through);
         log_factor = (size - 1.0) * std::log(z);
     } else {
         const double usual = 2.38 / std::sqrt(2.0 * size);
-        const double length = random.uniform() < 0.1 ? 1.0 : usual * random.uniform(0.5, 1.2);
+        const double length = random.uniform() < 0.1 ? 1.0 : usual * random.uniform(0.7, 1.4);
         const Vector& from = other();
         out.x = walker.x + length * (other() - from);
         for (Eigen::Index k = 0; k < out.x.size(); ++k)

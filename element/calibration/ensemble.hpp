@@ -16,7 +16,7 @@ struct SampleOptions {
     Loss loss;
     long samples = 100000;  // after what is left out at the beginning
     int ensembles = 4;      // that know nothing of each other: what R-hat compares
-    double burn_in = 0.2;   // share of the samples that is computed before and left out
+    double burn_in = 0.1;   // share of the samples that is computed before and left out
     std::uint64_t seed = 1;
     double inflation = 1.0;  // of the stated errors
     // So many of so many. Returning false ends sampling.
