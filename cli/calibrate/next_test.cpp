@@ -38,21 +38,26 @@ const std::vector<Plan>& plans() {
     return all;
 }
 
-// Of a channel: the median of the tests that have it, or what a good laboratory reaches.
-double error_of(const CalibrationCase& file, const std::string& channel, double value) {
+// Of a channel: of stresses the median share of the largest in a test that has it, of void ratios and strains the median
+// itself; or what a good laboratory reaches.
+double error_of(const CalibrationCase& file, const calibration::Channel& channel, double largest) {
+    const bool stress = channel.unit == "kPa";
     std::vector<double> errors;
-    for (const Experiment& test : file.experiments)
+    for (const Experiment& test : file.experiments) {
+        std::vector<double> most(test.channels.size(), 1e-12);
         for (const calibration::Reading& each : test.readings)
-            if (test.channels[static_cast<std::size_t>(each.channel)].name == channel)
-                errors.push_back(each.error);
-    if (!errors.empty()) {
-        std::nth_element(errors.begin(), errors.begin() + static_cast<long>(errors.size() / 2),
-                         errors.end());
-        return errors[errors.size() / 2];
+            most[static_cast<std::size_t>(each.channel)] =
+                std::max(most[static_cast<std::size_t>(each.channel)], std::abs(each.value));
+        for (const calibration::Reading& each : test.readings) {
+            const auto place = static_cast<std::size_t>(each.channel);
+            if (test.channels[place].name == channel.name)
+                errors.push_back(stress ? each.error / most[place] : each.error);
+        }
     }
-    if (channel == "void_ratio") return 0.002;
-    if (channel == "volumetric_strain") return 0.002;
-    return std::max(2.0, 0.04 * std::abs(value));
+    if (errors.empty()) return stress ? 0.04 * largest : 0.002;
+    const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
+    std::nth_element(errors.begin(), middle, errors.end());
+    return stress ? *middle * largest : *middle;
 }
 
 Experiment experiment_of(const Plan& plan, const CalibrationCase& file,
@@ -90,6 +95,8 @@ Experiment experiment_of(const Plan& plan, const CalibrationCase& file,
         calibration::Channel channel;
         channel.name = name;
         channel.quantity = *linear_quantity(name, shear);
+        channel.unit =
+            channel.name == "void_ratio" || channel.name == "volumetric_strain" ? "-" : "kPa";
         channel.change = channel.name == "volumetric_strain" || channel.name == "pore_pressure";
         for (int row = 1; row <= rows; ++row)
             out.readings.push_back({row, static_cast<int>(out.channels.size()), 0.0, 1.0});
@@ -130,12 +137,17 @@ std::vector<NextTest> next_tests(const CalibrationCase& file, const CalibrationR
         if (!computed.failure.empty()) return;
         Matrix slopes = computed.slopes * file.space.chain(result.fit.x);
         const double share = std::min(1.0, independent / static_cast<double>(test.readings.size()));
+        std::vector<double> largest(test.channels.size(), 0.0);
         for (Eigen::Index k = 0; k < slopes.rows(); ++k) {
-            const calibration::Reading& reading = test.readings[static_cast<std::size_t>(k)];
-            slopes.row(k) *=
-                std::sqrt(share) / result.laplace.inflation /
-                error_of(file, test.channels[static_cast<std::size_t>(reading.channel)].name,
-                         computed.values[k]);
+            double& most = largest[static_cast<std::size_t>(
+                test.readings[static_cast<std::size_t>(k)].channel)];
+            most = std::max(most, std::abs(computed.values[k]));
+        }
+        for (Eigen::Index k = 0; k < slopes.rows(); ++k) {
+            const auto place =
+                static_cast<std::size_t>(test.readings[static_cast<std::size_t>(k)].channel);
+            slopes.row(k) *= std::sqrt(share) / result.laplace.inflation /
+                             error_of(file, test.channels[place], largest[place]);
         }
         const Matrix after = (information + slopes.transpose() * slopes).inverse();
         NextTest& out = found[i];

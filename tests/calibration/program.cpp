@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // grit calibrate from sheets to a sand that other commands read.
+#include <sstream>
+
 #include <gtest/gtest.h>
 
 #include "laboratory.hpp"
@@ -77,6 +79,23 @@ TEST(Calibrate, ReadsTheSheetsOfOtherCountriesAndUnits) {
         sand[foreign] = here.text("out/x_sand.toml");
     }
     EXPECT_EQ(sand[0], sand[1]);
+}
+
+// The rows of tests that are held out: the last number is the error over that of the published set.
+TEST(Calibrate, ComesNearerToKarlsruheSandThatItHasNotSeenThanThePublishedSet) {
+    const Workplace here;
+    const Answer answer =
+        here.grit("calibrate " GRIT_CALIBRATIONS "/karlsruhe.toml --samples 0 --out out");
+    ASSERT_EQ(answer.status, 0) << answer.text;
+    EXPECT_TRUE(answer.says("5 of 5 starts end there")) << answer.text;
+    std::istringstream lines(answer.text);
+    int held = 0;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.find(" held    ") == std::string::npos) continue;
+        ++held;
+        EXPECT_LT(std::stod(line.substr(line.rfind(' '))), 1.0) << line;
+    }
+    EXPECT_EQ(held, 5) << answer.text;
 }
 
 TEST(Calibrate, LeavesItsInputsAlone) {

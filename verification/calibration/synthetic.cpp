@@ -97,7 +97,10 @@ Experiment triaxial(const char* name, double pressure, double void_ratio, bool u
 std::vector<Experiment> tests_of(const grit_sand_parameters& sand) {
     const double d = sand.densest_void_ratio, c = sand.critical_void_ratio;
     const auto at = [&](double density) { return d + (1.0 - density) * (c - d); };
-    return {oedometer("loose oedometer", at(0.05)),
+    Experiment loosest = oedometer("loosest oedometer", c + 0.5 * (sand.loosest_void_ratio - c));
+    loosest.at_zero_pressure = true;
+    return {loosest,
+            oedometer("loose oedometer", at(0.05)),
             oedometer("dense oedometer", at(0.85)),
             triaxial("loose 100", 100.0, at(0.15), false),
             triaxial("medium 200", 200.0, at(0.5), false),
