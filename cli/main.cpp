@@ -10,6 +10,9 @@
 #include "cli/process/standard_streams.hpp"
 #include "cli/process/version.hpp"
 #include "cli/sand/sand_options.hpp"
+#ifdef GRIT_CLI_HAS_CALIBRATION
+#include "cli/calibrate/calibrate_options.hpp"
+#endif
 #ifdef GRIT_CLI_HAS_MPM
 #include "cli/mpm/options.hpp"
 #endif
@@ -29,6 +32,18 @@ int follow(int argc, char** argv) {
     cli::add_mpm_command(app, asked);
 #endif
     cli::add_plot_command(app, asked);
+#ifdef GRIT_CLI_HAS_CALIBRATION
+    cli::add_calibrate_command(app, asked);
+#else
+    CLI::App* calibrate = app.add_subcommand("calibrate", "Left out of this build");
+    calibrate->allow_extras();
+    calibrate->callback([&asked] {
+        asked = []() -> cli::ExitCode {
+            throw cli::BadInput("calibrate: this grit was built without Ceres, libzip and pugixml, "
+                                "see docs/calibration.md");
+        };
+    });
+#endif
     try {
         app.parse(argc, argv);
         return asked();

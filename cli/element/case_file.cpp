@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "cli/element/material_reader.hpp"
+#include "cli/element/numerics_reader.hpp"
 #include "cli/plot/panels.hpp"
 #include "cli/process/exit_code.hpp"
 #include "cli/table/table.hpp"
@@ -57,31 +58,6 @@ Samples read_samples(TomlTable& root) {
         out.rows.push_back(std::move(row));
     }
     return out;
-}
-
-void read_numerics(TomlTable table, CaseFile& file) {
-    file.options.tolerance = table.positive_or("tolerance", file.options.tolerance);
-    if (!(file.options.tolerance >= GRIT_SAND_LEAST_TOLERANCE &&
-          file.options.tolerance <= GRIT_SAND_LARGEST_TOLERANCE))
-        table.fail("tolerance", fmt::format("{} must be in [{:g}, {:g}], got {:g}",
-                                            table.full("tolerance"), GRIT_SAND_LEAST_TOLERANCE,
-                                            GRIT_SAND_LARGEST_TOLERANCE, file.options.tolerance));
-    file.settings.tolerance = table.positive_or("stress_tolerance", file.settings.tolerance);
-    if (!(file.settings.tolerance >= 1e-14 && file.settings.tolerance <= 1e-2))
-        table.fail("stress_tolerance",
-                   fmt::format("{} must be in [1e-14, 0.01], got {:g}",
-                               table.full("stress_tolerance"), file.settings.tolerance));
-    file.settings.smallest_part = table.positive_or("smallest_part", file.settings.smallest_part);
-    if (!(file.settings.smallest_part <= 1.0))
-        table.fail("smallest_part",
-                   fmt::format("{} must be in (0, 1], got {:g}", table.full("smallest_part"),
-                               file.settings.smallest_part));
-    file.settings.iteration_limit =
-        table.integer_or("iteration_limit", file.settings.iteration_limit, 1, 1000);
-    file.options.evaluation_limit =
-        table.integer_or("evaluation_limit", file.options.evaluation_limit,
-                         GRIT_SAND_LEAST_EVALUATION_LIMIT, GRIT_SAND_LARGEST_EVALUATION_LIMIT);
-    table.finish();
 }
 
 void read_limits(TomlTable table, Limits& limits) {
@@ -149,7 +125,7 @@ void read_picture(TomlTable& root, CaseFile& file) {
 }
 
 CaseFile read_case(const std::filesystem::path& path, TomlTable& root, const std::string& sample,
-                   const UmatChoice& choice) {
+                   const UmatChoice& choice, const std::filesystem::path& sand) {
     CaseFile out;
     out.path = path;
     out.inputs = {path};
@@ -163,8 +139,13 @@ CaseFile read_case(const std::filesystem::path& path, TomlTable& root, const std
         out.name += "_" + sample;
     }
     if (std::optional<TomlTable> umat = root.table_if("umat")) read_umat(std::move(*umat), out);
-    if (!out.umat || root.has("sand")) read_sand(root.table("sand"), out);
-    if (auto numerics = root.table_if("numerics")) read_numerics(std::move(*numerics), out);
+    if (out.umat && !sand.empty() && !root.has("sand"))
+        root.fail("umat", "--sand: this case has the PROPS of a UMAT and no sand");
+    if (!out.umat || root.has("sand")) read_sand(root.table("sand"), out, sand);
+    if (auto numerics = root.table_if("numerics")) {
+        read_numerics(*numerics, out.options, out.settings);
+        numerics->finish();
+    }
     read_start(root.table("start"), out);
     choose_law(root, out, choice);
     if (out.umat) out.inputs.push_back(out.umat->library);
@@ -181,14 +162,15 @@ CaseFile read_case(const std::filesystem::path& path, TomlTable& root, const std
 
 }  // namespace
 
-std::vector<CaseFile> read_case_file(const std::filesystem::path& path, const UmatChoice& umat) {
+std::vector<CaseFile> read_case_file(const std::filesystem::path& path, const UmatChoice& umat,
+                                     const std::filesystem::path& sand) {
     std::vector<std::filesystem::path> inputs;
     TomlTable root = TomlTable::of_file(path, &inputs);
     const Samples samples = read_samples(root);
     std::vector<CaseFile> out;
     for (const SampleRow& row : samples.rows) {
         if (samples.given) root.take_columns_from(row);
-        out.push_back(read_case(path, root, row.name, umat));
+        out.push_back(read_case(path, root, row.name, umat, sand));
         CaseFile& file = out.back();
         file.inputs.insert(file.inputs.end(), inputs.begin() + 1, inputs.end());
         if (samples.given) file.inputs.push_back(samples.table);

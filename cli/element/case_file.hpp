@@ -55,6 +55,8 @@ struct CaseFile {
 };
 
 // One case, or one for each row of its table of samples, with the law of this library, if any. Throws BadInput naming file, line and key.
-std::vector<CaseFile> read_case_file(const std::filesystem::path& path, const UmatChoice& umat);
+// sand: a file whose parameters take the place of the case's, empty: none.
+std::vector<CaseFile> read_case_file(const std::filesystem::path& path, const UmatChoice& umat,
+                                     const std::filesystem::path& sand = {});
 
 }  // namespace cli

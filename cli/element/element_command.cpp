@@ -23,7 +23,8 @@ namespace fs = std::filesystem;
 std::vector<CaseFile> read_cases(const ElementRequest& request) {
     std::vector<CaseFile> cases;
     for (const fs::path& path : request.cases)
-        for (CaseFile& file : read_case_file(path, request.umat)) cases.push_back(std::move(file));
+        for (CaseFile& file : read_case_file(path, request.umat, request.sand))
+            cases.push_back(std::move(file));
     return cases;
 }
 

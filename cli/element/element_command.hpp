@@ -14,6 +14,7 @@ struct ElementRequest {
     std::vector<std::filesystem::path> cases;
     std::filesystem::path out = ".";
     UmatChoice umat;
+    std::filesystem::path sand;  // instead of the sands of the cases, empty: none
     bool no_plot = false;
     bool quiet = false;      // the table alone
     bool residuals = false;  // of Newton's method, printed

@@ -20,6 +20,8 @@ void add_element_command(CLI::App& app, Command& asked) {
                                            "Folder for data and pictures, made if missing [.]");
     element->add_flag("--no-plot", request->no_plot, "Data only");
     element->add_flag("--quiet", request->quiet, "The table of references alone");
+    CLI::Option* sand = element->add_option(
+        "--sand", request->sand, "Sand as grit calibrate writes it, instead of the cases' own");
     CLI::Option* residuals = element->add_flag(
         "--residuals", request->residuals, "Print the residuals of Newton's method for every row");
     const auto driver = std::make_shared<IncrementalDriverRequest>();
@@ -27,7 +29,7 @@ void add_element_command(CLI::App& app, Command& asked) {
         element->add_option("--incremental-driver", driver->folder,
                             "Folder of incrementalDriver's input files, see "
                             "docs/incremental-driver.md; output goes there or to --out");
-    folder->excludes(cases)->excludes(residuals);
+    folder->excludes(cases)->excludes(residuals)->excludes(sand);
     CLI::Option* umat = element->add_option("--umat", request->umat.library,
                                             "Library with a UMAT or VUMAT, instead of Grit's sand");
     element

@@ -7,33 +7,12 @@
 #include <fmt/format.h>
 #include <grit/radian_layout.h>
 
-#include "cli/sand/parameter_units.hpp"
+#include "cli/sand/sand_file.hpp"
 #include "element/errors.hpp"
 #include "element/nearest.hpp"
 
 namespace cli {
 namespace {
-
-// "granulate_hardness_kPa", "critical_friction_angle_deg", "stiffness_exponent"
-std::string key_of(const grit_sand_parameter_info& info) {
-    const std::string unit = unit_of(info).name;
-    return unit == "-" ? info.name : std::string(info.name) + "_" + unit;
-}
-
-void set_parameter(TomlTable& table, int index, grit_sand_parameters& parameters) {
-    const grit_sand_parameter_info& info = *grit_sand_parameter_describe(index);
-    const std::string key = key_of(info);
-    const std::optional<double> value = table.number_if(key);
-    if (!value) return;
-    const Unit unit = unit_of(info);
-    const double low = info.lowest / unit.size, high = info.highest / unit.size;
-    // Limits in degrees round to a hair inside those in radians.
-    if (!(*value >= low * (1.0 - 1e-12) && *value <= high * (1.0 + 1e-12)))
-        table.fail(key, fmt::format("{} ({}) must be in [{:.6g}, {:.6g}] {}, got {:g}{}",
-                                    table.full(key), info.symbol, low, high, unit.name, *value,
-                                    unit.name == "deg" && *value < low ? ": radians?" : ""));
-    grit_sand_parameter_set(&parameters, index, *value * unit.size);
-}
 
 std::vector<std::string> sand_names() {
     std::vector<std::string> names;
@@ -57,7 +36,68 @@ double start_void_ratio(TomlTable& table, const grit_sand& sand, double p) {
     return e;
 }
 
-element::Vector6 start_stress(TomlTable& table) {
+int statev_index(TomlTable& table, const std::string& key, int size) {
+    return table.integer_or(key, 0, 1, std::max(size, 1)) - 1;  // counted from 1 in the file
+}
+
+}  // namespace
+
+NamedSand read_sand_parameters(TomlTable& table) {
+    NamedSand out;
+    grit_sand_parameters_init(&out.parameters, sizeof out.parameters);
+    if (const std::optional<std::string> file = table.string_if("file")) {
+        if (table.has("name"))
+            table.fail("name", fmt::format("{} and {}: the sand comes from one or the other",
+                                           table.full("name"), table.full("file")));
+        out.file = table.folder() / *file;
+        out.name = out.file.stem().string();
+        out.parameters = read_sand_file(out.file);
+    }
+    if (const std::optional<std::string> name = table.string_if("name")) {
+        const int record = grit_sand_record_find(name->c_str());
+        if (record < 0)
+            table.fail("name", fmt::format("{}: no sand is called \"{}\"{}", table.full("name"),
+                                           *name, element::suggestion(*name, sand_names())));
+        grit_sand_record_parameters(record, 1.0, &out.parameters);
+        out.name = *name;
+    }
+    for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i)
+        read_sand_parameter(table, i, out.parameters);
+    return out;
+}
+
+void read_sand(TomlTable table, CaseFile& file, const std::filesystem::path& given) {
+    NamedSand named = read_sand_parameters(table);
+    if (!given.empty()) named = {given.stem().string(), read_sand_file(given), given};
+    file.parameters = named.parameters;
+    file.sand = named.name;
+    if (!named.file.empty()) file.inputs.push_back(named.file);
+    read_water(table, file.options);
+    table.finish();
+    grit_sand sand;
+    grit_error error{};
+    if (grit_sand_prepare(&file.parameters, &sand, &error) != GRIT_OK)
+        table.fail("", std::string("sand: ") + error.message);
+}
+
+void read_umat(TomlTable table, CaseFile& file) {
+    element::UmatSource source;
+    if (const std::optional<std::string> library = table.string_if("library"))
+        source.library = (table.folder() / *library).lexically_normal();
+    source.props = table.numbers("props");
+    file.umat_state = table.numbers("statev");
+    const int given = static_cast<int>(file.umat_state.size());
+    source.state_size = table.integer_or("nstatv", given, given, 1000000);
+    source.material_name = table.string_if("material_name").value_or(source.material_name);
+    source.state_names = table.strings_or_none("state_names");
+    source.void_ratio = statev_index(table, "void_ratio_statev", source.state_size);
+    source.minus_pore_pressure =
+        statev_index(table, "minus_pore_pressure_statev", source.state_size);
+    table.finish();
+    file.umat = std::move(source);
+}
+
+element::Vector6 read_start_stress(TomlTable& table) {
     if (table.one_of({"pressure_kPa", "stress_kPa"}) == "pressure_kPa")
         return -table.positive_or("pressure_kPa", 0.0) * element::unit_tensor();
     const std::vector<double> values = table.numbers("stress_kPa", 6);
@@ -91,92 +131,46 @@ void read_water(TomlTable& table, element::GritLawOptions& options) {
                                table.full("water_bulk_modulus_kPa")));
 }
 
-int statev_index(TomlTable& table, const std::string& key, int size) {
-    return table.integer_or(key, 0, 1, std::max(size, 1)) - 1;  // counted from 1 in the file
-}
-
-}  // namespace
-
-NamedSand read_sand_parameters(TomlTable& table) {
-    NamedSand out;
-    grit_sand_parameters_init(&out.parameters, sizeof out.parameters);
-    if (const std::optional<std::string> name = table.string_if("name")) {
-        const int record = grit_sand_record_find(name->c_str());
-        if (record < 0)
-            table.fail("name", fmt::format("{}: no sand is called \"{}\"{}", table.full("name"),
-                                           *name, element::suggestion(*name, sand_names())));
-        grit_sand_record_parameters(record, 1.0, &out.parameters);
-        out.name = *name;
+void read_intergranular_start(TomlTable& table, const grit_sand_parameters& parameters,
+                              element::Start& start) {
+    using element::IntergranularStrain;
+    start.intergranular_strain = element::usual_intergranular_strain(parameters);
+    if (table.has("intergranular_strain")) {
+        const std::string h = table.choice("intergranular_strain", {"mobilised", "zero", "off"});
+        if (start.intergranular_strain == IntergranularStrain::off && h != "off")
+            table.fail("intergranular_strain",
+                       fmt::format("{} must be \"off\": the sand has no parameters for it",
+                                   table.full("intergranular_strain")));
+        start.intergranular_strain = h == "off"    ? IntergranularStrain::off
+                                     : h == "zero" ? IntergranularStrain::zero
+                                                   : IntergranularStrain::mobilised;
     }
-    for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i) set_parameter(table, i, out.parameters);
-    return out;
-}
-
-void read_sand(TomlTable table, CaseFile& file) {
-    const NamedSand named = read_sand_parameters(table);
-    file.parameters = named.parameters;
-    file.sand = named.name;
-    read_water(table, file.options);
-    table.finish();
-    grit_sand sand;
-    grit_error error{};
-    if (grit_sand_prepare(&file.parameters, &sand, &error) != GRIT_OK)
-        table.fail("", std::string("sand: ") + error.message);
-}
-
-void read_umat(TomlTable table, CaseFile& file) {
-    element::UmatSource source;
-    if (const std::optional<std::string> library = table.string_if("library"))
-        source.library = (table.folder() / *library).lexically_normal();
-    source.props = table.numbers("props");
-    file.umat_state = table.numbers("statev");
-    const int given = static_cast<int>(file.umat_state.size());
-    source.state_size = table.integer_or("nstatv", given, given, 1000000);
-    source.material_name = table.string_if("material_name").value_or(source.material_name);
-    source.state_names = table.strings_or_none("state_names");
-    source.void_ratio = statev_index(table, "void_ratio_statev", source.state_size);
-    source.minus_pore_pressure =
-        statev_index(table, "minus_pore_pressure_statev", source.state_size);
-    table.finish();
-    file.umat = std::move(source);
+    if (const auto direction = table.numbers_if("intergranular_direction", 6))
+        start.direction = Eigen::Map<const element::Vector6>(direction->data());
+    if (start.direction.isZero())
+        table.fail("intergranular_direction",
+                   table.full("intergranular_direction") + " must not be 0");
+    start.rho = table.number_if("intergranular_rho").value_or(start.rho);
+    if (!(start.rho >= 0.0 && start.rho <= 1.0))
+        table.fail("intergranular_rho", fmt::format("{} must be in [0, 1], got {:g}",
+                                                    table.full("intergranular_rho"), start.rho));
 }
 
 void read_start(TomlTable table, CaseFile& file) {
     using element::IntergranularStrain;
     element::Start& start = file.start;
-    start.stress = start_stress(table);
+    start.stress = read_start_stress(table);
     if (!file.sand.empty()) {
         grit_sand sand;
         grit_sand_prepare(&file.parameters, &sand, nullptr);
         start.void_ratio = start_void_ratio(table, sand, -start.stress.head<3>().sum() / 3.0);
-        start.intergranular_strain = element::usual_intergranular_strain(file.parameters);
         start.pore_pressure = table.number_if("pore_pressure_kPa").value_or(0.0);
         if (start.pore_pressure != 0.0 && !file.options.has_water())
             table.fail(
                 "pore_pressure_kPa",
                 fmt::format("{} is that of water in the sand: give sand.water_bulk_modulus_kPa",
                             table.full("pore_pressure_kPa")));
-        if (table.has("intergranular_strain")) {
-            const std::string h =
-                table.choice("intergranular_strain", {"mobilised", "zero", "off"});
-            if (start.intergranular_strain == IntergranularStrain::off && h != "off")
-                table.fail("intergranular_strain",
-                           fmt::format("{} must be \"off\": the sand has no parameters for it",
-                                       table.full("intergranular_strain")));
-            start.intergranular_strain = h == "off"    ? IntergranularStrain::off
-                                         : h == "zero" ? IntergranularStrain::zero
-                                                       : IntergranularStrain::mobilised;
-        }
-        if (const auto direction = table.numbers_if("intergranular_direction", 6))
-            start.direction = Eigen::Map<const element::Vector6>(direction->data());
-        if (start.direction.isZero())
-            table.fail("intergranular_direction",
-                       table.full("intergranular_direction") + " must not be 0");
-        start.rho = table.number_if("intergranular_rho").value_or(start.rho);
-        if (!(start.rho >= 0.0 && start.rho <= 1.0))
-            table.fail("intergranular_rho",
-                       fmt::format("{} must be in [0, 1], got {:g}",
-                                   table.full("intergranular_rho"), start.rho));
+        read_intergranular_start(table, file.parameters, start);
     }
     file.options.intergranular_strain = start.intergranular_strain != IntergranularStrain::off;
     table.finish();

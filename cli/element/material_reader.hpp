@@ -11,12 +11,20 @@ namespace cli {
 struct NamedSand {
     std::string name = "given in the case file";
     grit_sand_parameters parameters{};
+    std::filesystem::path file;  // that they were read from, if any
 };
-// name and parameters of a table that may have other keys.
+// name or file, and parameters, of a table that may have other keys.
 NamedSand read_sand_parameters(TomlTable& table);
+// Water of [sand].
+void read_water(TomlTable& table, element::GritLawOptions& options);
 
-void read_sand(TomlTable table, CaseFile& file);
+// given: a file whose parameters count instead, empty: none.
+void read_sand(TomlTable table, CaseFile& file, const std::filesystem::path& given);
 void read_umat(TomlTable table, CaseFile& file);
+// Parts of a start that may have other keys: pressure_kPa or stress_kPa; what is said of h.
+element::Vector6 read_start_stress(TomlTable& table);
+void read_intergranular_start(TomlTable& table, const grit_sand_parameters& parameters,
+                              element::Start& start);
 // After the sand.
 void read_start(TomlTable table, CaseFile& file);
 

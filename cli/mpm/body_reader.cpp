@@ -9,6 +9,7 @@
 
 #include "cli/element/material_reader.hpp"
 #include "cli/mpm/words.hpp"
+#include "cli/sand/sand_file.hpp"
 
 namespace cli {
 namespace {
@@ -110,9 +111,10 @@ void read_intergranular_strain(TomlTable& table, SandPlan& plan) {
 }
 
 // grain_density: of the body, if it is given.
-SandPlan read_sand_body(TomlTable table) {
+SandPlan read_sand_body(TomlTable table, const std::filesystem::path& given) {
     SandPlan out{};
     out.parameters = read_sand_parameters(table).parameters;
+    if (!given.empty()) out.parameters = read_sand_file(given);
     out.parameters.granulate_hardness *= words::kilopascal.si;
     out.parameters.pressure_shift *= words::kilopascal.si;
     grit_sand_options_init(&out.options, sizeof out.options);
@@ -162,10 +164,10 @@ WaterPlan read_water(TomlTable table, const Case& plan, const MaterialPlan& mate
     return out;
 }
 
-void read_material(TomlTable& table, BodyPlan& body) {
+void read_material(TomlTable& table, BodyPlan& body, const std::filesystem::path& sand) {
     const std::string kind = table.one_of({"elastic", "neo_hooke", "rigid", "sand"});
     TomlTable inner = table.table(kind);
-    if (kind == "sand") body.material = read_sand_body(std::move(inner));
+    if (kind == "sand") body.material = read_sand_body(std::move(inner), sand);
     else if (kind == "rigid") body.material = read_rigid(std::move(inner));
     else body.material = read_elastic(std::move(inner), kind == "neo_hooke");
 }
@@ -213,7 +215,7 @@ TimeTable read_time_table(TomlTable& table, const std::string& key, double unit)
     return out;
 }
 
-BodyPlan read_body(TomlTable table, const Case& plan) {
+BodyPlan read_body(TomlTable table, const Case& plan, const std::filesystem::path& sand) {
     BodyPlan out;
     out.name = table.string("name");
     for (TomlTable& box : table.tables_if("box"))
@@ -225,7 +227,7 @@ BodyPlan read_body(TomlTable table, const Case& plan) {
                    fmt::format("{0} needs a [[body.box]] or a [[body.polygon]]", table.full("")));
     out.particles_r = integer_or_default(table, case_word("body", "particles_per_cell_r"));
     out.particles_z = integer_or_default(table, case_word("body", "particles_per_cell_z"));
-    read_material(table, out);
+    read_material(table, out, sand);
     if (auto water = table.table_if("water"))
         out.water = read_water(std::move(*water), plan, out.material);
     read_density(table, out);

@@ -2,6 +2,8 @@
 // [[body]] of a material-point case.
 #pragma once
 
+#include <filesystem>
+
 #include <adapters/mpm/case/case.hpp>
 
 #include "cli/toml/toml_table.hpp"
@@ -9,7 +11,9 @@
 namespace cli {
 
 // After the grid. Names of stages are checked by check_stage_names.
-grit::mpm::BodyPlan read_body(TomlTable table, const grit::mpm::Case& plan);
+// sand: a file whose parameters take the place of the body's, empty: none.
+grit::mpm::BodyPlan read_body(TomlTable table, const grit::mpm::Case& plan,
+                              const std::filesystem::path& sand);
 
 // time_s and a list of values under key, in units of unit. Both ascending in time; one value: constant.
 grit::mpm::TimeTable read_time_table(TomlTable& table, const std::string& key, double unit);

@@ -49,9 +49,9 @@ void read_stages(TomlTable& root, Case& plan) {
     }
 }
 
-void read_bodies(TomlTable& root, Case& plan) {
+void read_bodies(TomlTable& root, Case& plan, const std::filesystem::path& sand) {
     for (TomlTable& table : root.tables_if("body")) {
-        BodyPlan body = read_body(table, plan);
+        BodyPlan body = read_body(table, plan, sand);
         refuse(table, objection_to_name_of_body(plan, body.name));
         if (auto* rigid = std::get_if<RigidPlan>(&body.material);
             rigid && !rigid->from_stage.empty()) {
@@ -108,9 +108,10 @@ FieldsPlan read_fields(TomlTable table) {
 
 }  // namespace
 
-MpmCaseFile read_mpm_case(const std::filesystem::path& path) {
+MpmCaseFile read_mpm_case(const std::filesystem::path& path, const std::filesystem::path& sand) {
     MpmCaseFile out;
     TomlTable root = TomlTable::of_file(path, &out.inputs);
+    if (!sand.empty()) out.inputs.push_back(sand);
     Case& plan = out.plan;
     plan.name = root.string_if("name").value_or(path.stem().string());
     refuse(root, objection_to_name(plan.name));
@@ -120,7 +121,7 @@ MpmCaseFile read_mpm_case(const std::filesystem::path& path) {
     if (auto numerics = root.table_if("numerics")) read_mpm_numerics(std::move(*numerics), plan);
     if (auto boundary = root.table_if("boundary")) read_boundary(std::move(*boundary), plan);
     read_stage_names(root, plan);
-    read_bodies(root, plan);
+    read_bodies(root, plan, sand);
     for (TomlTable& table : root.tables_if("traction"))
         plan.tractions.push_back(read_traction(std::move(table), plan));
     for (TomlTable& table : root.tables_if("inflow"))

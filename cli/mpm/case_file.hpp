@@ -25,7 +25,9 @@ struct MpmCaseFile {
     std::vector<std::filesystem::path> inputs;  // all files that were read
 };
 
-// Throws BadInput naming file, line and key.
-MpmCaseFile read_mpm_case(const std::filesystem::path& path);
+// sand: a file whose parameters take the place of those of all bodies of sand, empty: none. Throws BadInput naming file,
+// line and key.
+MpmCaseFile read_mpm_case(const std::filesystem::path& path,
+                          const std::filesystem::path& sand = {});
 
 }  // namespace cli

@@ -90,7 +90,7 @@ ExitCode run_mpm(const MpmRequest& request) {
         say("{}", printed_tables().at(request.keys)());
         return ok;
     }
-    MpmCaseFile file = read_mpm_case(request.file);
+    MpmCaseFile file = read_mpm_case(request.file, request.sand);
     const Case& plan = file.plan;
     if (!request.to_lammps.empty()) return convert(request, plan);
     if (request.threads) file.plan.settings.threads = *request.threads;

@@ -13,6 +13,7 @@ namespace cli {
 struct MpmRequest {
     std::string keys;  // print this table, and no more; empty: none
     std::filesystem::path file;
+    std::filesystem::path sand;  // instead of the sands of the case, empty: none
     std::filesystem::path out = ".";
     std::optional<int> threads;  // instead of the case's
     double checkpoint_minutes = 0.0;

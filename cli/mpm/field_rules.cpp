@@ -3,13 +3,15 @@
 
 #include <numbers>
 
+#include "cli/sand/parameter_units.hpp"
+
 namespace cli {
 namespace {
 
 namespace mpm = grit::mpm;
 namespace c = grit::mpm::column;
 
-constexpr double kilo = 1e-3, degree = std::numbers::pi / 180.0;
+constexpr double kilo = 1e-3;
 
 // Per radian -> the whole ring.
 double whole(const ShownParticle& x) { return x.axisymmetric ? 2.0 * std::numbers::pi : 1.0; }

@@ -11,9 +11,9 @@
 
 namespace cli {
 
-Progress::Progress(std::string case_name)
-    : name(std::move(case_name)), terminal(isatty(STDERR_FILENO) == 1), start(Clock::now()),
-      last(start) {}
+Progress::Progress(std::string case_name, std::string counted)
+    : name(std::move(case_name)), what(std::move(counted)), terminal(isatty(STDERR_FILENO) == 1),
+      start(Clock::now()), last(start) {}
 
 double Progress::seconds() const {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -23,10 +23,10 @@ std::string Progress::line(long increment, long increments) const {
     const double elapsed = seconds();
     const double rate = elapsed > 0.0 ? static_cast<double>(increment) / elapsed : 0.0;
     const double left = rate > 0.0 ? static_cast<double>(increments - increment) / rate : 0.0;
-    return fmt::format("{}: increment {} of {} ({:.0f} %), {:.0f} increments/s, {:.0f} s left",
-                       name, increment, increments,
+    return fmt::format("{}: {} {} of {} ({:.0f} %), {:.0f} {}s/s, {:.0f} s left", name, what,
+                       increment, increments,
                        100.0 * static_cast<double>(increment) / static_cast<double>(increments),
-                       rate, left);
+                       rate, what, left);
 }
 
 void Progress::operator()(long increment, long increments) {

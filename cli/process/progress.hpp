@@ -10,7 +10,8 @@ namespace cli {
 // of the way, but not more than one a second, in a log.
 class Progress {
   public:
-    explicit Progress(std::string name);
+    // what: one of those that are counted, "increment".
+    explicit Progress(std::string name, std::string what = "increment");
     void operator()(long increment, long increments);
     // Clear the line of a terminal.
     void finish();
@@ -20,7 +21,7 @@ class Progress {
     using Clock = std::chrono::steady_clock;
     std::string line(long increment, long increments) const;
 
-    std::string name;
+    std::string name, what;
     bool terminal;
     Clock::time_point start, last;
     int tenths = 0;

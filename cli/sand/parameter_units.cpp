@@ -10,4 +10,9 @@ Unit unit_of(const grit_sand_parameter_info& info) {
     return {unit, 1.0};
 }
 
+std::string parameter_key(const grit_sand_parameter_info& info) {
+    const std::string unit = unit_of(info).name;
+    return unit == "-" ? info.name : std::string(info.name) + "_" + unit;
+}
+
 }  // namespace cli

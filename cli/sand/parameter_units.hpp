@@ -18,4 +18,7 @@ struct Unit {
 };
 Unit unit_of(const grit_sand_parameter_info& info);
 
+// As files call it: "granulate_hardness_kPa", "critical_friction_angle_deg", "stiffness_exponent".
+std::string parameter_key(const grit_sand_parameter_info& info);
+
 }  // namespace cli

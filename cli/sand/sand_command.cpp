@@ -7,6 +7,7 @@
 
 #include "cli/process/standard_streams.hpp"
 #include "cli/sand/parameter_units.hpp"
+#include "cli/sand/sand_file.hpp"
 
 namespace cli {
 
@@ -20,17 +21,9 @@ ExitCode list_sands() {
     return ok;
 }
 
-ExitCode show_sand(const std::string& name) {
-    const int index = grit_sand_record_find(name.c_str());
-    if (index < 0)
-        throw BadInput(fmt::format("no sand is called \"{}\": see grit sand list", name));
-    const grit_sand_record& record = *grit_sand_record_at(index);
-    grit_sand_parameters parameters;
-    grit_sand_parameters_init(&parameters, sizeof parameters);
-    grit_sand_record_parameters(index, 1.0, &parameters);
+namespace {
 
-    say("{}\nstatus  {}\nsource  {}\n", record.title, record.status, record.source);
-    if (*record.note) say("note    {}\n", record.note);
+void say_parameters(const grit_sand_parameters& parameters) {
     say("\n{:<33} {:<8} {:>10}  {}\n", "parameter", "symbol", "value", "unit");
     for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i) {
         const grit_sand_parameter_info& info = *grit_sand_parameter_describe(i);
@@ -41,6 +34,27 @@ ExitCode show_sand(const std::string& name) {
             std::isnan(value) ? "not given" : fmt::format("{:.6g}", value / unit.size);
         say("{:<33} {:<8} {:>10}  {}\n", info.name, info.symbol, number, unit.name);
     }
+}
+
+}  // namespace
+
+ExitCode show_sand(const std::string& name) {
+    const int index = grit_sand_record_find(name.c_str());
+    if (index < 0 && std::filesystem::is_regular_file(name)) {
+        const grit_sand_parameters parameters = read_sand_file(name);
+        say("{}\n", name);
+        say_parameters(parameters);
+        return ok;
+    }
+    if (index < 0)
+        throw BadInput(fmt::format("no sand is called \"{}\": see grit sand list", name));
+    const grit_sand_record& record = *grit_sand_record_at(index);
+    grit_sand_parameters parameters;
+    grit_sand_parameters_init(&parameters, sizeof parameters);
+    grit_sand_record_parameters(index, 1.0, &parameters);
+    say("{}\nstatus  {}\nsource  {}\n", record.title, record.status, record.source);
+    if (*record.note) say("note    {}\n", record.note);
+    say_parameters(parameters);
     return ok;
 }
 

@@ -8,7 +8,7 @@
 namespace cli {
 
 ExitCode list_sands();
-// Throws BadInput for an unknown name.
+// Of the catalogue, or a file. Throws BadInput for an unknown name.
 ExitCode show_sand(const std::string& name);
 
 }  // namespace cli

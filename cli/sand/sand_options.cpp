@@ -16,7 +16,9 @@ void add_sand_command(CLI::App& app, Command& asked) {
     sand->add_subcommand("list", "Names and status")->callback([&] { asked = list_sands; });
     CLI::App* show = sand->add_subcommand("show", "Parameters and source of one sand");
     const auto name = std::make_shared<std::string>();
-    show->add_option("NAME", *name, "As grit sand list prints it")->required();
+    show->add_option("NAME", *name,
+                     "As grit sand list prints it, or a file as grit calibrate writes it")
+        ->required();
     show->callback([&asked, name] { asked = [name] { return show_sand(*name); }; });
 }
 

@@ -77,55 +77,64 @@ Derived derive(const Record& record, const Setting& setting, const element::Grit
     return out;
 }
 
+enum class Of {
+    record,  // linear in its stresses, strains, void ratio and pore pressure
+    point,
+    way  // to the point
+};
+
 struct Definition {
     const char* name;
     const char* unit;
     double (*of)(const Derived&);
-    bool of_a_point = true;  // otherwise of the way to it
+    Of what = Of::point;
 };
 
 const Record& r(const Derived& d) { return d.record; }
 double real(long count) { return static_cast<double>(count); }
 
 constexpr Definition definitions[] = {
-    {"stage", "", [](const Derived& d) -> double { return d.setting.stage; }, false},
-    {"step", "", [](const Derived& d) { return real(r(d).step); }, false},
-    {"increment", "", [](const Derived& d) -> double { return r(d).increment; }, false},
+    {"stage", "", [](const Derived& d) -> double { return d.setting.stage; }, Of::way},
+    {"step", "", [](const Derived& d) { return real(r(d).step); }, Of::way},
+    {"increment", "", [](const Derived& d) -> double { return r(d).increment; }, Of::way},
     {"time", "s", [](const Derived& d) { return r(d).time; }},
-    {"axial_strain", "-", [](const Derived& d) { return r(d).strain[0]; }},
-    {"volumetric_strain", "-", [](const Derived& d) { return r(d).strain.head<3>().sum(); }},
-    {"shear_strain", "-", [](const Derived& d) { return d.shear.strain; }},
-    {"p", "kPa", [](const Derived& d) { return d.invariants.p; }},
+    {"axial_strain", "-", [](const Derived& d) { return r(d).strain[0]; }, Of::record},
+    {"volumetric_strain", "-", [](const Derived& d) { return r(d).strain.head<3>().sum(); },
+     Of::record},
+    {"shear_strain", "-", [](const Derived& d) { return d.shear.strain; }, Of::record},
+    {"p", "kPa", [](const Derived& d) { return -r(d).effective_stress.head<3>().sum() / 3.0; },
+     Of::record},
     {"q", "kPa", [](const Derived& d) { return d.invariants.q; }},
-    {"axial_deviator", "kPa",
-     [](const Derived& d) { return -axial_difference(r(d).total_stress); }},
-    {"shear_stress", "kPa", [](const Derived& d) { return d.shear.stress; }},
-    {"void_ratio", "-", [](const Derived& d) { return r(d).void_ratio; }},
+    {"axial_deviator", "kPa", [](const Derived& d) { return -axial_difference(r(d).total_stress); },
+     Of::record},
+    {"shear_stress", "kPa", [](const Derived& d) { return d.shear.stress; }, Of::record},
+    {"void_ratio", "-", [](const Derived& d) { return r(d).void_ratio; }, Of::record},
     {"relative_density", "-", [](const Derived& d) { return d.invariants.relative_density; }},
     {"mobilised_friction", "deg",
      [](const Derived& d) { return d.invariants.mobilised_friction_angle / degree; }},
     {"lode_angle", "deg", [](const Derived& d) { return d.invariants.lode_angle / degree; }},
     {"rho", "-", [](const Derived& d) { return d.invariants.rho; }},
     {"f_d", "-", [](const Derived& d) { return d.density_factor; }},
-    {"pore_pressure", "kPa", [](const Derived& d) { return r(d).pore_pressure; }},
-    {"p_total", "kPa", [](const Derived& d) { return -r(d).total_stress.head<3>().sum() / 3.0; }},
-    {"secant_G", "kPa", [](const Derived& d) { return d.setting.secant; }, false},
+    {"pore_pressure", "kPa", [](const Derived& d) { return r(d).pore_pressure; }, Of::record},
+    {"p_total", "kPa", [](const Derived& d) { return -r(d).total_stress.head<3>().sum() / 3.0; },
+     Of::record},
+    {"secant_G", "kPa", [](const Derived& d) { return d.setting.secant; }, Of::way},
     {"G_0", "kPa", [](const Derived& d) { return d.small_strain_shear; }},
-    {"stress_11", "kPa", [](const Derived& d) { return r(d).effective_stress[0]; }},
-    {"stress_22", "kPa", [](const Derived& d) { return r(d).effective_stress[1]; }},
-    {"stress_33", "kPa", [](const Derived& d) { return r(d).effective_stress[2]; }},
-    {"stress_12", "kPa", [](const Derived& d) { return r(d).effective_stress[3]; }},
-    {"stress_13", "kPa", [](const Derived& d) { return r(d).effective_stress[4]; }},
-    {"stress_23", "kPa", [](const Derived& d) { return r(d).effective_stress[5]; }},
-    {"strain_11", "-", [](const Derived& d) { return r(d).strain[0]; }},
-    {"strain_22", "-", [](const Derived& d) { return r(d).strain[1]; }},
-    {"strain_33", "-", [](const Derived& d) { return r(d).strain[2]; }},
-    {"gamma_12", "-", [](const Derived& d) { return r(d).strain[3]; }},
-    {"gamma_13", "-", [](const Derived& d) { return r(d).strain[4]; }},
-    {"gamma_23", "-", [](const Derived& d) { return r(d).strain[5]; }},
-    {"newton_iterations", "", [](const Derived& d) { return real(r(d).iterations); }, false},
-    {"rate_evaluations", "", [](const Derived& d) { return real(r(d).evaluations); }, false},
-    {"halvings", "", [](const Derived& d) { return real(r(d).cut_backs); }, false},
+    {"stress_11", "kPa", [](const Derived& d) { return r(d).effective_stress[0]; }, Of::record},
+    {"stress_22", "kPa", [](const Derived& d) { return r(d).effective_stress[1]; }, Of::record},
+    {"stress_33", "kPa", [](const Derived& d) { return r(d).effective_stress[2]; }, Of::record},
+    {"stress_12", "kPa", [](const Derived& d) { return r(d).effective_stress[3]; }, Of::record},
+    {"stress_13", "kPa", [](const Derived& d) { return r(d).effective_stress[4]; }, Of::record},
+    {"stress_23", "kPa", [](const Derived& d) { return r(d).effective_stress[5]; }, Of::record},
+    {"strain_11", "-", [](const Derived& d) { return r(d).strain[0]; }, Of::record},
+    {"strain_22", "-", [](const Derived& d) { return r(d).strain[1]; }, Of::record},
+    {"strain_33", "-", [](const Derived& d) { return r(d).strain[2]; }, Of::record},
+    {"gamma_12", "-", [](const Derived& d) { return r(d).strain[3]; }, Of::record},
+    {"gamma_13", "-", [](const Derived& d) { return r(d).strain[4]; }, Of::record},
+    {"gamma_23", "-", [](const Derived& d) { return r(d).strain[5]; }, Of::record},
+    {"newton_iterations", "", [](const Derived& d) { return real(r(d).iterations); }, Of::way},
+    {"rate_evaluations", "", [](const Derived& d) { return real(r(d).evaluations); }, Of::way},
+    {"halvings", "", [](const Derived& d) { return real(r(d).cut_backs); }, Of::way},
 };
 
 }  // namespace
@@ -137,6 +146,45 @@ const std::vector<std::string>& standard_column_names() {
         return out;
     }();
     return names;
+}
+
+std::optional<element::LinearQuantity> linear_quantity(const std::string& name,
+                                                       bool loaded_by_shear) {
+    const Setting setting{0, loaded_by_shear, unknown};
+    for (const Definition& definition : definitions) {
+        if (definition.name != name || definition.what != Of::record) continue;
+        // Its value for each component alone.
+        Record record;
+        const auto weight_of = [&](double& component) {
+            component = 1.0;
+            Derived derived{record, setting};
+            derived.shear = shear_of(record, loaded_by_shear);
+            const double weight = definition.of(derived);
+            component = 0.0;
+            return weight;
+        };
+        const auto weights_of = [&](Vector6& components) {
+            Vector6 out;
+            for (int i = 0; i < 6; ++i) out[i] = weight_of(components[i]);
+            return out;
+        };
+        element::LinearQuantity out;
+        out.strain = weights_of(record.strain);
+        out.effective_stress = weights_of(record.effective_stress);
+        out.total_stress = weights_of(record.total_stress);
+        out.void_ratio = weight_of(record.void_ratio);
+        out.pore_pressure = weight_of(record.pore_pressure);
+        return out;
+    }
+    return std::nullopt;
+}
+
+std::vector<Column> linear_columns() {
+    std::vector<Column> out;
+    for (const Definition& definition : definitions)
+        if (definition.what == Of::record)
+            out.push_back({definition.name, definition.unit, {}, {}});
+    return out;
 }
 
 ShearPair shear_of(const Record& record, bool loaded_by_shear) {
@@ -168,7 +216,7 @@ element::Vocabulary Columns::words(bool loaded_by_shear) const {
     return [this_ = *this, loaded_by_shear](const std::string& name) -> element::Quantity {
         std::vector<std::string> known;
         for (const Definition& definition : definitions) {
-            if (!definition.of_a_point) continue;
+            if (definition.what == Of::way) continue;
             if (definition.name == name)
                 return {[&definition, loaded_by_shear, sand = this_.sand](const Record& record) {
                     const Setting setting{0, loaded_by_shear, unknown};

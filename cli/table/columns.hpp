@@ -2,12 +2,14 @@
 // What a row of a result holds: names, units and how they follow from a record.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/table/table.hpp"
 #include "element/exit_condition.hpp"
 #include "element/grit_law.hpp"
+#include "element/linear_quantity.hpp"
 
 namespace cli {
 
@@ -21,6 +23,11 @@ struct ShearPair {
     double strain = 0.0;  // gamma [-]
 };
 ShearPair shear_of(const element::Record& record, bool loaded_by_shear);
+
+// Columns that are linear in stresses, strains, void ratio and pore pressure, and how; nothing: it is no such column.
+std::vector<Column> linear_columns();
+std::optional<element::LinearQuantity> linear_quantity(const std::string& name,
+                                                       bool loaded_by_shear);
 
 // What a record does not know.
 struct Setting {

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/calibrate/calibrate_command.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "cli/calibrate/advice.hpp"
+#include "cli/calibrate/calibration_case.hpp"
+#include "cli/calibrate/calibration_result.hpp"
+#include "cli/calibrate/misfit.hpp"
+#include "cli/calibrate/report_page.hpp"
+#include "cli/process/abnormal_end.hpp"
+#include "cli/process/outputs.hpp"
+#include "cli/process/progress.hpp"
+#include "cli/process/standard_streams.hpp"
+#include "cli/process/version.hpp"
+#include "cli/sand/parameter_units.hpp"
+#include "cli/sand/sand_file.hpp"
+#include "element/errors.hpp"
+
+namespace cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path sand_of(const CalibrateRequest& request, const CalibrationCase& file) {
+    return request.out / (file.name + "_sand.toml");
+}
+
+fs::path report_of(const CalibrateRequest& request, const CalibrationCase& file) {
+    return request.out / (file.name + "_report.html");
+}
+
+constexpr int draws_of_bands = 200;
+
+class Watch {
+  public:
+    double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+
+    // Of all threads.
+    double processor_seconds() const {
+        return static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC;
+    }
+
+  private:
+    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+    std::clock_t processor = std::clock();
+};
+
+calibration::Fit best_fit(const CalibrationCase& file, calibration::Problem& problem,
+                          CalibrationResult& result) {
+    calibration::FitOptions options;
+    options.loss = calibration::Loss(file.loss, file.loss_scale);
+    options.starts = file.starts;
+    options.spread = file.spread;
+    options.progress = [](int) { return !RunGuard::interrupted(); };
+    const Watch watch;
+    calibration::Fit out = fit(problem, problem.space().coordinates(file.space.base), options);
+    // What an error of the void ratio does depends on the parameters: once more from there.
+    if (!out.stopped && problem.weigh_starts(out.x)) {
+        const std::vector<calibration::Descent> descents = std::move(out.descents);
+        const std::size_t best = out.best;
+        const int agreeing = out.agreeing;
+        options.starts = 1;
+        out = fit(problem, out.x, options);
+        out.descents = descents;
+        out.best = best;
+        out.agreeing = agreeing;
+    }
+    result.fit_seconds = watch.seconds();
+    result.fit_processor_seconds = watch.processor_seconds();
+    return out;
+}
+
+void say_tests(const CalibrationCase& file) {
+    std::size_t fitted = 0, readings = 0;
+    for (const calibration::Experiment& each : file.experiments) {
+        if (!each.fitted) continue;
+        ++fitted;
+        readings += each.readings.size();
+    }
+    say("{}: {} tests with {} readings are fitted, {} are held out\n", file.title, fitted, readings,
+        file.experiments.size() - fitted);
+}
+
+std::string number_in_unit(const grit_sand_parameter_info& info, double value) {
+    return fmt::format("{:.5g}", value / unit_of(info).size);
+}
+
+void say_parameters(const CalibrationCase& file, const CalibrationResult& result) {
+    say("\n{:<7} {:<4} {:>10} {:>10} {:>10} {:>10}  {}\n", "", "unit", "start", "best", "2.5 %",
+        "97.5 %", "start from");
+    for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i) {
+        const grit_sand_parameter_info& info = *grit_sand_parameter_describe(i);
+        const calibration::Estimate& start = file.start[static_cast<std::size_t>(i)];
+        const auto place = file.space.find(i);
+        const bool tied = std::any_of(file.space.ties.begin(), file.space.ties.end(),
+                                      [i](const calibration::Tie& tie) { return tie.index == i; });
+        if (std::isnan(start.value) || (!place && !tied && info.optional == 1)) continue;
+        const Unit unit = unit_of(info);
+        std::string low = "", high = "", note = start.origin;
+        if (place) {
+            const ParameterInterval& interval = result.intervals[static_cast<std::size_t>(*place)];
+            low = number_in_unit(info, interval.lowest);
+            high = number_in_unit(info, interval.highest);
+            if (!result.laplace.determines(*place)) note += "; not determined";
+        } else if (!tied) {
+            note = "fixed";
+        }
+        say("{:<7} {:<4} {:>10} {:>10} {:>10} {:>10}  {}\n", info.symbol, unit.name,
+            number_in_unit(info, start.value),
+            number_in_unit(info, calibration::get(result.best, i)), low, high, note);
+    }
+}
+
+void say_fit(const CalibrationCase& file, const CalibrationResult& result) {
+    const calibration::Fit& fit = result.fit;
+    int iterations = 0;
+    for (const calibration::Descent& each : fit.descents) iterations += each.iterations;
+    say("\nbest fit: {} of {} starts end there, {} iterations, {:.1f} s ({:.1f} s of processors)\n",
+        fit.agreeing, fit.descents.size(), iterations, result.fit_seconds,
+        result.fit_processor_seconds);
+    say("misfit: chi^2/({:.0f} - {}) = {:.4g}{}\n", result.independent, file.space.size(),
+        result.laplace.misfit,
+        result.laplace.inflation > 1.0
+            ? fmt::format(": residuals are {:.3g} times their stated errors, and intervals are as "
+                          "much wider",
+                          result.laplace.inflation)
+            : std::string());
+}
+
+void say_posterior(const CalibrationCase& file, const CalibrationResult& result) {
+    if (!result.posterior) {
+        say("intervals: normal distribution at the best fit\n");
+        return;
+    }
+    const calibration::Posterior& posterior = *result.posterior;
+    say("posterior: {} samples of {} walkers in {} ensembles (seed {}), {:.1f} s ({:.1f} s of "
+        "processors); acceptance "
+        "{:.2f}, {} computed to the end or dropped on the way, R-hat {:.3f} at worst, {:.0f} "
+        "independent samples at least\n",
+        posterior.samples.rows(), posterior.walkers * posterior.ensembles, posterior.ensembles,
+        file.seed, result.posterior_seconds, result.posterior_processor_seconds,
+        posterior.acceptance, posterior.computed, posterior.r_hat.maxCoeff(),
+        posterior.effective.minCoeff());
+    if (!(posterior.r_hat.maxCoeff() < 1.05))
+        say("note: R-hat above 1.05: the ensembles disagree yet, take more samples\n");
+}
+
+void say_misfits(const CalibrationCase& file, const CalibrationResult& result) {
+    const bool beside = !file.beside.empty();
+    say("\n{:<19} {:<18} {:<7} {:>5} {:>12} {:>10}{}\n", "root mean square of", "quantity", "",
+        "tests", "this sand", "of largest",
+        beside ? fmt::format(" {:>12} {:>10}  {}", file.beside, "of largest", "ratio")
+               : std::string());
+    for (std::size_t i = 0; i < result.misfits.size(); ++i) {
+        const Misfit& one = result.misfits[i];
+        const bool all = one.quantity.empty();
+        const auto numbers = [&](const Misfit& each) {
+            if (each.tests == 0) return fmt::format(" {:>12} {:>10}", "fails", "");
+            return fmt::format(" {:>12.4g} {:>10}", each.root_mean_square,
+                               all ? "" : fmt::format("{:.2f} %", 100.0 * each.relative)) +
+                   (each.failed > 0 ? fmt::format(" ({} fail)", each.failed) : "");
+        };
+        std::string other;
+        if (beside) {
+            const Misfit& two = result.beside[i];
+            other =
+                numbers(two) + fmt::format("  {:.3f}", one.root_mean_square / two.root_mean_square);
+        }
+        say("{:<19} {:<18} {:<7} {:>5}{}{}\n", one.kind,
+            all ? "all over errors" : one.quantity + (one.unit == "-" ? "" : " [" + one.unit + "]"),
+            one.fitted ? "fitted" : "held", one.tests + one.failed, numbers(one), other);
+    }
+}
+
+std::vector<std::string> provenance(const CalibrationCase& file, const CalibrationResult& result) {
+    std::vector<std::string> out = {
+        fmt::format("{}: found by grit calibrate (Grit {})", file.title, version()),
+        fmt::format("case {}", file.path.filename().string())};
+    for (const fs::path& each : file.inputs)
+        if (each != file.path) out.push_back(fmt::format("from {}", each.filename().string()));
+    std::string names;
+    for (const calibration::Experiment& each : file.experiments)
+        if (each.fitted) names += (names.empty() ? "" : ", ") + each.name;
+    out.push_back("tests fitted: " + names);
+    out.push_back(fmt::format("chi^2/freedom {:.4g}; 95 % intervals:", result.laplace.misfit));
+    for (Eigen::Index k = 0; k < file.space.size(); ++k) {
+        const int index = file.space.free[static_cast<std::size_t>(k)].index;
+        const grit_sand_parameter_info& info = *grit_sand_parameter_describe(index);
+        const ParameterInterval& interval = result.intervals[static_cast<std::size_t>(k)];
+        out.push_back(fmt::format("  {} {} ... {} {}{}", info.symbol,
+                                  number_in_unit(info, interval.lowest),
+                                  number_in_unit(info, interval.highest), unit_of(info).name,
+                                  result.laplace.determines(k) ? "" : ", not determined"));
+    }
+    return out;
+}
+
+}  // namespace
+
+ExitCode run_calibration(const CalibrateRequest& request) {
+    CalibrationCase file = read_calibration_case(request.file);
+    if (request.samples) file.samples = *request.samples;
+    const std::string who = fmt::format("case {} ({})", file.name, file.path.string());
+    Outputs outputs;
+    outputs.add(sand_of(request, file), who);
+    outputs.add(report_of(request, file), who);
+    outputs.spare(file.inputs);
+    const auto lock = outputs.lock();
+    const int threads = request.threads > 0
+                            ? request.threads
+                            : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    const RunGuard guard(file.name + ": Grit");
+    if (!request.quiet) say_tests(file);
+    flush_words();
+
+    calibration::Problem problem(file.space, file.experiments, file.direct, threads);
+    CalibrationResult result;
+    result.fit = best_fit(file, problem, result);
+    if (result.fit.stopped) {
+        warn("grit: {}: stopped on request, nothing is written\n", file.name);
+        return failed_computation;
+    }
+    result.best = file.space.at(result.fit.x);
+    result.independent = problem.independent();
+    result.laplace = calibration::laplace(problem, result.fit.residuals, file.inflate);
+    if (file.samples > 0) {
+        calibration::SampleOptions options;
+        options.loss = calibration::Loss(file.loss, file.loss_scale);
+        options.samples = file.samples;
+        options.seed = file.seed;
+        options.inflation = result.laplace.inflation;
+        Progress progress(file.name, "sample");
+        options.progress = [&](long done, long all) {
+            if (!request.quiet) progress(done, all);
+            return !RunGuard::interrupted();
+        };
+        const Watch watch;
+        result.posterior = calibration::sample(problem, result.fit.x, result.laplace, options);
+        progress.finish();
+        result.posterior_seconds = watch.seconds();
+        result.posterior_processor_seconds = watch.processor_seconds();
+        if (result.posterior->stopped) {
+            warn("grit: {}: stopped on request, nothing is written\n", file.name);
+            return failed_computation;
+        }
+    }
+    result.intervals = intervals(file.space, result);
+    result.misfits = misfits(file.experiments, result.best, threads);
+    if (!file.beside.empty())
+        result.beside = misfits(file.experiments, file.beside_parameters, threads);
+    result.advice = advice(file.space, result.laplace);
+
+    const std::vector<NextTest> next = next_tests(file, result, threads);
+    write_report_page(report_of(request, file), file, result,
+                      bands(file, result, draws_of_bands, threads), next);
+    write_sand_file(sand_of(request, file), result.best, provenance(file, result));
+    if (request.quiet) return ok;
+    say_fit(file, result);
+    say_posterior(file, result);
+    say_parameters(file, result);
+    say_misfits(file, result);
+    say("\n");
+    for (const std::string& sentence : result.advice) say("{}\n", sentence);
+    if (!next.empty()) say("most would be learnt from a further {}\n", next.front().name);
+    say("-> {}, {}\n", sand_of(request, file).string(), report_of(request, file).string());
+    return ok;
+}
+
+}  // namespace cli

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a calibration has found: for the screen, the sand file and the report alike.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/calibrate/misfit.hpp"
+#include "element/calibration/ensemble.hpp"
+#include "element/calibration/fit.hpp"
+
+namespace cli {
+
+// 95 %, in the units of the library.
+struct ParameterInterval {
+    double lowest = 0.0, highest = 0.0;
+};
+
+struct CalibrationResult {
+    calibration::Fit fit;
+    grit_sand_parameters best{};
+    double independent = 0.0;  // readings
+    calibration::Laplace laplace;
+    std::optional<calibration::Posterior> posterior;
+    std::vector<ParameterInterval> intervals;  // of the free parameters
+    std::vector<Misfit> misfits, beside;
+    std::vector<std::string> advice;
+    double fit_seconds = 0.0, posterior_seconds = 0.0;
+    double fit_processor_seconds = 0.0, posterior_processor_seconds = 0.0;  // of all threads
+};
+
+// From the samples of the posterior, if there are any; otherwise normal at the best fit, within the bounds.
+std::vector<ParameterInterval> intervals(const calibration::ParameterSpace& space,
+                                         const CalibrationResult& result);
+
+}  // namespace cli

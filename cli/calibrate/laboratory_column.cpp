@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/calibrate/laboratory_column.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "cli/table/columns.hpp"
+#include "element/nearest.hpp"
+
+namespace cli {
+namespace {
+
+struct LaboratoryUnit {
+    const char* name;
+    const char* of;  // Grit's unit
+    double size;     // in it
+};
+
+constexpr LaboratoryUnit units[] = {
+    {"-", "-", 1.0},         {"percent", "-", 0.01},      {"%", "-", 0.01},
+    {"permille", "-", 1e-3}, {"kPa", "kPa", 1.0},         {"Pa", "kPa", 1e-3},
+    {"MPa", "kPa", 1e3},     {"bar", "kPa", 100.0},       {"kN/m2", "kPa", 1.0},
+    {"N/mm2", "kPa", 1e3},   {"kgf/cm2", "kPa", 98.0665}, {"psi", "kPa", 6.894757293168},
+};
+
+const LaboratoryUnit* find_unit(const std::string& name) {
+    const auto at = std::find_if(std::begin(units), std::end(units),
+                                 [&](const LaboratoryUnit& each) { return name == each.name; });
+    return at == std::end(units) ? nullptr : at;
+}
+
+std::vector<std::string> units_of(const std::string& unit) {
+    std::vector<std::string> out;
+    for (const LaboratoryUnit& each : units)
+        if (unit == each.of) out.emplace_back(each.name);
+    return out;
+}
+
+// "eps [%]", "eps (%)", "eps_percent", "q_kPa": what the header says of the unit.
+std::string unit_in(const std::string& header) {
+    for (const auto& [open, close] : {std::pair{'[', ']'}, std::pair{'(', ')'}}) {
+        const std::size_t from = header.rfind(open);
+        if (from != std::string::npos && header.back() == close)
+            return header.substr(from + 1, header.size() - from - 2);
+    }
+    const std::size_t last = header.rfind('_');
+    return last == std::string::npos ? "" : header.substr(last + 1);
+}
+
+bool is_strain(const std::string& quantity) { return quantity.find("strain") != std::string::npos; }
+
+// Tension is positive of these; of p, q, axial_deviator, pore pressure and void ratio there is one sign only, and
+// that of shear follows the machine.
+bool has_sign(const std::string& quantity) {
+    for (const char* each : {"axial_strain", "volumetric_strain", "strain_11", "strain_22",
+                             "strain_33", "stress_11", "stress_22", "stress_33"})
+        if (quantity == each) return true;
+    return false;
+}
+
+std::size_t place_of(TomlTable& table, const std::vector<std::string>& header) {
+    const std::string name = table.string("column");
+    const auto count = std::count(header.begin(), header.end(), name);
+    if (count > 1)
+        table.fail("column", fmt::format("{}: the sheet has {} columns \"{}\"",
+                                         table.full("column"), count, name));
+    if (count == 0)
+        table.fail("column",
+                   fmt::format("{}: the sheet has no column \"{}\"{}", table.full("column"), name,
+                               element::suggestion(name, header)));
+    return static_cast<std::size_t>(std::find(header.begin(), header.end(), name) - header.begin());
+}
+
+const LaboratoryUnit& read_unit(TomlTable& table, const std::string& column,
+                                const std::string& unit) {
+    const bool given = table.has("unit");
+    if (given) return *find_unit(table.choice("unit", units_of(unit)));
+    const LaboratoryUnit* found = find_unit(unit_in(column));
+    if (found && unit == found->of) return *found;
+    if (unit == "-" && table.full("").ends_with("void_ratio")) return units[0];
+    std::string known;
+    for (const std::string& each : units_of(unit))
+        known += fmt::format("{}\"{}\"", known.empty() ? "" : ", ", each);
+    table.fail("column", fmt::format("{}: the header \"{}\" does not say its unit: give unit = "
+                                     "one of {}",
+                                     table.full("column"), column, known));
+}
+
+LaboratoryColumn read_column(TomlTable table, const std::string& quantity, const std::string& unit,
+                             const std::vector<std::string>& header) {
+    LaboratoryColumn out;
+    out.quantity = quantity;
+    out.unit = unit;
+    out.place = place_of(table, header);
+    out.name = header[out.place];
+    const LaboratoryUnit& theirs = read_unit(table, out.name, unit);
+    out.factor = theirs.size;
+    if (has_sign(quantity) && table.choice("compression", {"positive", "negative"}) == "positive")
+        out.factor = -out.factor;
+    if (is_strain(quantity) && has_sign(quantity))
+        out.engineering = !table.has("strain") ||
+                          table.choice("strain", {"engineering", "logarithmic"}) == "engineering";
+    if (table.has("error")) out.error = theirs.size * table.positive_or("error", 1.0);
+    if (table.has("relative_error")) {
+        out.relative_error = table.positive_or("relative_error", 1.0);
+        if (!(out.relative_error <= 1.0))
+            table.fail("relative_error",
+                       fmt::format("{} must be in (0, 1], got {:g}: percent?",
+                                   table.full("relative_error"), out.relative_error));
+    }
+    out.may_be_empty = table.boolean_or("may_be_empty", false);
+    table.finish();
+    return out;
+}
+
+}  // namespace
+
+std::optional<double> LaboratoryColumn::value(double theirs) const {
+    const double value = factor * theirs;
+    if (!engineering) return value;
+    if (!(value > -1.0)) return std::nullopt;
+    return std::log1p(value);
+}
+
+double LaboratoryColumn::deviation(double value) const {
+    return std::hypot(error, relative_error * value);
+}
+
+std::vector<LaboratoryColumn> read_columns(TomlTable table, const std::vector<std::string>& header,
+                                           bool shear) {
+    std::vector<LaboratoryColumn> out;
+    std::vector<std::string> known;
+    for (const Column& column : linear_columns()) {
+        known.push_back(column.name);
+        if (shear && column.name == "axial_strain") continue;
+        if (auto inner = table.table_if(column.name))
+            out.push_back(read_column(std::move(*inner), column.name, column.unit, header));
+    }
+    table.finish();
+    if (out.empty())
+        table.fail("", fmt::format("{}: no column is named: give at least what drives the test and "
+                                   "one that is compared",
+                                   table.full("")));
+    if (std::none_of(out.begin(), out.end(),
+                     [](const LaboratoryColumn& each) { return each.compared(); }))
+        table.fail("", fmt::format("{}: none has an error: give error or relative_error to what is "
+                                   "to be compared",
+                                   table.full("")));
+    return out;
+}
+
+}  // namespace cli

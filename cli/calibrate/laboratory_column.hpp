@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A column of a laboratory's sheet: which of Grit's it is, in which unit and sign, and how exact.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/toml/toml_table.hpp"
+
+namespace cli {
+
+struct LaboratoryColumn {
+    std::string quantity, unit;  // Grit's: "axial_strain", "-"
+    std::string name;            // theirs, as in the header
+    std::size_t place = 0;       // in the row
+    double factor = 1.0;         // Grit's for theirs, sign included
+    bool engineering = false;    // over the first length, not logarithmic
+    double error = 0.0;  // standard deviation in Grit's unit, 0 and no relative one: not compared
+    double relative_error = 0.0;
+    bool may_be_empty = false;
+
+    bool compared() const { return error > 0.0 || relative_error > 0.0; }
+    // Of Grit, or nothing where an engineering strain is -1 or less.
+    std::optional<double> value(double theirs) const;
+    double deviation(double value) const;  // of a value of Grit
+};
+
+// [columns] of a test, a table for each quantity that the sheet has. Throws BadInput.
+std::vector<LaboratoryColumn> read_columns(TomlTable table, const std::vector<std::string>& header,
+                                           bool shear);
+
+}  // namespace cli

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How far a sand is from what was measured, by kind of test and quantity.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "element/calibration/experiment.hpp"
+
+namespace cli {
+
+struct Misfit {
+    std::string kind, quantity, unit;  // quantity empty: all of the kind, each over its error
+    bool fitted = true;
+    int tests = 0, failed = 0;  // that cannot be computed with this sand
+    double root_mean_square = 0.0;
+    double relative = 0.0;  // each over the largest of its test
+};
+
+// A row per kind, quantity and whether they were fitted, in the order of the tests.
+std::vector<Misfit> misfits(const std::vector<calibration::Experiment>& tests,
+                            const grit_sand_parameters& sand, int threads);
+
+}  // namespace cli

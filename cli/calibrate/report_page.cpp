@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/calibrate/report_page.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "cli/calibrate/chart.hpp"
+#include "cli/process/version.hpp"
+#include "cli/sand/parameter_units.hpp"
+#include "element/atomic_file.hpp"
+
+namespace cli {
+namespace {
+
+using calibration::Experiment;
+
+constexpr const char* style =
+    "body{font-family:sans-serif;max-width:1040px;margin:24px auto;padding:0 12px;color:#222}"
+    "table{border-collapse:collapse;margin:8px 0}td,th{padding:3px 10px;border-bottom:1px solid "
+    "#ddd;text-align:right}td:first-child,th:first-child,td.l{text-align:left}svg{font:11px "
+    "sans-serif;margin:2px}.bad{color:#b03000}p{max-width:760px;line-height:1.4}";
+
+std::string in_unit(int index, double value) {
+    return fmt::format("{:.4g}", value / unit_of(*grit_sand_parameter_describe(index)).size);
+}
+
+std::string parameter_table(const CalibrationCase& file, const CalibrationResult& result) {
+    std::string out = "<table><tr><th>parameter</th><th>unit</th><th>start</th><th>best</th>"
+                      "<th>2.5 %</th><th>97.5 %</th><th></th></tr>\n";
+    for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i) {
+        const calibration::Estimate& start = file.start[static_cast<std::size_t>(i)];
+        const grit_sand_parameter_info& info = *grit_sand_parameter_describe(i);
+        const auto place = file.space.find(i);
+        if (std::isnan(start.value) || (!place && info.optional == 1)) continue;
+        std::string low, high;
+        std::string note = escaped(start.origin);
+        if (place) {
+            const ParameterInterval& interval = result.intervals[static_cast<std::size_t>(*place)];
+            low = in_unit(i, interval.lowest);
+            high = in_unit(i, interval.highest);
+            if (!result.laplace.determines(*place))
+                note += " <span class=\"bad\">not determined by these tests</span>";
+        } else if (std::none_of(file.space.ties.begin(), file.space.ties.end(),
+                                [i](const calibration::Tie& tie) { return tie.index == i; })) {
+            note = "fixed";
+        }
+        out += fmt::format("<tr><td>{} ({})</td><td>{}</td><td>{}</td><td><b>{}</b></td><td>{}</td>"
+                           "<td>{}</td><td class=\"l\">{}</td></tr>\n",
+                           info.name, info.symbol, unit_of(info).name, in_unit(i, start.value),
+                           in_unit(i, calibration::get(result.best, i)), low, high, note);
+    }
+    return out + "</table>\n";
+}
+
+std::string misfit_table(const CalibrationCase& file, const CalibrationResult& result) {
+    const bool beside = !file.beside.empty();
+    std::string out =
+        "<table><tr><th>root mean square of</th><th>quantity</th><th></th><th>tests</th><th>this "
+        "sand</th>" +
+        (beside ? fmt::format("<th>{}</th><th>ratio</th>", escaped(file.beside)) : std::string()) +
+        "</tr>\n";
+    for (std::size_t i = 0; i < result.misfits.size(); ++i) {
+        const Misfit& one = result.misfits[i];
+        const auto number = [](const Misfit& each) {
+            return each.tests > 0 ? fmt::format("{:.4g}", each.root_mean_square) : "fails";
+        };
+        out += fmt::format(
+            "<tr><td>{}</td><td class=\"l\">{}</td><td>{}</td><td>{}</td><td>{}</td>", one.kind,
+            one.quantity.empty() ? "all, over their errors" : one.quantity + " [" + one.unit + "]",
+            one.fitted ? "fitted" : "held out", one.tests + one.failed, number(one));
+        if (beside)
+            out += fmt::format("<td>{}</td><td>{:.3f}</td>", number(result.beside[i]),
+                               one.root_mean_square / result.beside[i].root_mean_square);
+        out += "</tr>\n";
+    }
+    return out + "</table>\n";
+}
+
+// Red for together, blue for against each other.
+std::string colour_of(double correlation) {
+    const int fade = 255 - static_cast<int>(std::lround(160.0 * std::abs(correlation)));
+    return correlation > 0.0 ? fmt::format("rgb(255,{0},{0})", fade)
+                             : fmt::format("rgb({0},{0},255)", fade);
+}
+
+// Numbers above the diagonal, samples below it.
+std::string correlation_picture(const CalibrationCase& file, const CalibrationResult& result) {
+    const Eigen::Index count = file.space.size();
+    const calibration::Matrix correlation =
+        result.posterior ? result.posterior->correlation() : result.laplace.correlation;
+    constexpr double cell = 64, margin = 8;
+    const double size = cell * static_cast<double>(count) + 2 * margin;
+    std::string out =
+        fmt::format("<svg width=\"{0}\" height=\"{0}\" viewBox=\"0 0 {0} {0}\">", size);
+    for (Eigen::Index i = 0; i < count; ++i)
+        for (Eigen::Index k = 0; k < count; ++k) {
+            const double x = margin + cell * static_cast<double>(k);
+            const double y = margin + cell * static_cast<double>(i);
+            const double r = correlation(i, k);
+            out += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" "
+                               "stroke=\"#fff\"/>",
+                               x, y, cell, cell,
+                               i == k  ? "#eee"
+                               : k > i ? colour_of(r)
+                                       : "#fafafa");
+            const std::string name =
+                calibration::symbol_of(file.space.free[static_cast<std::size_t>(i)].index);
+            if (k >= i)
+                out += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
+                                   x + 0.5 * cell, y + 0.5 * cell + 4,
+                                   i == k ? name : fmt::format("{:.2f}", r));
+            if (k >= i || !result.posterior) continue;
+            const calibration::Matrix& samples = result.posterior->samples;
+            const double a_low = samples.col(k).minCoeff(), a_high = samples.col(k).maxCoeff();
+            const double b_low = samples.col(i).minCoeff(), b_high = samples.col(i).maxCoeff();
+            constexpr int dots = 150;
+            for (int d = 0; d < dots; ++d) {
+                const auto row = static_cast<Eigen::Index>((d + 0.5) / dots *
+                                                           static_cast<double>(samples.rows()));
+                out +=
+                    fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"0.9\" fill=\"#14508c\"/>",
+                                x + cell * (samples(row, k) - a_low) / (a_high - a_low),
+                                y + cell * (1.0 - (samples(row, i) - b_low) / (b_high - b_low)));
+            }
+        }
+    return out + "</svg>\n";
+}
+
+// As a laboratory draws it: compression positive, strains in percent.
+struct Shown {
+    std::string label;
+    double factor = 1.0;
+};
+
+Shown shown(const std::string& name, const std::string& unit) {
+    if (name == "void_ratio") return {"void ratio", 1.0};
+    if (unit == "-") return {name + " [%]", name == "shear_strain" ? 100.0 : -100.0};
+    if (name.starts_with("stress_")) return {name + " [kPa]", -1.0};
+    return {name + " [kPa]", 1.0};
+}
+
+std::string chart_of(const Experiment& test, const Band& band, int channel) {
+    const bool by_strain = test.driver.find("strain") != std::string::npos;
+    const bool stress = test.driver == "axial_stress_kPa";
+    Chart chart;
+    const calibration::Channel& read = test.channels[static_cast<std::size_t>(channel)];
+    const Shown y = shown(read.name, read.unit);
+    double x_factor = 1.0;
+    if (by_strain) x_factor = test.driver == "shear_strain" ? 100.0 : -100.0;
+    else if (stress) x_factor = -1.0;
+    chart.title = test.name + (test.fitted ? "" : " (held out)");
+    chart.x_label = by_strain ? test.driver + " [%]" : test.driver;
+    chart.y_label = y.label;
+    const double first = by_strain ? test.driven.front() : 0.0;
+    chart.logarithmic = !by_strain && test.driver != "shear_stress_kPa";
+    for (std::size_t i = 0; i < test.readings.size(); ++i) {
+        const calibration::Reading& each = test.readings[i];
+        if (each.channel != channel) continue;
+        const double x = x_factor * (test.driven[static_cast<std::size_t>(each.row)] - first);
+        if (chart.logarithmic && !(x > 0.0)) continue;
+        chart.points.emplace_back(x, y.factor * each.value);
+        if (!band.failure.empty()) continue;
+        chart.line.emplace_back(x, y.factor * band.best[i]);
+        chart.lowest.emplace_back(x, y.factor * band.lowest[i]);
+        chart.highest.emplace_back(x, y.factor * band.highest[i]);
+        chart.lowest_outer.emplace_back(x, y.factor * band.lowest_measured[i]);
+        chart.highest_outer.emplace_back(x, y.factor * band.highest_measured[i]);
+    }
+    return chart.points.empty() ? "" : chart.svg();
+}
+
+std::string charts(const CalibrationCase& file, const std::vector<Band>& bands) {
+    std::string out;
+    for (std::size_t i = 0; i < file.experiments.size(); ++i) {
+        const Experiment& test = file.experiments[i];
+        if (!bands[i].failure.empty())
+            out += fmt::format("<p class=\"bad\">{}: {}</p>\n", escaped(test.name),
+                               escaped(bands[i].failure));
+        for (int c = 0; c < static_cast<int>(test.channels.size()); ++c)
+            out += chart_of(test, bands[i], c);
+    }
+    return out;
+}
+
+std::string next_table(const std::vector<NextTest>& next) {
+    std::string out = "<table><tr><th>a test that nobody has made yet</th><th>information "
+                      "[nats]</th><th>gains most</th><th>standard deviation now</th><th>then</th>"
+                      "</tr>\n";
+    for (const NextTest& each : next)
+        out += fmt::format("<tr><td>{}</td><td>{:.2f}</td><td>{}</td><td>{:.2g} %</td><td>{:.2g} "
+                           "%</td></tr>\n",
+                           escaped(each.name), each.information, each.parameter, 100 * each.before,
+                           100 * each.after);
+    return out + "</table>\n";
+}
+
+std::string sampling(const CalibrationResult& result) {
+    if (!result.posterior)
+        return "<p>Intervals are those of a normal distribution at the best fit (Laplace). "
+               "<code>[posterior]</code> samples the distribution itself.</p>\n";
+    const calibration::Posterior& p = *result.posterior;
+    return fmt::format("<p>Intervals are quantiles of {} samples of the posterior distribution: {} "
+                       "ensembles of {} walkers, acceptance {:.2f}, R-hat {:.3f} at worst, {:.0f} "
+                       "independent samples of the parameter with the fewest.</p>\n",
+                       p.samples.rows(), p.ensembles, p.walkers, p.acceptance, p.r_hat.maxCoeff(),
+                       p.effective.minCoeff());
+}
+
+}  // namespace
+
+void write_report_page(const std::filesystem::path& path, const CalibrationCase& file,
+                       const CalibrationResult& result, const std::vector<Band>& bands,
+                       const std::vector<NextTest>& next) {
+    element::AtomicFile page(path);
+    page.write(
+        fmt::format("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>"
+                    "{0}</title><style>{1}</style></head><body><h1>{0}</h1>\n",
+                    escaped(file.title), style));
+    page.write(fmt::format(
+        "<p>Parameters of a hypoplastic sand, found by <code>grit calibrate {}</code> (Grit "
+        "{}).</p>\n",
+        escaped(file.path.filename().string()), version()));
+    page.write("<h2>Parameters</h2>\n" + parameter_table(file, result) + sampling(result));
+    page.write(fmt::format(
+        "<p>Misfit: &chi;&sup2; over the degrees of freedom is {:.3g}. {}</p>\n",
+        result.laplace.misfit,
+        result.laplace.inflation > 1.0
+            ? fmt::format("Residuals are {:.3g} times the stated errors: the law, or the "
+                          "tests, are not as exact as stated, and intervals are as much wider.",
+                          result.laplace.inflation)
+            : std::string("Residuals are as large as the stated errors or smaller.")));
+    page.write("<h2>How far from the tests</h2>\n" + misfit_table(file, result));
+    page.write("<h2>Which parameters go together</h2>\n<p>Correlation: red, one may be larger if "
+               "the other is; blue, if the other is smaller. Below the diagonal, samples.</p>\n" +
+               correlation_picture(file, result));
+    page.write("<h2>What to measure next</h2>\n");
+    for (const std::string& sentence : result.advice)
+        page.write("<p>" + escaped(sentence) + ".</p>\n");
+    page.write(next_table(next));
+    page.write(
+        "<h2>Measured and computed</h2>\n<p>Circles are measured, the line is computed with "
+        "the best parameters. 95 % of what the parameters may be lies in the darker band, of "
+        "measurements with their errors in the lighter one.</p>\n" +
+        charts(file, bands));
+    page.write("</body></html>\n");
+    page.complete();
+}
+
+}  // namespace cli

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a calibration has found as one page of HTML with all its pictures in it.
+#pragma once
+
+#include <filesystem>
+
+#include "cli/calibrate/bands.hpp"
+#include "cli/calibrate/calibration_case.hpp"
+#include "cli/calibrate/calibration_result.hpp"
+#include "cli/calibrate/next_test.hpp"
+
+namespace cli {
+
+// Throws element::CannotWrite.
+void write_report_page(const std::filesystem::path& path, const CalibrationCase& file,
+                       const CalibrationResult& result, const std::vector<Band>& bands,
+                       const std::vector<NextTest>& next);
+
+}  // namespace cli

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/table/workbook.hpp"
+
+#include <cstring>
+#include <memory>
+
+#include <fmt/format.h>
+#include <pugixml.hpp>
+#include <zip.h>
+
+#include "cli/process/exit_code.hpp"
+#include "element/nearest.hpp"
+
+namespace cli {
+namespace {
+
+constexpr zip_uint64_t largest_part =
+    512U << 20;  // bytes: what unpacks to more is no sheet of a laboratory
+constexpr std::size_t last_column = 16384, last_row = 1048576;  // of the format
+
+class Archive {
+  public:
+    explicit Archive(const std::filesystem::path& place) : path(place) {
+        int code = 0;
+        zip.reset(zip_open(path.c_str(), ZIP_RDONLY, &code));
+        if (zip) return;
+        zip_error_t error;
+        zip_error_init_with_code(&error, code);
+        const std::string why = zip_error_strerror(&error);
+        zip_error_fini(&error);
+        fail("cannot read this workbook: " + why);
+    }
+
+    // Nothing if there is none.
+    std::unique_ptr<pugi::xml_document> part(const std::string& name) const {
+        zip_stat_t about;
+        if (zip_stat(zip.get(), name.c_str(), 0, &about) != 0) return nullptr;
+        if (about.size > largest_part) fail(name + " is too large");
+        const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> file(
+            zip_fopen(zip.get(), name.c_str(), 0), zip_fclose);
+        std::string text(about.size, '\0');
+        if (!file || zip_fread(file.get(), text.data(), text.size()) !=
+                         static_cast<zip_int64_t>(text.size()))
+            fail("cannot unpack " + name);
+        auto out = std::make_unique<pugi::xml_document>();
+        const pugi::xml_parse_result parsed =
+            out->load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_ws_pcdata);
+        if (!parsed) fail(fmt::format("{} is no XML: {}", name, parsed.description()));
+        return out;
+    }
+
+    [[noreturn]] void fail(const std::string& why) const {
+        throw BadInput(fmt::format("{}: {}", path.string(), why));
+    }
+
+  private:
+    struct Discard {
+        void operator()(zip_t* z) const { zip_discard(z); }
+    };
+    std::filesystem::path path;
+    std::unique_ptr<zip_t, Discard> zip;
+};
+
+// Names with or without a prefix: "x:row" is a row.
+bool is(const pugi::xml_node& node, const char* name) {
+    const char* colon = std::strchr(node.name(), ':');
+    return std::strcmp(colon ? colon + 1 : node.name(), name) == 0;
+}
+
+pugi::xml_node child(const pugi::xml_node& node, const char* name) {
+    return node.find_child([name](const pugi::xml_node& each) { return is(each, name); });
+}
+
+// All that is written in a string, in runs of different letters too, but not how it is pronounced.
+void collect_text(const pugi::xml_node& node, std::string& out) {
+    for (const pugi::xml_node& each : node) {
+        if (is(each, "t")) out += each.child_value();
+        else if (is(each, "r")) collect_text(each, out);
+    }
+}
+
+std::vector<std::string> shared_strings(const Archive& archive) {
+    std::vector<std::string> out;
+    const auto part = archive.part("xl/sharedStrings.xml");
+    if (!part) return out;
+    for (const pugi::xml_node& item : part->document_element()) {
+        if (!is(item, "si")) continue;
+        collect_text(item, out.emplace_back());
+    }
+    return out;
+}
+
+// The part of a sheet: its relation in the workbook, whose target that is.
+std::string part_of_sheet(const Archive& archive, std::string& name) {
+    const auto book = archive.part("xl/workbook.xml");
+    const auto relations = archive.part("xl/_rels/workbook.xml.rels");
+    if (!book || !relations) archive.fail("is no workbook: it has no xl/workbook.xml");
+    std::vector<std::string> known;
+    std::string id;
+    for (const pugi::xml_node& sheet : child(book->document_element(), "sheets")) {
+        known.emplace_back(sheet.attribute("name").value());
+        if (name.empty()) name = known.back();
+        if (known.back() != name) continue;
+        for (const pugi::xml_attribute& each : sheet.attributes())
+            if (std::string(each.name()).ends_with(":id")) id = each.value();
+        break;
+    }
+    if (id.empty())
+        archive.fail(fmt::format("has no sheet \"{}\"{}", name, element::suggestion(name, known)));
+    for (const pugi::xml_node& relation : relations->document_element())
+        if (id == relation.attribute("Id").value()) {
+            const std::string target = relation.attribute("Target").value();
+            return target.starts_with('/') ? target.substr(1) : "xl/" + target;
+        }
+    archive.fail(fmt::format("sheet \"{}\" has no part in this workbook", name));
+}
+
+// Column of "AB12", from 0; where a cell does not say, it follows the one before.
+std::size_t column_of(const char* reference, std::size_t next) {
+    std::size_t out = 0;
+    for (; *reference >= 'A' && *reference <= 'Z'; ++reference)
+        out = 26 * out + static_cast<std::size_t>(*reference - 'A') + 1;
+    return out > 0 ? out - 1 : next;
+}
+
+std::string value_of(const pugi::xml_node& cell, const std::vector<std::string>& strings,
+                     const Archive& archive) {
+    const std::string type = cell.attribute("t").value();
+    if (type == "inlineStr") {
+        std::string out;
+        collect_text(child(cell, "is"), out);
+        return out;
+    }
+    const std::string value = child(cell, "v").child_value();
+    if (type != "s") return value;
+    const auto number = static_cast<std::size_t>(std::strtoull(value.c_str(), nullptr, 10));
+    if (number >= strings.size())
+        archive.fail(
+            fmt::format("cell {} names a string that is not there", cell.attribute("r").value()));
+    return strings[number];
+}
+
+}  // namespace
+
+WorkbookSheet read_workbook(const std::filesystem::path& path, const std::string& sheet) {
+    const Archive archive(path);
+    WorkbookSheet out;
+    out.name = sheet;
+    const std::string part_name = part_of_sheet(archive, out.name);
+    const auto part = archive.part(part_name);
+    if (!part) archive.fail(fmt::format("has no {}", part_name));
+    const std::vector<std::string> strings = shared_strings(archive);
+    for (const pugi::xml_node& row : child(part->document_element(), "sheetData")) {
+        if (!is(row, "row")) continue;
+        const std::size_t number =
+            row.attribute("r").as_uint(static_cast<unsigned>(out.rows.size()) + 1);
+        if (number < 1 || number > last_row)
+            archive.fail(fmt::format("sheet {} has a row {}", out.name, number));
+        if (out.rows.size() < number) out.rows.resize(number);
+        std::vector<std::string>& cells = out.rows[number - 1];
+        for (const pugi::xml_node& cell : row) {
+            if (!is(cell, "c")) continue;
+            const std::size_t column = column_of(cell.attribute("r").value(), cells.size());
+            if (column >= last_column)
+                archive.fail(
+                    fmt::format("sheet {} has a cell {}", out.name, cell.attribute("r").value()));
+            if (cells.size() <= column) cells.resize(column + 1);
+            cells[column] = value_of(cell, strings, archive);
+        }
+    }
+    return out;
+}
+
+}  // namespace cli

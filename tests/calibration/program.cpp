@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// grit calibrate from sheets to a sand that other commands read.
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "laboratory.hpp"
+
+namespace {
+
+TEST(Calibrate, WritesASandThatOtherCommandsRead) {
+    const Workplace here;
+    const Answer answer = calibrate(here, oedometer_case(), oedometer_sheet());
+    ASSERT_EQ(answer.status, 0) << answer.text;
+    EXPECT_EQ(here.files("out"), (std::set<std::string>{"x_report.html", "x_sand.toml"}));
+    const std::string sand = here.text("out/x_sand.toml");
+    for (const char* words : {"found by grit calibrate", "from lab.csv", "tests fitted: oedometer",
+                              "granulate_hardness_kPa = ", "95 % intervals"})
+        EXPECT_NE(sand.find(words), std::string::npos) << words;
+    const Answer shown = here.grit("sand show out/x_sand.toml");
+    EXPECT_EQ(shown.status, 0) << shown.text;
+    EXPECT_TRUE(shown.says("granulate_hardness")) << shown.text;
+
+    here.write_case("y",
+                    "[[stage]]\ntest = \"oedometer\"\naxial_stress_kPa = -300\nincrements = 50\n");
+    const Answer own = here.run("y"), other = here.run("y", "--sand ../out/x_sand.toml");
+    const Answer given = here.grit("element y.toml --no-plot --out with --sand out/x_sand.toml");
+    ASSERT_EQ(own.status, 0) << own.text;
+    ASSERT_EQ(given.status, 0) << given.text;
+    EXPECT_NE(here.text("out/y.csv"), here.text("with/y.csv"));
+    here.write("z.toml", "[sand]\nfile = \"out/x_sand.toml\"\n[start]\npressure_kPa = 100\n"
+                         "void_ratio = 0.6\n[[stage]]\ntest = \"oedometer\"\n"
+                         "axial_stress_kPa = -300\nincrements = 50\n");
+    const Answer by_key = here.grit("element z.toml --no-plot --out with");
+    ASSERT_EQ(by_key.status, 0) << by_key.text;
+    EXPECT_NE(here.text("with/z.csv").find("sand x_sand"), std::string::npos);
+}
+
+TEST(Calibrate, GivesTheSameBytesWithAnyNumberOfThreads) {
+    std::string sand[2], page[2];
+    for (const int threads : {1, 2}) {
+        const Workplace here;
+        const Answer answer = calibrate(here, oedometer_case(), oedometer_sheet(),
+                                        "--samples 1000 --threads " + std::to_string(threads));
+        ASSERT_EQ(answer.status, 0) << answer.text;
+        EXPECT_TRUE(answer.says("R-hat")) << answer.text;
+        sand[threads - 1] = here.text("out/x_sand.toml");
+        page[threads - 1] = here.text("out/x_report.html");
+    }
+    EXPECT_EQ(sand[0], sand[1]);
+    EXPECT_EQ(page[0], page[1]);
+}
+
+TEST(Calibrate, TellsWhatTheTestsDoNotDetermine) {
+    const Workplace here;
+    std::string text = oedometer_case();
+    text.replace(text.find("[\"h_s\", \"n\"]"), 12, "[\"h_s\", \"n\", \"alpha\"]");
+    const Answer answer = calibrate(here, text, oedometer_sheet());
+    EXPECT_EQ(answer.status, 0) << answer.text;
+    EXPECT_TRUE(answer.says("these tests do not determine")) << answer.text;
+}
+
+TEST(Calibrate, ReadsTheSheetsOfOtherCountriesAndUnits) {
+    std::string sand[2];
+    for (const bool foreign : {false, true}) {
+        const Workplace here;
+        std::string sheet = oedometer_sheet(), columns = oedometer_columns, more;
+        if (foreign) {
+            sheet = "Versuch 1;;\nSpannung;Porenzahl;Bem.\n"
+                    "-0,020;0,7480;\n-0,040;0,7440;\n-0,060;0,7411;\n-0,080;0,7388;\n"
+                    "-0,100;0,7368;\n-0,150;0,7327;\n-0,200;0,7294;\n-0,300;0,7241;\n"
+                    "-0,400;0,7198;\n";
+            columns = "stress_11 = { column = \"Spannung\", unit = \"MPa\", compression = "
+                      "\"negative\" }\nvoid_ratio = { column = \"Porenzahl\", error = 0.001 }\n";
+            more = "separator = \";\"\ndecimal_comma = true\nheader_line = 2\n";
+        }
+        const Answer answer = calibrate(here, oedometer_case(columns, more), sheet);
+        ASSERT_EQ(answer.status, 0) << answer.text;
+        sand[foreign] = here.text("out/x_sand.toml");
+    }
+    EXPECT_EQ(sand[0], sand[1]);
+}
+
+// The rows of tests that are held out: the last number is the error over that of the published set.
+TEST(Calibrate, ComesNearerToKarlsruheSandThatItHasNotSeenThanThePublishedSet) {
+    const Workplace here;
+    const Answer answer =
+        here.grit("calibrate " GRIT_CALIBRATIONS "/karlsruhe.toml --samples 0 --out out");
+    ASSERT_EQ(answer.status, 0) << answer.text;
+    EXPECT_TRUE(answer.says("5 of 5 starts end there")) << answer.text;
+    std::istringstream lines(answer.text);
+    int held = 0;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.find(" held    ") == std::string::npos) continue;
+        ++held;
+        EXPECT_LT(std::stod(line.substr(line.rfind(' '))), 1.0) << line;
+    }
+    EXPECT_EQ(held, 5) << answer.text;
+}
+
+TEST(Calibrate, LeavesItsInputsAlone) {
+    const Workplace here;
+    here.write("lab.csv", oedometer_sheet());
+    here.write("x.toml", oedometer_case());
+    here.write("x_sand.toml", here.text("x.toml"));
+    std::string text = oedometer_case();
+    text.replace(text.find("name = \"lausitz\""), 16, "file = \"x_sand.toml\"");
+    here.write("x.toml", text);
+    const Answer answer = here.grit("calibrate x.toml");
+    EXPECT_EQ(answer.status, 2) << answer.text;
+}
+
+}  // namespace

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a laboratory gets wrong costs one sentence with file, row and column, and nothing is written.
+#include <gtest/gtest.h>
+
+#include "laboratory.hpp"
+
+namespace {
+
+void expect_refused(const std::string& text, const std::string& sheet, const std::string& words) {
+    const Workplace here;
+    const Answer answer = calibrate(here, text, sheet);
+    EXPECT_EQ(answer.status, 2) << answer.text;
+    EXPECT_TRUE(answer.says(words)) << "expected " << words << "\ngot " << answer.text;
+    EXPECT_EQ(here.files("out"), std::set<std::string>{});
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+    const std::size_t at = text.find(what);
+    EXPECT_NE(at, std::string::npos) << what;
+    return text.replace(at, what.size(), by);
+}
+
+// The sheet with one change.
+void expect_cell_refused(const std::string& what, const std::string& by, const std::string& words) {
+    expect_refused(oedometer_case(), replaced(oedometer_sheet(), what, by), words);
+}
+
+// The case with one change.
+void expect_case_refused(const std::string& what, const std::string& by, const std::string& words) {
+    expect_refused(replaced(oedometer_case(), what, by), oedometer_sheet(), words);
+}
+
+TEST(Cell, ThatIsEmpty) {
+    expect_cell_refused("40,0.7440", "40,", "lab.csv:3: column e is empty");
+    expect_cell_refused("60,0.7411", ",0.7411", "lab.csv:4: column sigma [kPa] is empty");
+}
+
+TEST(Cell, ThatIsNoNumber) {
+    expect_cell_refused("40,0.7440", "40,ca. 0.744",
+                        "lab.csv:3: column e has \"ca. 0.744\" where a number is needed");
+}
+
+TEST(Cell, ThatIsNoVoidRatio) {
+    expect_cell_refused("40,0.7440", "40,74.40",
+                        "lab.csv:3: column e: a void ratio must be in (0.05, 5), got 74.4");
+}
+
+TEST(Cell, WithAStressThatPulls) {
+    expect_cell_refused("60,0.7411", "-60,0.7411",
+                        "lab.csv:4: column sigma [kPa]: -60 would pull: compression = "
+                        "\"negative\"?");
+}
+
+TEST(Cell, WithMoreThanSandBears) {
+    expect_cell_refused("400,", "400000000,",
+                        "lab.csv:10: column sigma [kPa]: 4e+08 kPa is more than sand bears: unit = "
+                        "\"Pa\"?");
+}
+
+TEST(Cell, ThatIsMissing) { expect_cell_refused("40,0.7440,", "40,0.7440", "lab.csv:3: 2 cells"); }
+
+TEST(Column, ThatIsNotThere) {
+    expect_case_refused("column = \"e\"", "column = \"Porenzahl\"",
+                        "x.toml:12: test[1].columns.void_ratio.column: the sheet has no column "
+                        "\"Porenzahl\"; known here: sigma [kPa], e, remark");
+    expect_case_refused("column = \"sigma [kPa]\"", "column = \"sigma [kpa]\"",
+                        "nearest: sigma [kPa]");
+}
+
+TEST(Column, ThatIsThereTwice) {
+    expect_refused(oedometer_case(), replaced(oedometer_sheet(), "remark", "e"),
+                   "the sheet has 2 columns \"e\"");
+}
+
+TEST(Column, OfAQuantityThatNobodyKnows) {
+    expect_case_refused("void_ratio =", "void_ration =",
+                        "unknown key test[1].columns.void_ration; nearest: void_ratio");
+}
+
+TEST(Column, ThatDrivesTheTestIsNeeded) {
+    expect_case_refused("stress_11 = { column", "stress_22 = { column",
+                        "the test is driven by axial_stress_kPa: name the column of stress_11");
+}
+
+TEST(Unit, ThatNobodySays) {
+    expect_refused(replaced(oedometer_case(), "sigma [kPa]", "sigma"),
+                   replaced(oedometer_sheet(), "sigma [kPa]", "sigma"),
+                   "the header \"sigma\" does not say its unit: give unit = one of \"kPa\"");
+}
+
+TEST(Unit, ThatIsNone) {
+    expect_case_refused("compression = \"positive\" }",
+                        "compression = \"positive\", unit = \"kPA\" }", "nearest: kPa");
+}
+
+TEST(Unit, OfAStrainInPercentThatIsNotSaidToBe) {
+    expect_refused(replaced(oedometer_case(), "void_ratio = { column = \"e\",",
+                            "axial_strain = { column = \"e\", unit = \"-\", compression = "
+                            "\"positive\","),
+                   replaced(oedometer_sheet(), "400,0.7198", "400,3.7198"),
+                   "lab.csv:10: column e: a strain of 3.7198 is beyond 1: unit = \"percent\"?");
+}
+
+TEST(Sign, ThatNobodySays) {
+    expect_case_refused(", compression = \"positive\"", "",
+                        "test[1].columns.stress_11.compression is missing");
+}
+
+TEST(Sign, OfASampleThatSwellsUnderLoad) {
+    expect_refused(oedometer_case(), "sigma [kPa],e\n20,0.70\n40,0.71\n80,0.72\n400,0.73\n",
+                   "lab.csv:5: column sigma [kPa] goes from -20 to -400 kPa, while e goes from 0.7 "
+                   "to 0.73 -: is the sign of one of them wrong?");
+}
+
+TEST(Error, OfNothingIsToldToBeMissing) {
+    expect_case_refused(", error = 0.001", "", "none has an error");
+}
+
+TEST(Error, InPercentIsNoShare) {
+    expect_case_refused("error = 0.001", "relative_error = 2", "percent?");
+}
+
+TEST(Test, OfANameThatTheSheetDoesNotHave) {
+    expect_case_refused("file = \"lab.csv\"\n",
+                        "file = \"lab.csv\"\nsplit_by = \"remark\"\nfit = \"unload\"\n",
+                        "lab.csv:2: column remark is empty: whose row is this?");
+}
+
+TEST(Test, ThatStartsWhereNothingPresses) {
+    expect_refused(oedometer_case(), replaced(oedometer_sheet(), "20,0.7480", "0,0.7480"),
+                   "lab.csv:2: a test starts here at 0 kPa, where nothing presses: begin later "
+                   "with from");
+}
+
+TEST(Test, WithoutARowThatIsUsed) {
+    expect_case_refused("file = \"lab.csv\"\n", "file = \"lab.csv\"\nfrom = 400\n",
+                        "of test oedometer, 1 row is left: two are needed");
+}
+
+TEST(File, ThatIsNotThere) {
+    expect_case_refused("lab.csv", "lob.csv", "x.toml:9: test[1].file: lob.csv: cannot read");
+}
+
+TEST(Parameter, ThatNobodyKnows) {
+    expect_case_refused("\"h_s\"", "\"hs\"",
+                        "x.toml:4: fit.parameters: no parameter is called \"hs\"; nearest: h_s");
+}
+
+TEST(Parameter, ThatIsNeitherSoughtNorGiven) {
+    expect_case_refused("name = \"lausitz\"", "stiffness_exponent = 0.2",
+                        "phi_c is neither sought nor given: name it in fit.parameters, or give "
+                        "sand.critical_friction_angle_deg");
+}
+
+TEST(Bounds, InTheWrongOrder) {
+    expect_case_refused("starts = 2\n", "starts = 2\nbounds.stiffness_exponent = [0.4, 0.2]\n",
+                        "fit.bounds.stiffness_exponent must be two rising numbers");
+}
+
+TEST(Tie, OfAParameterThatIsSoughtItself) {
+    expect_case_refused("starts = 2\n", "starts = 2\nties.n = { of = \"h_s\" }\n",
+                        "fit.ties.n is sought itself");
+}
+
+}  // namespace

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Workbooks as spreadsheet programs write them.
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <map>
+#include <zip.h>
+
+#include "cli/process/exit_code.hpp"
+#include "cli/table/sheet.hpp"
+#include "cli/table/workbook.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+using Parts = std::map<std::string, std::string>;
+
+class Book {
+  public:
+    explicit Book(const Parts& parts)
+        : path(fs::temp_directory_path() /
+               ("grit_workbook_" + std::to_string(getpid()) + ".xlsx")) {
+        fs::remove(path);
+        zip_t* zip = zip_open(path.c_str(), ZIP_CREATE, nullptr);
+        for (const auto& [name, text] : parts)
+            zip_file_add(zip, name.c_str(), zip_source_buffer(zip, text.data(), text.size(), 0), 0);
+        EXPECT_EQ(zip_close(zip), 0);
+    }
+    ~Book() { fs::remove(path); }
+
+    const fs::path path;
+};
+
+Parts usual() {
+    return {
+        {"xl/workbook.xml",
+         "<workbook xmlns:r=\"x\"><sheets><sheet name=\"Deckblatt\" r:id=\"rId1\"/>"
+         "<sheet name=\"TMD 1\" r:id=\"rId2\"/></sheets></workbook>"},
+        {"xl/_rels/workbook.xml.rels",
+         "<Relationships><Relationship Id=\"rId1\" Target=\"worksheets/sheet1.xml\"/>"
+         "<Relationship Id=\"rId2\" Target=\"/xl/worksheets/sheet2.xml\"/></Relationships>"},
+        {"xl/sharedStrings.xml",
+         "<sst><si><t>eps [%]</t></si><si><r><t>q </t></r><r><t>[kPa]</t></r>"
+         "<rPh><t>aloud</t></rPh></si></sst>"},
+        {"xl/worksheets/sheet1.xml", "<worksheet><sheetData/></worksheet>"},
+        {"xl/worksheets/sheet2.xml",
+         "<x:worksheet xmlns:x=\"y\"><x:sheetData>"
+         "<x:row r=\"1\"><x:c r=\"A1\" "
+         "t=\"inlineStr\"><x:is><x:t>Projekt</x:t></x:is></x:c></x:row>"
+         "<x:row r=\"3\"><x:c r=\"A3\" t=\"s\"><x:v>0</x:v></x:c><x:c r=\"C3\" t=\"s\"><x:v>1</x:v>"
+         "</x:c></x:row>"
+         "<x:row r=\"5\"><x:c r=\"A5\"><x:v>0.1</x:v></x:c><x:c r=\"C5\"><x:f>A5*2</x:f>"
+         "<x:v>1.5E1</x:v></x:c></x:row>"
+         "</x:sheetData></x:worksheet>"}};
+}
+
+TEST(Workbook, HasTheCellsOfItsSheetWhereTheyStand) {
+    const Book book(usual());
+    const cli::WorkbookSheet sheet = cli::read_workbook(book.path, "TMD 1");
+    ASSERT_EQ(sheet.rows.size(), 5U);
+    EXPECT_EQ(sheet.rows[0], std::vector<std::string>{"Projekt"});
+    EXPECT_EQ(sheet.rows[2], (std::vector<std::string>{"eps [%]", "", "q [kPa]"}));
+    EXPECT_EQ(sheet.rows[4], (std::vector<std::string>{"0.1", "", "1.5E1"}));
+    EXPECT_EQ(cli::read_workbook(book.path, "").name, "Deckblatt");
+}
+
+TEST(Workbook, IsReadAsATableFromItsHeaderOn) {
+    const Book book(usual());
+    cli::SheetFormat layout;
+    layout.sheet = "TMD 1";
+    layout.header_line = 2;
+    const cli::Cells cells = cli::read_sheet(book.path, layout);
+    EXPECT_EQ(cells.rows[0], (std::vector<std::string>{"eps [%]", "", "q [kPa]"}));
+    EXPECT_EQ(cells.lines, (std::vector<int>{3, 5}));
+    EXPECT_NE(cli::place_in(book.path, layout, 5).find("sheet TMD 1, row 5"), std::string::npos);
+}
+
+std::string refusal(const Parts& parts, const std::string& sheet) {
+    const Book book(parts);
+    try {
+        cli::read_workbook(book.path, sheet);
+    } catch (const cli::BadInput& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Workbook, ThatIsWrongIsRefusedWithAReason) {
+    EXPECT_NE(refusal(usual(), "TMD1").find("has no sheet \"TMD1\"; nearest: TMD 1"),
+              std::string::npos);
+    Parts parts = usual();
+    parts["xl/worksheets/sheet2.xml"] = "<worksheet><sheetData>";
+    EXPECT_NE(refusal(parts, "TMD 1").find("is no XML"), std::string::npos);
+    parts = usual();
+    parts["xl/sharedStrings.xml"] = "<sst/>";
+    EXPECT_NE(refusal(parts, "TMD 1").find("cell A3 names a string that is not there"),
+              std::string::npos);
+    parts = usual();
+    parts["xl/worksheets/sheet2.xml"] =
+        "<worksheet><sheetData><row r=\"4000000000\"/></sheetData></worksheet>";
+    EXPECT_NE(refusal(parts, "TMD 1").find("has a row 4000000000"), std::string::npos);
+    EXPECT_NE(refusal({{"readme", "no"}}, "").find("is no workbook"), std::string::npos);
+}
+
+}  // namespace
