@@ -91,9 +91,9 @@ void read_boundary(TomlTable table, Case& plan) {
     for (const Spelling& side : words::sides)
         if (table.has(std::string(side.word)))
             refuse(table, objection_to(plan, static_cast<Side>(side.value)));
-    if (auto levels = table.table_if("platen_level_m")) {
+    if (auto levels = table.table_if("platen_level")) {
         for (const Spelling& side : words::sides) {
-            const std::string key(side.word);
+            const std::string key = std::string(side.word) + "_m";
             const auto level = levels->number_if(key);
             if (!level) continue;
             if (plan.boundary[side.value] != Boundary::platen)

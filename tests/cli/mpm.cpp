@@ -302,7 +302,7 @@ TEST(SaturatedCase, IsWrittenForLammps) {
     ASSERT_EQ(answer.status, 0) << answer.text;
     const std::string fix = here.text("out/short.fix");
     for (const char* words : {"water sand flow pressure implicit porosity ", " cavitation 100000 ",
-                              " conductivity 0.001", "# Of atoms: 24 pore_pressure, 25 total_rr, "})
+                              " conductivity 0.001", "# Of atoms: 25 pore_pressure, 26 total_rr, "})
         EXPECT_NE(fix.find(words), std::string::npos) << words << " in\n" << fix;
     EXPECT_NE(here.text("out/short_sand.points").find(" p_w w_r w_z m_w\n"), std::string::npos);
 }

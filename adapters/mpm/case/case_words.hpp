@@ -120,10 +120,11 @@ inline constexpr CaseWord all[] = {
     texts("boundary", "drained",
           "sides that pore water leaves freely, at no pressure; a free surface of a body always is",
           "none"),
-    a_table("boundary", "platen_level_m",
-            "`{ top = 0.5 }`: of sides that are platens, where these begin: nodes there and beyond "
-            "move as one across",
-            "the side"),
+    a_table(
+        "boundary", "platen_level",
+        "`{ top_m = 0.5 }`: of sides that are platens, where these begin: nodes there and beyond "
+        "move as one across",
+        "the side"),
     number("boundary", "p_wave_m_per_s", above_zero, metre_per_second,
            "of absorbing sides: they press with density times this speed times the velocity across",
            "needed by absorbing sides"),
