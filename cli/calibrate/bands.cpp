@@ -12,8 +12,6 @@
 namespace cli {
 namespace {
 
-constexpr double normal = 1.959963984540054;  // 97.5 %
-
 // Rows evenly through the samples, or of the normal distribution at the best fit within the bounds.
 calibration::Matrix draw(const CalibrationCase& file, const CalibrationResult& result, int count) {
     calibration::Matrix out(count, file.space.size());
@@ -56,7 +54,8 @@ Band band_of(const calibration::Experiment& test, const CalibrationCase& file,
         values[k].push_back(out.best[k]);
         const double low = calibration::quantile(values[k], 0.025);
         const double high = calibration::quantile(values[k], 0.975);
-        const double error = normal * result.laplace.inflation * test.readings[k].error;
+        const double error =
+            normal_quantile_975 * result.laplace.inflation * test.readings[k].error;
         out.lowest.push_back(low);
         out.highest.push_back(high);
         out.lowest_measured.push_back(out.best[k] - std::hypot(out.best[k] - low, error));

@@ -105,7 +105,7 @@ void say_parameters(const CalibrationCase& file, const CalibrationResult& result
                                       [i](const calibration::Tie& tie) { return tie.index == i; });
         if (std::isnan(start.value) || (!place && !tied && info.optional == 1)) continue;
         const Unit unit = unit_of(info);
-        std::string low = "", high = "", note = start.origin;
+        std::string low, high, note = start.origin;
         if (place) {
             const ParameterInterval& interval = result.intervals[static_cast<std::size_t>(*place)];
             low = number_in_unit(info, interval.lowest);

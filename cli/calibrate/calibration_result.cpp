@@ -7,13 +7,12 @@ namespace cli {
 
 std::vector<ParameterInterval> intervals(const calibration::ParameterSpace& space,
                                          const CalibrationResult& result) {
-    constexpr double normal = 1.959963984540054;  // 97.5 %
-    const calibration::Vector low = result.posterior
-                                        ? result.posterior->quantile(0.025)
-                                        : result.fit.x - normal * result.laplace.deviation;
-    const calibration::Vector high = result.posterior
-                                         ? result.posterior->quantile(0.975)
-                                         : result.fit.x + normal * result.laplace.deviation;
+    const calibration::Vector low =
+        result.posterior ? result.posterior->quantile(0.025)
+                         : result.fit.x - normal_quantile_975 * result.laplace.deviation;
+    const calibration::Vector high =
+        result.posterior ? result.posterior->quantile(0.975)
+                         : result.fit.x + normal_quantile_975 * result.laplace.deviation;
     std::vector<ParameterInterval> out;
     for (Eigen::Index k = 0; k < space.size(); ++k) {
         const calibration::FreeParameter& each = space.free[static_cast<std::size_t>(k)];

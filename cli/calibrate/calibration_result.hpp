@@ -30,6 +30,9 @@ struct CalibrationResult {
     double fit_processor_seconds = 0.0, posterior_processor_seconds = 0.0;  // of all threads
 };
 
+// Of the standard normal distribution: 95 % of it lie within as much on both sides.
+inline constexpr double normal_quantile_975 = 1.959963984540054;
+
 // From the samples of the posterior, if there are any; otherwise normal at the best fit, within the bounds.
 std::vector<ParameterInterval> intervals(const calibration::ParameterSpace& space,
                                          const CalibrationResult& result);

@@ -473,13 +473,13 @@ std::vector<Experiment> read_tests(TomlTable table, const TestDefaults& defaults
     test.columns =
         read_columns(table.table("columns"), test.sheet.cells.rows.front(), driver.test->shear);
     const Selection selection = read_selection(table);
-    const double independent =
+    const double independent_readings =
         table.has("independent_readings") ? table.positive_or("independent_readings", 1.0) : 0.0;
     const element::Program before = prepare(test);
     std::vector<Experiment> out;
     for (auto& [rows, fitted] : choose(test, split(test, name))) {
         out.push_back(make(test, std::move(rows), fitted, selection, before));
-        out.back().independent = independent;
+        out.back().independent = independent_readings;
     }
     table.finish();
     return out;

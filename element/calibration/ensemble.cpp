@@ -41,7 +41,8 @@ struct Proposal {
 // z^(d-1) exp[-(sum' - sum)/2 variance], in two parts: of the linear sums, then of what the sums differ from these. Random
 // numbers are drawn before, so that a sum may be dropped on the way.
 Proposal propose(Ensemble& ensemble, std::size_t number, double variance, const Vector& deviation) {
-    auto& [walkers, random] = ensemble;
+    std::vector<Walker>& walkers = ensemble.walkers;
+    grit::SplitMix& random = ensemble.random;
     const std::size_t half = walkers.size() / 2;
     const std::size_t others = number < half ? half : 0;
     const auto other = [&]() -> const Vector& {

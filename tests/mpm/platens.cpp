@@ -41,7 +41,8 @@ Case two_blocks() {
 }
 
 double top_speed(const Simulation& simulation, std::size_t body, int i) {
-    const std::size_t node = static_cast<std::size_t>(4 * simulation.axis_r().nodes() + i);
+    const auto row = static_cast<std::size_t>(simulation.axis_r().nodes());
+    const std::size_t node = 4 * row + static_cast<std::size_t>(i);
     return simulation.motions(body)[node][motion::v_z];
 }
 
