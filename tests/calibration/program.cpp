@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // grit calibrate from sheets to a sand that other commands read.
+#include <cmath>
 #include <sstream>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -49,6 +51,60 @@ TEST(Calibrate, GivesTheSameBytesWithAnyNumberOfThreads) {
     }
     EXPECT_EQ(sand[0], sand[1]);
     EXPECT_EQ(page[0], page[1]);
+}
+
+// A number of a sand file.
+double value_of(const std::string& sand, const std::string& key) {
+    const std::size_t at = sand.find('\n' + key + " = ");
+    return at == std::string::npos ? NAN : std::stod(sand.substr(at + key.size() + 4));
+}
+
+// Undrained, sheared and cycled: from element tests of a sand to this sand.
+TEST(Calibrate, FindsTheSandOfUndrainedShearAndCyclicTests) {
+    const Workplace here;
+    const auto element = [&here](const std::string& name, int pressure, double e,
+                                 const std::string& stage) {
+        std::ostringstream text;
+        text << "[sand]\nname = \"lausitz\"\n[start]\npressure_kPa = " << pressure
+             << "\nvoid_ratio = " << e << "\n[[stage]]\n"
+             << stage;
+        here.write(name + ".toml", text.str());
+        const Answer answer = here.grit("element --no-plot --out made " + name + ".toml");
+        ASSERT_EQ(answer.status, 0) << answer.text;
+    };
+    element("undrained", 100, 0.65, "test = \"triaxial_undrained\"\naxial_strain = -0.08\n");
+    element("shear", 100, 0.70, "test = \"simple_shear_constant_stress\"\nshear_strain = 0.15\n");
+    element("cycles", 200, 0.60,
+            "test = \"triaxial_drained\"\naxial_strain_amplitude = -1e-3\ncycles = 3\n");
+    const std::string axial =
+        "axial_strain = { column = \"axial_strain [-]\", compression = \"negative\", strain = "
+        "\"logarithmic\" }\naxial_deviator = { column = \"axial_deviator [kPa]\", error = 2 }\n";
+    const auto test = [](const std::string& name, const std::string& word, const std::string& start,
+                         const std::string& columns) {
+        return "[[test]]\nname = \"" + name + "\"\ntest = \"" + word + "\"\nfile = \"made/" + name +
+               ".csv\"\nstart = { " + start + " }\n[test.columns]\n" + columns;
+    };
+    here.write(
+        "x.toml",
+        "[sand]\nname = \"lausitz\"\ngranulate_hardness_kPa = 1.2e6\npyknotropy_exponent = 0.2\n"
+        "reversal_stiffness = 4\nelastic_strain_radius = 0.8e-4\n"
+        "[fit]\nparameters = [\"h_s\", \"alpha\", \"e_c0\", \"m_R\", \"R\"]\nstarts = 1\n" +
+            test("undrained", "triaxial_undrained", "pressure_kPa = 100, void_ratio = 0.65",
+                 axial + "pore_pressure = { column = \"pore_pressure [kPa]\", error = 2 }\n") +
+            test("shear", "simple_shear_constant_stress", "pressure_kPa = 100, void_ratio = 0.70",
+                 "shear_strain = { column = \"shear_strain [-]\" }\n"
+                 "shear_stress = { column = \"shear_stress [kPa]\", error = 2 }\n"
+                 "void_ratio = { column = \"void_ratio [-]\", error = 0.002 }\n") +
+            test("cycles", "triaxial_drained", "pressure_kPa = 200, void_ratio = 0.60",
+                 axial + "void_ratio = { column = \"void_ratio [-]\", error = 0.0005 }\n"));
+    const Answer answer = here.grit("calibrate x.toml --samples 0 --out out --quiet");
+    ASSERT_EQ(answer.status, 0) << answer.text;
+    const std::string sand = here.text("out/x_sand.toml");
+    EXPECT_NEAR(value_of(sand, "granulate_hardness_kPa"), 1.6e6, 2e-3 * 1.6e6);
+    EXPECT_NEAR(value_of(sand, "pyknotropy_exponent"), 0.25, 5e-3 * 0.25);
+    EXPECT_NEAR(value_of(sand, "critical_void_ratio"), 0.85, 1e-3 * 0.85);
+    EXPECT_NEAR(value_of(sand, "reversal_stiffness"), 5.0, 1e-3 * 5.0);
+    EXPECT_NEAR(value_of(sand, "elastic_strain_radius"), 1e-4, 2e-3 * 1e-4);
 }
 
 TEST(Calibrate, TellsWhatTheTestsDoNotDetermine) {
