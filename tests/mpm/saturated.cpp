@@ -556,7 +556,7 @@ TEST(InstructionSets, ChangeNoBitOfTheKernelsOfWater) {
             for (const Shape shape :
                  {Shape::cpdi, Shape::cpdi_published, Shape::ugimp, Shape::point}) {
                 const OneParticle q = OneParticle::random(generator, axisymmetric);
-                Particles start(3);
+                Particles start(4);
                 std::vector<double> row;
                 for (int c = 0; c < column::own; ++c) row.push_back(q.particles(c, 0));
                 for (int c = 0; c < 3; ++c) row.push_back(any(generator));
