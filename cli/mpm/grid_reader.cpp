@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/mpm/grid_reader.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "cli/mpm/words.hpp"
@@ -109,8 +107,7 @@ void read_boundary(TomlTable table, Case& plan) {
         }
         levels->finish();
     }
-    const bool absorbs =
-        std::find(plan.boundary, plan.boundary + 4, Boundary::absorbing) != plan.boundary + 4;
+    const bool absorbs = plan.has_side(Boundary::absorbing);
     const auto speed = [&](const CaseWord& word) {
         const std::string key(word.key);
         const double value = number_if(table, word).value_or(0.0);

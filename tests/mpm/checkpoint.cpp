@@ -16,6 +16,7 @@
 #include <adapters/mpm/run/measures.hpp>
 #include <grit/version.h>
 
+#include "support/goes_on.hpp"
 #include "support/plans.hpp"
 #include "support/pressed_sand.hpp"
 
@@ -53,12 +54,6 @@ std::string seen(Simulation& simulation, std::size_t bodies) {
         append(out, &force, 1);
     }
     return out;
-}
-
-std::string saved(const Simulation& simulation) {
-    std::ostringstream out;
-    save(simulation, out);
-    return out.str();
 }
 
 void restore_from(const std::string& file, Simulation& simulation) {

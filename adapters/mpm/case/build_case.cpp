@@ -128,7 +128,7 @@ void add_inflows(const Case& plan, const BuiltCase& built) {
 }
 
 // The line of the grid that a platen begins at.
-double line_at(const Axis& axis, double level) {
+int line_at(const Axis& axis, double level) {
     int nearest = 0;
     for (int i = 1; i < axis.nodes(); ++i)
         if (std::abs(axis[i] - level) < std::abs(axis[nearest] - level)) nearest = i;
@@ -137,7 +137,7 @@ double line_at(const Axis& axis, double level) {
         throw std::invalid_argument("the level of a platen, " + std::to_string(level) +
                                     " m, is no line of the grid; the nearest is at " +
                                     std::to_string(axis[nearest]) + " m");
-    return axis[nearest];
+    return nearest;
 }
 
 // Absorbing sides hold what the first step finds: weight that no stress carries yet would fall through.
@@ -158,6 +158,10 @@ void check_rest(const Case& plan, const SideOfGrid& edge) {
 }
 
 }  // namespace
+
+bool Case::has_side(Boundary kind) const {
+    return std::find(boundary, boundary + 4, kind) != boundary + 4;
+}
 
 std::size_t Case::body(const std::string& wanted) const {
     return find_name(bodies, wanted, "body");
@@ -236,11 +240,11 @@ void add_boundary(const Case& plan, Simulation& simulation) {
             continue;
         }
         if (boundary == Boundary::platen) {
-            const double level =
+            const int line =
                 line_at(edge.direction == 0 ? simulation.axis_r() : simulation.axis_z(),
                         plan.platen_level[static_cast<int>(side)].value_or(edge.at));
-            if (edge.first) simulation.tie_below(edge.direction, level);
-            else simulation.tie_above(edge.direction, level);
+            if (edge.first) simulation.tie_below(edge.direction, line);
+            else simulation.tie_above(edge.direction, line);
             continue;
         }
         const Hold hold = boundary == Boundary::fixed ? Hold::both : Hold::across;

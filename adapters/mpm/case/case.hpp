@@ -188,6 +188,8 @@ struct Case {
     std::vector<StagePlan> stages;
     HistoryPlan history;
 
+    // Is any side of this kind?
+    bool has_side(Boundary kind) const;
     // Throws std::invalid_argument for a name that is not there.
     std::size_t body(const std::string& wanted) const;
     std::size_t stage(const std::string& wanted) const;

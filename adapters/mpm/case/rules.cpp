@@ -25,6 +25,8 @@ Objections objection_to_another(const Plans& plans, const std::string& name, con
     return {};
 }
 
+bool is_implicit(const BodyPlan& body) { return body.water && body.water->implicit; }
+
 }  // namespace
 
 Objections objection_to_name(const std::string& name) {
@@ -120,15 +122,9 @@ Objections objection_to(const Case& plan, const MaterialPlan& material, const Wa
     if (is_sand && given("porosity"))
         return Objection{"porosity", ": sand has a void ratio instead"};
     if (!is_sand && !given("porosity")) return Objection{"porosity", " is missing"};
-    const bool absorbs =
-        std::find(plan.boundary, plan.boundary + 4, Boundary::absorbing) != plan.boundary + 4;
-    const auto is_implicit = [](const BodyPlan& body) {
-        return body.water && body.water->implicit;
-    };
-    const bool has_platen =
-        std::find(plan.boundary, plan.boundary + 4, Boundary::platen) != plan.boundary + 4;
+    const bool absorbs = plan.has_side(Boundary::absorbing);
     // The body itself is not among them yet: processes that share a grid know no platens.
-    if (water.implicit && has_platen &&
+    if (water.implicit && plan.has_side(Boundary::platen) &&
         std::any_of(plan.bodies.begin(), plan.bodies.end(), is_implicit))
         return Objection{"pressure", ": beside a platen one body alone may have an implicit one"};
     if (water.implicit && absorbs)
@@ -148,11 +144,7 @@ Objections objection_to_contact(const Case& plan, std::size_t contact, const Key
     if (c.stiff == c.soft) return Objection{"soft", " must be another body than " + name("stiff")};
     if (plan.bodies[plan.body(c.stiff)].rigid() && plan.bodies[plan.body(c.soft)].rigid())
         return Objection{"soft", ": both bodies are rigid"};
-    const auto is_implicit = [&plan](const std::string& body) {
-        const auto& water = plan.bodies[plan.body(body)].water;
-        return water && water->implicit;
-    };
-    if (is_implicit(c.stiff) && is_implicit(c.soft))
+    if (is_implicit(plan.bodies[plan.body(c.stiff)]) && is_implicit(plan.bodies[plan.body(c.soft)]))
         return Objection{
             "", ": \"" + c.stiff + "\" and \"" + c.soft +
                     "\" both have an implicit pore pressure; one of the two must be explicit"};

@@ -43,22 +43,14 @@ void Loads::push() {
         if (is_here(tractions[i]))
             add_edge_forces(model.grid(), edges[i], rounded_to,
                             forces_of(tractions[i])[tractions[i].body].data());
-    for (std::size_t b = 0; b < nodes.size(); ++b) {
-        std::vector<Vector2>& of_body = nodes[b];
-        if (of_body.empty()) continue;
-        model.exchange.sum_nodes(of_body.data(), static_cast<std::ptrdiff_t>(of_body.size()));
-        for (std::size_t i = 0; i < of_body.size(); ++i) {
-            model.parts[b].records[i][record::f_r] += of_body[i][0];
-            model.parts[b].records[i][record::f_z] += of_body[i][1];
-        }
-    }
-    for (std::size_t b = 0; b < on_mixture.size(); ++b) {
-        std::vector<Vector2>& of_body = on_mixture[b];
-        if (of_body.empty()) continue;
-        model.exchange.sum_nodes(of_body.data(), static_cast<std::ptrdiff_t>(of_body.size()));
-        for (std::size_t i = 0; i < of_body.size(); ++i)
-            if (of_body[i][0] != 0.0 || of_body[i][1] != 0.0) water.load(b, i, of_body[i]);
-    }
+    share(nodes, [this](std::size_t body, std::size_t node, const Vector2& force) {
+        NodeRecord& grains = model.parts[body].records[node];
+        grains[record::f_r] += force[0];
+        grains[record::f_z] += force[1];
+    });
+    share(on_mixture, [this](std::size_t body, std::size_t node, const Vector2& force) {
+        if (force[0] != 0.0 || force[1] != 0.0) water.load(body, node, force);
+    });
 }
 
 void Loads::find_work() {

@@ -35,6 +35,15 @@ class Loads {
     }
     double quantum() const;
     using Forces = std::vector<std::vector<Vector2>>;  // at nodes of each body that has any [N]
+    // take(body, node, force) of what all processes have there.
+    template <class Take> void share(Forces& forces, const Take& take) {
+        for (std::size_t b = 0; b < forces.size(); ++b) {
+            if (forces[b].empty()) continue;
+            model.exchange.sum_nodes(forces[b].data(),
+                                     static_cast<std::ptrdiff_t>(forces[b].size()));
+            for (std::size_t i = 0; i < forces[b].size(); ++i) take(b, i, forces[b][i]);
+        }
+    }
     Forces& forces_of(const Traction& t) { return t.on_mixture ? on_mixture : nodes; }
 
     Model& model;

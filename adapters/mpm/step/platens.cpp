@@ -11,41 +11,43 @@ namespace grit::mpm {
 void Platens::add(int direction, double cell, std::vector<std::size_t> nodes) {
     if (!model.is_alone())
         throw std::invalid_argument("platens: processes that share a grid know none yet");
-    platens.push_back({{direction, std::move(nodes)}, cell});
-    water.tie(platens.back().tied);
+    platens.push_back({cell});
+    water.tie({direction, std::move(nodes)});
 }
 
 std::vector<double> Platens::words() const {
     std::vector<double> out;
-    for (const Platen& platen : platens) {
-        out.push_back(platen.tied.direction);
-        out.insert(out.end(), platen.tied.nodes.begin(), platen.tied.nodes.end());
+    for (const TiedNodes& tied : water.tied()) {
+        out.push_back(tied.direction);
+        out.insert(out.end(), tied.nodes.begin(), tied.nodes.end());
     }
     return out;
 }
 
 void Platens::tie(Energy& sums) {
-    for (Platen& platen : platens) {
-        const int now = motion::v_r + platen.tied.direction,
-                  before = motion::other_r + platen.tied.direction;
+    for (const TiedNodes& tied : water.tied()) {
+        const int now = motion::v_r + tied.direction, before = motion::other_r + tied.direction;
         double mass = 0.0, momentum = 0.0;
-        water.each_mass(platen.tied, [&](double m, const NodeMotion& v) {
+        water.each_mass(tied, [&](double m, const NodeMotion& v) {
             mass += m;
             momentum += m * v[now];
         });
-        platen.speed = mass > 0.0 ? momentum / mass : 0.0;
-        water.each_mass(platen.tied, [&](double m, NodeMotion& v) {
-            sums.contact -= 0.5 * m * (platen.speed - v[now]) * (platen.speed + v[before]);
-            v[now] = platen.speed;
+        water.each_mass(tied, [&](double m, NodeMotion& v) {
+            const double speed = momentum / mass;
+            sums.contact -= 0.5 * m * (speed - v[now]) * (speed + v[before]);
+            v[now] = speed;
         });
     }
 }
 
 void Platens::move() {
-    for (Platen& platen : platens) {
-        const int now = motion::v_r + platen.tied.direction;
-        water.each_mass(platen.tied, [&](double, const NodeMotion& v) { platen.speed = v[now]; });
-        platen.way += model.dt * platen.speed;
+    for (std::size_t i = 0; i < platens.size(); ++i) {
+        Platen& platen = platens[i];
+        const TiedNodes& tied = water.tied()[i];
+        double speed = 0.0;
+        water.each_mass(
+            tied, [&](double, const NodeMotion& v) { speed = v[motion::v_r + tied.direction]; });
+        platen.way += model.dt * speed;
         if (!(std::abs(platen.way) <= 0.25 * platen.cell))
             throw std::runtime_error(
                 "a platen has moved by " + std::to_string(platen.way) +

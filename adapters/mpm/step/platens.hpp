@@ -29,20 +29,16 @@ class Platens {
     void tie(Energy& sums);
 
     template <class Self, class Archive> static void visit(Self& of, Archive& archive) {
-        for (auto& platen : of.platens) {
-            archive.value(platen.speed);
-            archive.value(platen.way);
-        }
+        for (auto& platen : of.platens) archive.value(platen.way);
     }
 
   private:
     struct Platen {
-        TiedNodes tied;
-        double cell, speed = 0.0, way = 0.0;  // [m], of this step [m/s], since the start [m]
+        double cell, way = 0.0;  // [m], since the start [m]
     };
     Model& model;
     Water& water;
-    std::vector<Platen> platens;
+    std::vector<Platen> platens;  // as the water has their nodes
 };
 
 }  // namespace grit::mpm

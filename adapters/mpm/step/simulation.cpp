@@ -172,19 +172,19 @@ void Simulation::pour_above(int direction, double at, std::function<double(doubl
                 std::move(speed)});
 }
 
-void Simulation::tie_below(int direction, double at) {
+void Simulation::tie_below(int direction, int line) {
     const Axis& axis = direction == 0 ? model.r : model.z;
-    int inner = 1;
-    while (inner + 1 < axis.nodes() && axis[inner] <= at) ++inner;
-    platens.add(direction, axis[inner] - axis[inner - 1],
+    const int outer = std::min(line, axis.nodes() - 2);
+    const double at = axis[line];
+    platens.add(direction, axis[outer + 1] - axis[outer],
                 nodes_where(model, direction, [at](double x) { return x <= at; }));
 }
 
-void Simulation::tie_above(int direction, double at) {
+void Simulation::tie_above(int direction, int line) {
     const Axis& axis = direction == 0 ? model.r : model.z;
-    int inner = axis.nodes() - 2;
-    while (inner > 0 && axis[inner] >= at) --inner;
-    platens.add(direction, axis[inner + 1] - axis[inner],
+    const int inner = std::max(line, 1);
+    const double at = axis[line];
+    platens.add(direction, axis[inner] - axis[inner - 1],
                 nodes_where(model, direction, [at](double x) { return x >= at; }));
 }
 

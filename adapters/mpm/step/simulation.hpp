@@ -47,9 +47,9 @@ class Simulation {
     // Water comes in across nodes at r or z = at, and beyond, that hold the grains: its filter velocity over time [m/s].
     void pour_below(int direction, double at, std::function<double(double)> speed);
     void pour_above(int direction, double at, std::function<double(double)> speed);
-    // Nodes at z = at (direction 1; r: 0), and beyond, move as one across. Without an exchange.
-    void tie_below(int direction, double at);
-    void tie_above(int direction, double at);
+    // Nodes on this line across z (direction 1; r: 0), and beyond, move as one across. Without an exchange.
+    void tie_below(int direction, int line);
+    void tie_above(int direction, int line);
     // The first or the last nodes along a direction take up waves; the first step finds balance there.
     void absorb_first(int direction, const WaveSpeeds& speeds);
     void absorb_last(int direction, const WaveSpeeds& speeds);

@@ -46,11 +46,11 @@ void Water::pour(Inflow inflow) {
     inflows.push_back(std::move(inflow));
 }
 
-void Water::tie(const TiedNodes& nodes) {
+void Water::tie(TiedNodes nodes) {
     tied_bits.resize(model.fixed_nodes.size());
     for (const std::size_t node : nodes.nodes)
         tied_bits[node] |= nodes.direction == 0 ? fixed::r : fixed::z;
-    platens.push_back(nodes);
+    platens.push_back(std::move(nodes));
 }
 
 bool Water::is_anywhere() const {

@@ -36,7 +36,8 @@ class Water {
     // Lanes of the volume velocity (1 - n) v_s + n v_w of a node, their sum [m/s].
     double volume_velocity(std::size_t body, std::size_t node, int lane, int other_lane) const;
     // These nodes move as one: a platen, which no water passes.
-    void tie(const TiedNodes& nodes);
+    void tie(TiedNodes nodes);
+    const std::vector<TiedNodes>& tied() const { return platens; }
     // Bits of what platens hold; empty: nothing.
     const std::vector<std::uint8_t>& tied_nodes() const { return tied_bits; }
     // take(mass, motion) of all that has a velocity of its own at such nodes and is free along them.

@@ -6,39 +6,34 @@
 #include <cmath>
 #include <vector>
 
-#include "support/saturated_column.hpp"
+#include <adapters/mpm/case/build_case.hpp>
+
+#include "support/saturated_elastic.hpp"
 
 namespace mpm_test {
 
 struct MandelSlab {
-    static constexpr double E = 10e6, nu = 0.2, K_w = 2.2e9, n = 0.4, a = 1.0;
-    static constexpr double G = 0.5 * E / (1.0 + nu);
-    static constexpr double M = E * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu)), S = n / K_w;
+    using Sand = SaturatedElastic;
+    static constexpr double a = 1.0;
     int cells = 16, rows = 2;
     double conductivity = 1e-4;  // slow: beside the time of waves through it
     bool implicit = false;
 
-    double c_v() const { return conductivity / (1000.0 * standard_gravity * (1.0 / M + S)); }
     // Of the load on the plates, compression positive: by it at once.
-    static double p_0() { return 0.5 / (1.0 + S * (M - G)); }
+    static double p_0() { return 0.5 / (1.0 + Sand::S * (Sand::M - Sand::G)); }
     // The share of p_0 at x and T = c_v t/a^2, of a load that comes as (1 - cos(pi T/ramp))/2.
     //
     // u_z = -eps z. No total stress along x: M e = p + 2G eps_zz; the plates: 4G eps_zz - 2G mean(e) = -q. With
     // S p' + e' = k/(rho_w g) p_xx follows p' + b mean(p)' = c_v p_xx, b = G/((M - G)(1 + S M)): modes
     // cos(s x/a) - cos(s), (1 + b) cos s = b sin(s)/s, whose shares of a constant are Mandel's.
     static double exact(double x, double T, double ramp) {
-        constexpr double b = G / ((M - G) * (1.0 + S * M));
+        constexpr double b = Sand::b;
         const auto f = [&](double s) { return (1.0 + b) * std::cos(s) * s - b * std::sin(s); };
         const double w = std::acos(-1.0) / ramp;
         double sum = 0.0;
         for (int i = 0; i < 40; ++i) {
-            double low = (i + 1e-9) * std::acos(-1.0), high = (i + 0.5) * std::acos(-1.0);
-            if (i == 0) low = 1e-3;
-            for (int k = 0; k < 60; ++k) {
-                const double middle = 0.5 * (low + high);
-                (f(low) * f(middle) <= 0.0 ? high : low) = middle;
-            }
-            const double s = low, decay = s * s;
+            const double low = i == 0 ? 1e-3 : (i + 1e-9) * std::acos(-1.0);
+            const double s = Sand::root(f, low, (i + 0.5) * std::acos(-1.0)), decay = s * s;
             const double reached = 0.5 * w * w *
                                    (std::exp(-decay * (T - ramp)) + std::exp(-decay * T)) /
                                    (decay * decay + w * w);
@@ -55,7 +50,7 @@ struct MandelSlab {
 
     std::vector<Result> run(const std::vector<double>& times) const {
         constexpr double load = 1e2, ramp = 0.05;
-        const double h = a / cells, height = rows * h, unit = a * a / c_v();
+        const double h = a / cells, height = rows * h, unit = a * a / Sand::c_v(conductivity);
         Case plan;
         plan.name = "mandel";
         plan.settings.cfl = 0.4;
@@ -67,18 +62,7 @@ struct MandelSlab {
             plan.boundary[static_cast<int>(side)] = Boundary::roller;
         plan.boundary[static_cast<int>(Side::top)] = Boundary::platen;
         plan.platen_level[static_cast<int>(Side::top)] = height;
-        BodyPlan body{};
-        body.name = "sand";
-        body.outlines = {Outline{{{0.0, 0.0}, {a, 0.0}, {a, height}, {0.0, height}}}};
-        body.density = 1590.0;
-        body.material = ElasticPlan{E, nu};
-        body.water = WaterPlan{.drainage = Drainage::flow,
-                               .bulk_modulus = K_w,
-                               .grain_density = 2650.0,
-                               .porosity = n,
-                               .conductivity = conductivity,
-                               .implicit = implicit};
-        plan.bodies = {body};
+        plan.bodies = {Sand::box(a, height, conductivity, implicit)};
         TimeTable table;
         for (int i = 0; i <= 64; ++i) {
             table.time.push_back(ramp * unit * i / 64.0);
