@@ -33,10 +33,14 @@ Problem::Problem(ParameterSpace space, std::vector<Experiment> experiments,
         const double share = test.independent > 0.0
                                  ? std::min(1.0, test.independent / static_cast<double>(count))
                                  : 1.0;
-        Vector scale(count);
-        for (Eigen::Index k = 0; k < count; ++k)
-            scale[k] = std::sqrt(share) / test.readings[static_cast<std::size_t>(k)].error;
+        Vector scale(count), value(count);
+        for (Eigen::Index k = 0; k < count; ++k) {
+            const Reading& reading = test.readings[static_cast<std::size_t>(k)];
+            scale[k] = std::sqrt(share) / reading.error;
+            value[k] = reading.value;
+        }
         scales.push_back(std::move(scale));
+        readings.push_back(std::move(value));
     }
     common.resize(fitted.size());
     row_count += static_cast<Eigen::Index>(measured.size());
@@ -75,6 +79,10 @@ Vector Problem::weighed(std::size_t i, const Vector& values) const {
     return values - common[i] * common[i].dot(values);
 }
 
+Vector Problem::left(std::size_t i, const Vector& predicted) const {
+    return weighed(i, (predicted - readings[i]).cwiseProduct(scales[i]));
+}
+
 void Problem::add_direct(const Vector& x, Residuals& out) const {
     const grit_sand_parameters sand = parameters.at(x);
     const Matrix chain = parameters.chain(x);
@@ -89,17 +97,6 @@ void Problem::add_direct(const Vector& x, Residuals& out) const {
     }
 }
 
-namespace {
-
-Vector measured_of(const Experiment& test) {
-    Vector out(static_cast<Eigen::Index>(test.readings.size()));
-    for (Eigen::Index k = 0; k < out.size(); ++k)
-        out[k] = test.readings[static_cast<std::size_t>(k)].value;
-    return out;
-}
-
-}  // namespace
-
 std::optional<Residuals> Problem::residuals(const Vector& x, bool with_slopes,
                                             std::string* why) const {
     const grit_sand_parameters sand = parameters.at(x);
@@ -110,13 +107,11 @@ std::optional<Residuals> Problem::residuals(const Vector& x, bool with_slopes,
     out.slopes = Matrix::Zero(with_slopes ? row_count : 0, parameters.size());
     std::vector<std::string> failures(fitted.size());
     in_parallel(workers, fitted.size(), [&](std::size_t i) {
-        const Experiment& test = tests[fitted[i]];
-        Prediction now = predict(test, sand, by);
+        Prediction now = predict(tests[fitted[i]], sand, by);
         failures[i] = std::move(now.failure);
         if (!failures[i].empty()) return;
         const Eigen::Index begin = begins[i], count = now.values.size();
-        out.values.segment(begin, count) =
-            weighed(i, (now.values - measured_of(test)).cwiseProduct(scales[i]));
+        out.values.segment(begin, count) = left(i, now.values);
         if (!with_slopes) return;
         const Matrix slopes = scales[i].asDiagonal() * (now.slopes * chain);
         for (Eigen::Index k = 0; k < slopes.cols(); ++k)
@@ -140,10 +135,9 @@ std::optional<double> Problem::sum(const Vector& x, double limit, const Loss& rh
     }
     for (std::size_t i = 0; i < fitted.size(); ++i) {
         if (total > limit) return std::nullopt;
-        const Experiment& test = tests[fitted[i]];
-        const Prediction now = predict(test, sand);
+        const Prediction now = predict(tests[fitted[i]], sand);
         if (!now.failure.empty()) return std::nullopt;
-        const Vector r = weighed(i, (now.values - measured_of(test)).cwiseProduct(scales[i]));
+        const Vector r = left(i, now.values);
         for (const double each : r) total += rho(each * each);
     }
     if (total > limit) return std::nullopt;

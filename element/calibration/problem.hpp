@@ -49,6 +49,8 @@ class Problem {
 
   private:
     Vector weighed(std::size_t experiment, const Vector& values) const;
+    // What a prediction of a fitted experiment leaves, weighed.
+    Vector left(std::size_t experiment, const Vector& predicted) const;
     void add_direct(const Vector& x, Residuals& out) const;
 
     ParameterSpace parameters;
@@ -58,7 +60,8 @@ class Problem {
     Eigen::Index row_count = 0;
     std::vector<std::size_t> fitted;   // of tests
     std::vector<Eigen::Index> begins;  // of their rows
-    std::vector<Vector> scales;        // 1/error of each reading
+    std::vector<Vector> readings;      // ... and
+    std::vector<Vector> scales;        // 1/error of each
     std::vector<Vector> common;        // of each: what weigh_starts has found, empty: nothing
 };
 

@@ -10,6 +10,8 @@
 #include <fstream>
 #include <string>
 
+#include <tests/calibration/samples.hpp>
+
 #include "element/calibration/fit.hpp"
 #include "element/calibration/laplace.hpp"
 #include "element/errors.hpp"
@@ -22,16 +24,6 @@ using namespace calibration;
 
 constexpr double bound_factor = 3.0;  // on both sides of the truth
 constexpr double noise = 0.02;        // of a stress, and of the largest strain
-
-// Imported path of the component that a laboratory drives.
-element::Step follow(element::Step step, const std::vector<double>& values) {
-    element::Imported path;
-    path.rows = std::get<element::Linear>(step.kind).rows;
-    path.columns[0] = {0, 1.0};
-    for (const double each : values) path.table.push_back({each});
-    step.kind = path;
-    return step;
-}
 
 std::vector<double> spread(double last, int count, double power) {
     std::vector<double> out;
@@ -63,7 +55,7 @@ Experiment oedometer(const char* name, double void_ratio) {
     out.start.stress[0] = -10.0;
     std::vector<double> stress;
     for (int i = 0; i <= 30; ++i) stress.push_back(-10.0 * std::pow(100.0, i / 30.0));
-    out.program = {follow(element::oedometer_stress(-1.0), stress)};
+    out.program = {imported(element::oedometer_stress(-1.0), stress)};
     Channel strain{"axial_strain", "-", {}, true};
     strain.quantity.strain[0] = 1.0;
     out.channels = {strain};
@@ -76,8 +68,8 @@ Experiment triaxial(const char* name, double pressure, double void_ratio, bool u
         sample(name, undrained ? "triaxial_undrained" : "triaxial_drained", void_ratio);
     out.start.stress = -pressure * element::unit_tensor();
     out.program = {
-        follow(undrained ? element::triaxial_undrained(-1.0) : element::triaxial_drained(-1.0),
-               spread(-0.20, 48, 1.7))};
+        imported(undrained ? element::triaxial_undrained(-1.0) : element::triaxial_drained(-1.0),
+                 spread(-0.20, 48, 1.7))};
     Channel q{"axial_deviator", "kPa", {}, false};
     q.quantity.total_stress = element::Vector6(element::Vector6::Zero());
     q.quantity.total_stress.head<3>() << -1.0, 0.5, 0.5;
