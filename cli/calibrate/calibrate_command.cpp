@@ -55,12 +55,16 @@ class Watch {
 };
 
 calibration::Fit best_fit(const CalibrationCase& file, calibration::Problem& problem,
-                          CalibrationResult& result) {
+                          CalibrationResult& result, bool quiet) {
     calibration::FitOptions options;
     options.loss = calibration::Loss(file.loss, file.loss_scale);
     options.starts = file.starts;
     options.spread = file.spread;
-    options.progress = [](int) { return !RunGuard::interrupted(); };
+    Progress progress(file.name, "start");
+    options.progress = [&](int ended) {
+        if (!quiet) progress(ended, file.starts);
+        return !RunGuard::interrupted();
+    };
     const Watch watch;
     calibration::Fit out = fit(problem, problem.space().coordinates(file.space.base), options);
     // What an error of the void ratio does depends on the parameters: once more from there.
@@ -69,11 +73,13 @@ calibration::Fit best_fit(const CalibrationCase& file, calibration::Problem& pro
         const std::size_t best = out.best;
         const int agreeing = out.agreeing;
         options.starts = 1;
+        options.progress = [](int) { return !RunGuard::interrupted(); };
         out = fit(problem, out.x, options);
         out.descents = descents;
         out.best = best;
         out.agreeing = agreeing;
     }
+    progress.finish();
     result.fit_seconds = watch.seconds();
     result.fit_processor_seconds = watch.processor_seconds();
     return out;
@@ -86,8 +92,8 @@ void say_tests(const CalibrationCase& file) {
         ++fitted;
         readings += each.readings.size();
     }
-    say("{}: {} tests with {} readings are fitted, {} are held out\n", file.title, fitted, readings,
-        file.experiments.size() - fitted);
+    say("{}: {} test{} with {} readings fitted, {} held out\n", file.title, fitted,
+        fitted == 1 ? "" : "s", readings, file.experiments.size() - fitted);
 }
 
 std::string number_in_unit(const grit_sand_parameter_info& info, double value) {
@@ -224,14 +230,17 @@ ExitCode run_calibration(const CalibrateRequest& request) {
 
     calibration::Problem problem(file.space, file.experiments, file.direct, threads);
     CalibrationResult result;
-    result.fit = best_fit(file, problem, result);
+    result.fit = best_fit(file, problem, result, request.quiet);
     if (result.fit.stopped) {
         warn("grit: {}: stopped on request, nothing is written\n", file.name);
         return failed_computation;
     }
     result.best = file.space.at(result.fit.x);
     result.independent = problem.independent();
+    ExitCode ended = ok;
     result.laplace = calibration::laplace(problem, result.fit.residuals, file.inflate);
+    if (!request.quiet) say_fit(file, result);
+    flush_words();
     if (file.samples > 0) {
         calibration::SampleOptions options;
         options.loss = calibration::Loss(file.loss, file.loss_scale);
@@ -249,8 +258,11 @@ ExitCode run_calibration(const CalibrateRequest& request) {
         result.posterior_seconds = watch.seconds();
         result.posterior_processor_seconds = watch.processor_seconds();
         if (result.posterior->stopped) {
-            warn("grit: {}: stopped on request, nothing is written\n", file.name);
-            return failed_computation;
+            warn("grit: {}: sampling was stopped on request: intervals are those of a normal "
+                 "distribution at the best fit\n",
+                 file.name);
+            result.posterior.reset();
+            ended = failed_computation;
         }
     }
     result.intervals = intervals(file.space, result);
@@ -263,8 +275,7 @@ ExitCode run_calibration(const CalibrateRequest& request) {
     write_report_page(report_of(request, file), file, result,
                       bands(file, result, draws_of_bands, threads), next);
     write_sand_file(sand_of(request, file), result.best, provenance(file, result));
-    if (request.quiet) return ok;
-    say_fit(file, result);
+    if (request.quiet) return ended;
     say_posterior(file, result);
     say_parameters(file, result);
     say_misfits(file, result);
@@ -272,7 +283,7 @@ ExitCode run_calibration(const CalibrateRequest& request) {
     for (const std::string& sentence : result.advice) say("{}\n", sentence);
     if (!next.empty()) say("most would be learnt from a further {}\n", next.front().name);
     say("-> {}, {}\n", sand_of(request, file).string(), report_of(request, file).string());
-    return ok;
+    return ended;
 }
 
 }  // namespace cli

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/calibrate/calibrate_command.hpp"
+#include "cli/calibrate/calibration_case.hpp"
 
 namespace cli {
 
@@ -20,7 +21,7 @@ void add_calibrate_command(CLI::App& app, Command& asked) {
     calibrate
         ->add_option("--samples", request->samples,
                      "Of the posterior, instead of the case's; 0: none")
-        ->check(CLI::Range(0L, 100000000L));
+        ->check(CLI::Range(0L, most_samples));
     calibrate->add_option("--threads", request->threads, "Changes no result [all processors]")
         ->check(CLI::Range(1, 1024));
     calibrate->add_flag("--quiet", request->quiet, "Nothing but errors");

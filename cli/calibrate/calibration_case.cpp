@@ -269,7 +269,7 @@ CalibrationCase read_calibration_case(const std::filesystem::path& path) {
                      [](const calibration::Experiment& each) { return each.fitted; }))
         root.fail("test", "test: a calibration needs a [[test]] that is fitted");
     if (auto table = root.table_if("posterior")) {
-        out.samples = table->integer_or("samples", 100000, 1000, 100000000);
+        out.samples = table->integer_or("samples", 100000, 1000, most_samples);
         out.seed = static_cast<std::uint64_t>(table->integer_or("seed", 1, 0, 2000000000));
         table->finish();
     }

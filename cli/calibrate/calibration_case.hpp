@@ -12,6 +12,8 @@
 
 namespace cli {
 
+constexpr long most_samples = 10'000'000;  // with 13 parameters 1 GB
+
 struct CalibrationCase {
     std::filesystem::path path;
     std::string name;   // of the files it writes

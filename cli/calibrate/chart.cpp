@@ -95,6 +95,30 @@ std::string escaped(const std::string& text) {
     return out;
 }
 
+namespace {
+
+// a_r and a_{11} with their subscripts set low.
+std::string marked_up(const std::string& label) {
+    const std::string text = escaped(label);
+    std::string out;
+    const char* level = "";
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t low = std::min(text.find('_', i), text.size());
+        out += fmt::format("<tspan{}>{}</tspan>", level, text.substr(i, low - i));
+        if (low + 1 >= text.size()) break;
+        const bool braced = text[low + 1] == '{';
+        const std::size_t begin = low + (braced ? 2 : 1);
+        const std::size_t end = braced ? std::min(text.find('}', begin), text.size()) : begin + 1;
+        out += fmt::format("<tspan dy=\"3\" font-size=\"8\">{}</tspan>",
+                           text.substr(begin, end - begin));
+        level = " dy=\"-3\"";
+        i = end + (braced ? 1 : 0);
+    }
+    return out;
+}
+
+}  // namespace
+
 std::string Chart::svg() const {
     const Frame frame(*this);
     std::string out =
@@ -112,10 +136,10 @@ std::string Chart::svg() const {
     out +=
         fmt::format("<text x=\"{}\" y=\"14\" font-weight=\"bold\">{}</text>", left, escaped(title));
     out += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
-                       0.5 * (left + width - right), height - 6, escaped(x_label));
+                       0.5 * (left + width - right), height - 6, marked_up(x_label));
     out += fmt::format("<text x=\"12\" y=\"{0}\" text-anchor=\"middle\" transform=\"rotate(-90 12 "
                        "{0})\">{1}</text></svg>\n",
-                       0.5 * (top + height - bottom), escaped(y_label));
+                       0.5 * (top + height - bottom), marked_up(y_label));
     return out;
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "cli/calibrate/chart.hpp"
+#include "cli/plot/axis.hpp"
 #include "cli/process/version.hpp"
 #include "cli/sand/parameter_units.hpp"
 #include "element/atomic_file.hpp"
@@ -128,45 +129,45 @@ std::string correlation_picture(const CalibrationCase& file, const CalibrationRe
     return out + "</svg>\n";
 }
 
-// As a laboratory draws it: compression positive, strains in percent.
+// How a quantity is drawn; stresses without an axis of their own press where they are positive.
 struct Shown {
     std::string label;
     double factor = 1.0;
 };
 
 Shown shown(const std::string& name, const std::string& unit) {
-    if (name == "void_ratio") return {"void ratio", 1.0};
-    if (unit == "-") return {name + " [%]", name == "shear_strain" ? 100.0 : -100.0};
-    if (name.starts_with("stress_")) return {name + " [kPa]", -1.0};
-    return {name + " [kPa]", 1.0};
+    if (const Axis* axis = axis_of(name)) return {axis->label, axis->factor};
+    const bool stress = unit == "kPa";
+    std::string words = name;
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return {fmt::format("{}{} [{}]", stress ? "−" : "", words, stress ? "kPa" : "%"),
+            stress ? -1.0 : 100.0};
 }
 
 std::string chart_of(const Experiment& test, const Band& band, int channel) {
     const bool by_strain = test.driver.find("strain") != std::string::npos;
-    const bool stress = test.driver == "axial_stress_kPa";
-    Chart chart;
     const calibration::Channel& read = test.channels[static_cast<std::size_t>(channel)];
-    const Shown y = shown(read.name, read.unit);
-    double x_factor = 1.0;
-    if (by_strain) x_factor = test.driver == "shear_strain" ? 100.0 : -100.0;
-    else if (stress) x_factor = -1.0;
+    const Shown x_axis = shown(test.driver, by_strain ? "-" : "kPa");
+    const Shown y_axis = shown(read.name, read.unit);
+    Chart chart;
     chart.title = test.name + (test.fitted ? "" : " (held out)");
-    chart.x_label = by_strain ? test.driver + " [%]" : test.driver;
-    chart.y_label = y.label;
+    chart.x_label = x_axis.label;
+    chart.y_label = y_axis.label;
     const double first = by_strain ? test.driven.front() : 0.0;
-    chart.logarithmic = !by_strain && test.driver != "shear_stress_kPa";
+    chart.logarithmic = test.driver == "stress_11" || test.driver == "p";
     for (std::size_t i = 0; i < test.readings.size(); ++i) {
         const calibration::Reading& each = test.readings[i];
         if (each.channel != channel) continue;
-        const double x = x_factor * (test.driven[static_cast<std::size_t>(each.row)] - first);
+        const double x = x_axis.factor * (test.driven[static_cast<std::size_t>(each.row)] - first);
         if (chart.logarithmic && !(x > 0.0)) continue;
-        chart.points.emplace_back(x, y.factor * each.value);
+        const double factor = y_axis.factor;
+        chart.points.emplace_back(x, factor * each.value);
         if (!band.failure.empty()) continue;
-        chart.line.emplace_back(x, y.factor * band.best[i]);
-        chart.lowest.emplace_back(x, y.factor * band.lowest[i]);
-        chart.highest.emplace_back(x, y.factor * band.highest[i]);
-        chart.lowest_outer.emplace_back(x, y.factor * band.lowest_measured[i]);
-        chart.highest_outer.emplace_back(x, y.factor * band.highest_measured[i]);
+        chart.line.emplace_back(x, factor * band.best[i]);
+        chart.lowest.emplace_back(x, factor * band.lowest[i]);
+        chart.highest.emplace_back(x, factor * band.highest[i]);
+        chart.lowest_outer.emplace_back(x, factor * band.lowest_measured[i]);
+        chart.highest_outer.emplace_back(x, factor * band.highest_measured[i]);
     }
     return chart.points.empty() ? "" : chart.svg();
 }

@@ -440,7 +440,7 @@ Experiment make(TestTable& test, Rows rows, bool fitted, const Selection& select
     check_signs(test, rows);
     read_start_of_test(test, rows, out);
     std::vector<double> values = driving(test, rows, out, driver);
-    out.driver = test.driver.way->key;
+    out.driver = test.driver.quantity;
     if (test.driver.way->strain() &&
         std::all_of(values.begin(), values.end(), [&](double x) { return x == values[0]; }))
         test.sheet.fail(rows.of_sheet.front(),

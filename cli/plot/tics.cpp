@@ -27,7 +27,7 @@ std::vector<double> even_tics(double low, double high) {
          {50.0 * unit, 20.0 * unit, 10.0 * unit, 5.0 * unit, 2.0 * unit, unit}) {
         out.clear();
         for (double i = std::ceil(low / step - 1e-9); i * step <= high * (1.0 + 1e-9); ++i)
-            out.push_back(i * step);
+            out.push_back(i * step + 0.0);  // never -0
         if (out.size() >= fewest + 1) break;
     }
     return out;

@@ -152,7 +152,7 @@ Posterior sample(const Problem& problem, const Vector& x, const Laplace& around,
     out.steps = (options.samples + all - 1) / all;
     const auto burn_in = static_cast<long>(options.burn_in * static_cast<double>(out.steps));
     out.samples.resize(out.steps * all, x.size());
-    long accepted = 0, kept = 0;
+    long accepted = 0;
     for (long step = -burn_in; step < out.steps; ++step) {
         for (const std::size_t begin : {std::size_t{0}, count / 2}) {
             proposals.clear();
@@ -168,26 +168,20 @@ Posterior sample(const Problem& problem, const Vector& x, const Laplace& around,
                 if (step >= 0) ++accepted;
             }
         }
-        if (step < 0) continue;
-        ++kept;
-        for (std::size_t e = 0; e < ensembles.size(); ++e)
-            for (std::size_t i = 0; i < count; ++i)
-                out.samples.row((static_cast<long>(e) * out.steps + step) *
-                                    static_cast<long>(count) +
-                                static_cast<long>(i)) = ensembles[e].walkers[i].x;
-        if (options.progress && !options.progress(kept * all, out.steps * all)) {
-            out.stopped = kept < out.steps;
-            break;
+        if (step >= 0) {
+            for (std::size_t e = 0; e < ensembles.size(); ++e)
+                for (std::size_t i = 0; i < count; ++i)
+                    out.samples.row((static_cast<long>(e) * out.steps + step) *
+                                        static_cast<long>(count) +
+                                    static_cast<long>(i)) = ensembles[e].walkers[i].x;
         }
-    }
-    if (out.stopped) {  // the steps that there are
-        Matrix shorter(kept * all, x.size());
-        const long rows = kept * static_cast<long>(count);
-        for (long e = 0; e < options.ensembles; ++e)
-            shorter.middleRows(e * rows, rows) =
-                out.samples.middleRows(e * out.steps * static_cast<long>(count), rows);
-        out.samples = std::move(shorter);
-        out.steps = kept;
+        if (options.progress &&
+            !options.progress((step + 1 + burn_in) * all, (out.steps + burn_in) * all) &&
+            step + 1 < out.steps) {
+            out.stopped = true;
+            out.samples.resize(0, x.size());
+            return out;
+        }
     }
     out.acceptance = static_cast<double>(accepted) / static_cast<double>(out.samples.rows());
     judge(out);

@@ -19,7 +19,7 @@ struct SampleOptions {
     double burn_in = 0.1;   // share of the samples that is computed before and left out
     std::uint64_t seed = 1;
     double inflation = 1.0;  // of the stated errors
-    // So many of so many. Returning false ends sampling.
+    // So many of so many, with those that are left out. Returning false ends sampling.
     std::function<bool(long, long)> progress;
 };
 
@@ -31,7 +31,7 @@ struct Posterior {
     Vector r_hat,
         effective;      // of each coordinate: 1 at best; independent samples that these are worth
     long computed = 0;  // proposals that were more than their linear residuals
-    bool stopped = false;  // by progress
+    bool stopped = false;  // by progress, without samples
 
     Vector quantile(double share) const;  // of each coordinate
     Vector mean() const;

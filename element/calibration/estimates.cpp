@@ -49,7 +49,7 @@ Curve compression_of(const Experiment& test, double K_0) {
     Curve out;
     const bool isotropic = test.kind == "isotropic";
     const auto stresses = channel(test, isotropic ? "p" : "stress_11");
-    const bool by_stress = test.driver == "axial_stress_kPa" || test.driver == "pressure_kPa";
+    const bool by_stress = test.driver == "stress_11" || test.driver == "p";
     for (const auto& [row, e] : void_ratios(test)) {
         double stress = NAN;
         if (by_stress) stress = std::abs(test.driven[static_cast<std::size_t>(row)]);

@@ -38,7 +38,7 @@ struct Experiment {
     element::Program program;
     std::vector<int> records;    // of that step, in which a row is reached; 0: where it begins
     std::vector<double> driven;  // what drives the test, a value per row, in the signs of Grit
-    std::string driver;          // "axial_strain", "axial_stress_kPa"
+    std::string driver;          // what that is: "axial_strain", "stress_11"
     std::vector<Channel> channels;
     std::vector<Reading> readings;
     double independent = 0.0;  // what the readings count as, 0: their number

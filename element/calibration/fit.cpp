@@ -52,18 +52,16 @@ class Row : public ceres::CostFunction {
     Eigen::Index row;
 };
 
+// Ends a descent when it is asked to.
 class Watch : public ceres::IterationCallback {
   public:
-    Watch(const FitOptions& given, int& count) : options(given), iterations(count) {}
+    explicit Watch(const std::function<bool()>& goes_on) : asked(goes_on) {}
     ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
-        ++iterations;
-        if (options.progress && !options.progress(iterations)) return ceres::SOLVER_ABORT;
-        return ceres::SOLVER_CONTINUE;
+        return asked() ? ceres::SOLVER_CONTINUE : ceres::SOLVER_ABORT;
     }
 
   private:
-    const FitOptions& options;
-    int& iterations;
+    const std::function<bool()>& asked;
 };
 
 // As Triggs et al. 2000 weigh a residual and its slopes for Gauss-Newton, without the term of second order.
@@ -79,7 +77,7 @@ void weigh(Residuals& residuals, const Loss& loss) {
 }
 
 Descent descend(const Problem& problem, const Vector& start, const FitOptions& options,
-                int& iterations) {
+                const std::function<bool()>& goes_on) {
     Descent out;
     out.start = start;
     Vector x = start;
@@ -106,7 +104,7 @@ Descent descend(const Problem& problem, const Vector& start, const FitOptions& o
     solver.gradient_tolerance = 1e-16;
     solver.logging_type = ceres::SILENT;
     solver.update_state_every_iteration = true;
-    Watch watch(options, iterations);
+    Watch watch(goes_on);
     solver.callbacks.push_back(&watch);
     FLAGS_minloglevel = google::GLOG_FATAL;  // what goes wrong is in the summary
     ceres::Solver::Summary summary;
@@ -145,12 +143,10 @@ Vector start_around(const ParameterSpace& space, const Vector& x, double spread,
 
 Fit fit(Problem& problem, const Vector& start, const FitOptions& options) {
     Fit out;
-    int iterations = 0;
     bool going = true;
-    FitOptions watched = options;
-    watched.progress = [&](int count) {
-        going = !options.progress || options.progress(count);
-        return going;
+    const auto goes_on = [&] {
+        const auto ended = static_cast<int>(out.descents.size());
+        return going = !options.progress || options.progress(ended);
     };
     out.sum = INFINITY;
     // Where a start cannot be computed, one nearer to the first takes its place.
@@ -159,7 +155,7 @@ Fit fit(Problem& problem, const Vector& start, const FitOptions& options) {
         Vector from = i == 0 ? start : start_around(problem.space(), start, spread, i);
         for (int nearer = 0; i > 0 && nearer < 6 && !problem.residuals(from, true); ++nearer)
             from = start_around(problem.space(), start, spread *= 0.5, i);
-        out.descents.push_back(descend(problem, from, watched, iterations));
+        out.descents.push_back(descend(problem, from, options, goes_on));
         if (!(out.descents.back().sum < out.sum)) continue;
         out.sum = out.descents.back().sum;
         out.best = out.descents.size() - 1;

@@ -12,7 +12,7 @@ struct FitOptions {
     int starts = 5;       // the first is the one given, the others lie around it
     double spread = 0.3;  // +- of a value
     int iteration_limit = 200;
-    // After each iteration: those so far. Returning false stops the fit.
+    // After each iteration: the starts that have come to their end. Returning false stops the fit.
     std::function<bool(int)> progress;
 };
 

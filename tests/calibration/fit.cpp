@@ -114,4 +114,26 @@ TEST(Ensemble, OfANearlyLinearProblemHasItsSpread) {
     EXPECT_TRUE(samples[0] == samples[1]);
 }
 
+// Also while it computes what it will leave out.
+TEST(Ensemble, EndsWithoutSamplesWhenItIsAskedTo) {
+    const ParameterSpace space = hardness_and_exponent();
+    Problem problem(space, {noisy(0.0005, 3)}, {}, 1);
+    const Fit best = fit(problem, space.coordinates(space.base), {});
+    const Laplace around = laplace(problem, best.residuals, false);
+    for (const int steps : {1, 40}) {
+        SampleOptions options;
+        options.samples = 6000;
+        options.burn_in = 0.5;
+        int left = steps;
+        options.progress = [&left](long done, long all) {
+            EXPECT_LE(done, all);
+            return --left > 0;
+        };
+        const Posterior found = sample(problem, best.x, around, options);
+        EXPECT_TRUE(found.stopped);
+        EXPECT_EQ(found.samples.rows(), 0);
+        EXPECT_EQ(left, 0);
+    }
+}
+
 }  // namespace

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // grit calibrate from sheets to a sand that other commands read.
+#include <cctype>
 #include <cmath>
 #include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "book.hpp"
 #include "laboratory.hpp"
 
 namespace {
@@ -135,6 +137,65 @@ TEST(Calibrate, ReadsTheSheetsOfOtherCountriesAndUnits) {
         sand[foreign] = here.text("out/x_sand.toml");
     }
     EXPECT_EQ(sand[0], sand[1]);
+}
+
+// The rows of a sheet as cells of a workbook.
+std::string worksheet(const std::string& sheet) {
+    std::string out = "<worksheet><sheetData><row r=\"1\"><c r=\"A1\" t=\"inlineStr\"><is><t>"
+                      "Oedometer 1</t></is></c></row>";
+    std::istringstream lines(sheet);
+    int row = 3;
+    for (std::string line; std::getline(lines, line); ++row) {
+        out += "<row r=\"" + std::to_string(row) + "\">";
+        std::istringstream cells(line);
+        char column = 'B';
+        for (std::string cell; std::getline(cells, cell, ','); ++column) {
+            const bool number = !cell.empty() && std::isdigit(cell[0]) != 0;
+            out += std::string("<c r=\"") + column + std::to_string(row) + "\"" +
+                   (number ? "><v>" + cell + "</v></c>"
+                           : " t=\"inlineStr\"><is><t>" + cell + "</t></is></c>");
+        }
+        out += "</row>";
+    }
+    return out + "</sheetData></worksheet>";
+}
+
+TEST(Calibrate, ReadsASheetOfAWorkbookAsItReadsTheSameCsv) {
+    const Workplace here;
+    const Answer from_csv = calibrate(here, oedometer_case(), oedometer_sheet());
+    ASSERT_EQ(from_csv.status, 0) << from_csv.text;
+    const Book book(
+        {{"xl/workbook.xml", "<workbook xmlns:r=\"x\"><sheets><sheet name=\"Deckblatt\" "
+                             "r:id=\"a\"/><sheet name=\"OED 1\" r:id=\"b\"/></sheets>"
+                             "</workbook>"},
+         {"xl/_rels/workbook.xml.rels",
+          "<Relationships><Relationship Id=\"a\" Target=\"worksheets/a.xml\"/>"
+          "<Relationship Id=\"b\" Target=\"worksheets/b.xml\"/></Relationships>"},
+         {"xl/worksheets/a.xml", "<worksheet><sheetData/></worksheet>"},
+         {"xl/worksheets/b.xml", worksheet(oedometer_sheet())}},
+        here.path("lab.xlsx"));
+    std::string text = oedometer_case(oedometer_columns, "sheet = \"OED 1\"\nheader_line = 3\n");
+    text.replace(text.find("lab.csv"), 7, "lab.xlsx");
+    here.write("x.toml", text);
+    const Answer from_book = here.grit("calibrate x.toml --out book");
+    ASSERT_EQ(from_book.status, 0) << from_book.text;
+    std::string expected = here.text("out/x_sand.toml");
+    expected.replace(expected.find("lab.csv"), 7, "lab.xlsx");
+    EXPECT_EQ(here.text("book/x_sand.toml"), expected);
+}
+
+TEST(Calibrate, KeepsTheBestFitWhenSamplingIsInterrupted) {
+    const Workplace here;
+    here.write("lab.csv", oedometer_sheet());
+    here.write("x.toml", oedometer_case());
+    const Answer answer =
+        here.grit("calibrate x.toml --out out --samples 10000000 > log 2>&1 & of=$!; "
+                  "for i in $(seq 600); do grep -q 'best fit' log && break; sleep 0.1; done; "
+                  "kill -INT $of; wait $of; status=$?; cat log; exit $status");
+    EXPECT_EQ(answer.status, 1) << answer.text;
+    EXPECT_TRUE(answer.says("sampling was stopped on request: intervals are those of a normal"))
+        << answer.text;
+    EXPECT_EQ(here.files("out"), (std::set<std::string>{"x_report.html", "x_sand.toml"}));
 }
 
 // The rows of tests that are held out: the last number is the error over that of the published set.

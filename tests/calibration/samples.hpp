@@ -36,7 +36,7 @@ inline calibration::Experiment oedometer(double void_ratio, bool at_zero_pressur
     calibration::Experiment out;
     out.name = "oedometer";
     out.kind = "oedometer";
-    out.driver = "axial_stress_kPa";
+    out.driver = "stress_11";
     out.start.stress[0] = -10.0;
     out.start.direction = -element::Vector6::Unit(0);
     out.start.void_ratio = void_ratio;

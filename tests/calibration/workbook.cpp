@@ -2,36 +2,13 @@
 // Workbooks as spreadsheet programs write them.
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
-#include <map>
-#include <zip.h>
-
 #include "cli/process/exit_code.hpp"
 #include "cli/table/sheet.hpp"
 #include "cli/table/workbook.hpp"
 
+#include "book.hpp"
+
 namespace {
-
-namespace fs = std::filesystem;
-
-using Parts = std::map<std::string, std::string>;
-
-class Book {
-  public:
-    explicit Book(const Parts& parts)
-        : path(fs::temp_directory_path() /
-               ("grit_workbook_" + std::to_string(getpid()) + ".xlsx")) {
-        fs::remove(path);
-        zip_t* zip = zip_open(path.c_str(), ZIP_CREATE, nullptr);
-        for (const auto& [name, text] : parts)
-            zip_file_add(zip, name.c_str(), zip_source_buffer(zip, text.data(), text.size(), 0), 0);
-        EXPECT_EQ(zip_close(zip), 0);
-    }
-    ~Book() { fs::remove(path); }
-
-    const fs::path path;
-};
 
 Parts usual() {
     return {
