@@ -12,6 +12,7 @@
 #include "cli/calibrate/advice.hpp"
 #include "cli/calibrate/calibration_case.hpp"
 #include "cli/calibrate/calibration_result.hpp"
+#include "cli/calibrate/doubts.hpp"
 #include "cli/calibrate/misfit.hpp"
 #include "cli/calibrate/report_page.hpp"
 #include "cli/process/abnormal_end.hpp"
@@ -117,6 +118,7 @@ void say_parameters(const CalibrationCase& file, const CalibrationResult& result
             low = number_in_unit(info, interval.lowest);
             high = number_in_unit(info, interval.highest);
             if (!result.laplace.determines(*place)) note += "; not determined";
+            else if (interval.ends_at_bound) note += "; open to its bound";
         } else if (!tied) {
             note = "fixed";
         }
@@ -166,8 +168,8 @@ void say_misfits(const CalibrationCase& file, const CalibrationResult& result) {
         "tests", "this sand", "of largest",
         beside ? fmt::format(" {:>12} {:>10}  {}", file.beside, "of largest", "ratio")
                : std::string());
-    for (std::size_t i = 0; i < result.misfits.size(); ++i) {
-        const Misfit& one = result.misfits[i];
+    for (std::size_t i = 0; i < result.misfits.by_kind.size(); ++i) {
+        const Misfit& one = result.misfits.by_kind[i];
         const bool all = one.quantity.empty();
         const auto numbers = [&](const Misfit& each) {
             if (each.tests == 0) return fmt::format(" {:>12} {:>10}", "fails", "");
@@ -177,7 +179,7 @@ void say_misfits(const CalibrationCase& file, const CalibrationResult& result) {
         };
         std::string other;
         if (beside) {
-            const Misfit& two = result.beside[i];
+            const Misfit& two = result.beside.by_kind[i];
             other =
                 numbers(two) + fmt::format("  {:.3f}", one.root_mean_square / two.root_mean_square);
         }
@@ -225,6 +227,8 @@ ExitCode run_calibration(const CalibrateRequest& request) {
                             ? request.threads
                             : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     const RunGuard guard(file.name + ": Grit");
+    for (std::string& each : doubts_about_units(file, threads))
+        file.doubts.push_back(std::move(each));
     if (!request.quiet) say_tests(file);
     flush_words();
 
@@ -270,6 +274,7 @@ ExitCode run_calibration(const CalibrateRequest& request) {
     if (!file.beside.empty())
         result.beside = misfits(file.experiments, file.beside_parameters, threads);
     result.advice = advice(file.space, result.laplace);
+    result.doubts = doubts(file, result);
 
     const std::vector<NextTest> next = next_tests(file, result, threads);
     write_report_page(report_of(request, file), file, result,
@@ -280,6 +285,7 @@ ExitCode run_calibration(const CalibrateRequest& request) {
     say_parameters(file, result);
     say_misfits(file, result);
     say("\n");
+    for (const std::string& sentence : result.doubts) say("look: {}\n", sentence);
     for (const std::string& sentence : result.advice) say("{}\n", sentence);
     if (!next.empty()) say("most would be learnt from a further {}\n", next.front().name);
     say("-> {}, {}\n", sand_of(request, file).string(), report_of(request, file).string());

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 #include <fmt/format.h>
@@ -137,6 +138,7 @@ calibration::IndexTests read_index_tests(TomlTable& root, CalibrationCase& out) 
         {"largest_void_ratio", "largest_void_ratio_error", "e_c0", 1.0,
          &calibration::IndexTests::largest_void_ratio},
     };
+    std::string without_error;
     for (const IndexKeys& key : keys) {
         if (table->has(key.error) && !table->has(key.value))
             table->fail(key.error, fmt::format("{} is that of {}, which is missing",
@@ -150,9 +152,16 @@ calibration::IndexTests read_index_tests(TomlTable& root, CalibrationCase& out) 
                                                table->full(key.value), info.lowest / key.size,
                                                info.highest / key.size, value / key.size));
         index.*key.place = value;
-        if (table->has(key.error))
+        if (!table->has(key.error))
+            without_error += (without_error.empty() ? "" : ", ") + std::string(key.error);
+        else
             out.direct.push_back({parameter, value, table->positive_or(key.error, 1.0) * key.size});
     }
+    if (!without_error.empty())
+        out.doubts.push_back(
+            fmt::format("the fit starts at the index tests, and no more: with {} they are "
+                        "measurements as the others are",
+                        without_error));
     table->finish();
     if (index.least_void_ratio && index.largest_void_ratio &&
         !(*index.least_void_ratio < *index.largest_void_ratio))
@@ -164,7 +173,7 @@ void check_name(const TomlTable& table, const std::string& name) {
     for (const char c : name)
         if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-' && c != '.')
             table.fail("name", fmt::format("name: a case may be named with letters, digits, _ - . "
-                                           "only, got \"{}\"",
+                                           "only, got \"{}\": give it a name = \"...\"",
                                            name));
     if (name.empty() || name.front() == '.') table.fail("name", "name: a case needs a name");
 }
@@ -259,12 +268,18 @@ CalibrationCase read_calibration_case(const std::filesystem::path& path) {
     fit.finish();
     const calibration::IndexTests index = read_index_tests(root, out);
     std::set<std::string> names;
-    for (TomlTable& test : root.tables_if("test"))
-        for (calibration::Experiment& each : read_tests(std::move(test), defaults, out.inputs)) {
+    for (TomlTable& test : root.tables_if("test")) {
+        LaboratoryTests tests = read_tests(std::move(test), defaults, out.inputs);
+        for (const calibration::Experiment& each : tests.experiments)
             if (!names.insert(each.name).second)
-                root.fail("test", fmt::format("test: two tests are called \"{}\"", each.name));
-            out.experiments.push_back(std::move(each));
-        }
+                root.fail("test", fmt::format("test: two tests are called \"{}\": say by fit and "
+                                              "check which of a sheet are meant",
+                                              each.name));
+        std::move(tests.experiments.begin(), tests.experiments.end(),
+                  std::back_inserter(out.experiments));
+        out.sources.insert(out.sources.end(), tests.sources.begin(), tests.sources.end());
+        out.doubts.insert(out.doubts.end(), tests.doubts.begin(), tests.doubts.end());
+    }
     if (std::none_of(out.experiments.begin(), out.experiments.end(),
                      [](const calibration::Experiment& each) { return each.fitted; }))
         root.fail("test", "test: a calibration needs a [[test]] that is fitted");

@@ -20,6 +20,8 @@ struct CalibrationCase {
     std::string title;  // for people
     calibration::ParameterSpace space;
     std::vector<calibration::Experiment> experiments;
+    std::vector<std::string> sources;          // of each: file, sheet, rows
+    std::vector<std::string> doubts;           // about what was read, sentences
     std::vector<calibration::Direct> direct;   // measured by themselves, with an error
     std::vector<calibration::Estimate> start;  // of every parameter, and where it comes from
     std::string loss = "squares";

@@ -4,6 +4,20 @@
 #include <algorithm>
 
 namespace cli {
+namespace {
+
+// Void ratios in their order.
+void limit_by_order(int index, const grit_sand_parameters& best, double& lowest, double& highest) {
+    const std::string symbol = calibration::symbol_of(index);
+    if (symbol == "e_d0") highest = std::min(highest, best.critical_void_ratio);
+    if (symbol == "e_c0") {
+        lowest = std::max(lowest, best.densest_void_ratio);
+        highest = std::min(highest, best.loosest_void_ratio);
+    }
+    if (symbol == "e_i0") lowest = std::max(lowest, best.critical_void_ratio);
+}
+
+}  // namespace
 
 std::vector<ParameterInterval> intervals(const calibration::ParameterSpace& space,
                                          const CalibrationResult& result) {
@@ -16,8 +30,15 @@ std::vector<ParameterInterval> intervals(const calibration::ParameterSpace& spac
     std::vector<ParameterInterval> out;
     for (Eigen::Index k = 0; k < space.size(); ++k) {
         const calibration::FreeParameter& each = space.free[static_cast<std::size_t>(k)];
-        out.push_back({std::max(each.lowest, each.value(low[k])),
-                       std::min(each.highest, each.value(high[k]))});
+        double lowest = each.lowest, highest = each.highest;
+        if (!result.posterior) limit_by_order(each.index, result.best, lowest, highest);
+        ParameterInterval one{std::max(lowest, each.value(low[k])),
+                              std::min(highest, each.value(high[k])), false};
+        const double least = each.coordinate(each.lowest), most = each.coordinate(each.highest);
+        const double near = 0.01 * (most - least);
+        one.ends_at_bound = each.coordinate(one.lowest) < least + near ||
+                            each.coordinate(one.highest) > most - near;
+        out.push_back(one);
     }
     return out;
 }

@@ -15,6 +15,7 @@ namespace cli {
 // 95 %, in the units of the library.
 struct ParameterInterval {
     double lowest = 0.0, highest = 0.0;
+    bool ends_at_bound = false;  // on one side at least: the bounds, not the tests, say how far
 };
 
 struct CalibrationResult {
@@ -24,8 +25,8 @@ struct CalibrationResult {
     calibration::Laplace laplace;
     std::optional<calibration::Posterior> posterior;
     std::vector<ParameterInterval> intervals;  // of the free parameters
-    std::vector<Misfit> misfits, beside;
-    std::vector<std::string> advice;
+    Misfits misfits, beside;
+    std::vector<std::string> advice, doubts;
     double fit_seconds = 0.0, posterior_seconds = 0.0;
     double fit_processor_seconds = 0.0, posterior_processor_seconds = 0.0;  // of all threads
 };
@@ -33,7 +34,8 @@ struct CalibrationResult {
 // Of the standard normal distribution: 95 % of it lie within as much on both sides.
 inline constexpr double normal_quantile_975 = 1.959963984540054;
 
-// From the samples of the posterior, if there are any; otherwise normal at the best fit, within the bounds.
+// From the samples of the posterior, if there are any; otherwise normal at the best fit, within the bounds and
+// e_d0 < e_c0 < e_i0 of the others at their best.
 std::vector<ParameterInterval> intervals(const calibration::ParameterSpace& space,
                                          const CalibrationResult& result);
 

@@ -23,6 +23,8 @@ constexpr LaboratoryUnit units[] = {
     {"permille", "-", 1e-3}, {"kPa", "kPa", 1.0},         {"Pa", "kPa", 1e-3},
     {"MPa", "kPa", 1e3},     {"bar", "kPa", 100.0},       {"kN/m2", "kPa", 1.0},
     {"N/mm2", "kPa", 1e3},   {"kgf/cm2", "kPa", 98.0665}, {"psi", "kPa", 6.894757293168},
+    {"kN/m²", "kPa", 1.0},   {"N/mm²", "kPa", 1e3},       {"MN/m2", "kPa", 1e3},
+    {"MN/m²", "kPa", 1e3},
 };
 
 const LaboratoryUnit* find_unit(const std::string& name) {
@@ -60,25 +62,41 @@ bool has_sign(const std::string& quantity) {
     return false;
 }
 
-std::size_t place_of(TomlTable& table, const std::vector<std::string>& header) {
+using Where = std::function<std::string(const std::string&)>;
+
+std::size_t place_of(TomlTable& table, const std::vector<std::string>& header, const Where& where) {
     const std::string name = table.string("column");
     const auto count = std::count(header.begin(), header.end(), name);
     if (count > 1)
-        table.fail("column", fmt::format("{}: the sheet has {} columns \"{}\"",
+        table.fail("column", fmt::format("{}: the sheet has {} columns \"{}\", or merged cells: "
+                                         "rename one in the sheet",
                                          table.full("column"), count, name));
     if (count == 0)
         table.fail("column",
-                   fmt::format("{}: the sheet has no column \"{}\"{}", table.full("column"), name,
-                               element::suggestion(name, header)));
+                   fmt::format("{}: the sheet has no column \"{}\"{}{}", table.full("column"), name,
+                               element::suggestion(name, header), where(name)));
     return static_cast<std::size_t>(std::find(header.begin(), header.end(), name) - header.begin());
 }
 
 const LaboratoryUnit& read_unit(TomlTable& table, const std::string& column,
                                 const std::string& unit) {
-    const bool given = table.has("unit");
-    if (given) return *find_unit(table.choice("unit", units_of(unit)));
-    const LaboratoryUnit* found = find_unit(unit_in(column));
-    if (found && unit == found->of) return *found;
+    const std::string said = unit_in(column);
+    const LaboratoryUnit* found = find_unit(said);
+    if (found && unit != found->of) found = nullptr;
+    if (table.has("unit")) {
+        const LaboratoryUnit& given = *find_unit(table.choice("unit", units_of(unit)));
+        if (found && found->name != std::string("-") && found->size != given.size)
+            table.fail("unit", fmt::format("{} is \"{}\", and the header says \"{}\": rename the "
+                                           "column in the sheet if that is wrong",
+                                           table.full("unit"), given.name, found->name));
+        return given;
+    }
+    if (found) return *found;
+    for (const char* length : {"mm", "cm", "m"})
+        if (said == length)
+            table.fail("column", fmt::format("{}: \"{}\" is a length: give a column that is a "
+                                             "strain, its share of the sample's height",
+                                             table.full("column"), column));
     if (unit == "-" && table.full("").ends_with("void_ratio")) return units[0];
     std::string known;
     for (const std::string& each : units_of(unit))
@@ -89,11 +107,11 @@ const LaboratoryUnit& read_unit(TomlTable& table, const std::string& column,
 }
 
 LaboratoryColumn read_column(TomlTable table, const std::string& quantity, const std::string& unit,
-                             const std::vector<std::string>& header) {
+                             const std::vector<std::string>& header, const Where& where) {
     LaboratoryColumn out;
     out.quantity = quantity;
     out.unit = unit;
-    out.place = place_of(table, header);
+    out.place = place_of(table, header, where);
     out.name = header[out.place];
     const LaboratoryUnit& theirs = read_unit(table, out.name, unit);
     out.factor = theirs.size;
@@ -111,6 +129,11 @@ LaboratoryColumn read_column(TomlTable table, const std::string& quantity, const
                                    table.full("relative_error"), out.relative_error));
     }
     out.may_be_empty = table.boolean_or("may_be_empty", false);
+    if (out.is_change() && table.has("zero")) {
+        out.zero = out.value(table.number("zero"));
+        if (!out.zero)
+            table.fail("zero", fmt::format("{} leaves nothing of the sample", table.full("zero")));
+    }
     table.finish();
     return out;
 }
@@ -124,19 +147,23 @@ std::optional<double> LaboratoryColumn::value(double theirs) const {
     return std::log1p(value);
 }
 
+bool LaboratoryColumn::is_change() const {
+    return quantity == "pore_pressure" || (unit == "-" && quantity != "void_ratio");
+}
+
 double LaboratoryColumn::deviation(double value) const {
     return std::hypot(error, relative_error * value);
 }
 
 std::vector<LaboratoryColumn> read_columns(TomlTable table, const std::vector<std::string>& header,
-                                           bool shear) {
+                                           const Where& where, bool shear) {
     std::vector<LaboratoryColumn> out;
     std::vector<std::string> known;
     for (const Column& column : linear_columns()) {
         known.push_back(column.name);
         if (shear && column.name == "axial_strain") continue;
         if (auto inner = table.table_if(column.name))
-            out.push_back(read_column(std::move(*inner), column.name, column.unit, header));
+            out.push_back(read_column(std::move(*inner), column.name, column.unit, header, where));
     }
     table.finish();
     if (out.empty())

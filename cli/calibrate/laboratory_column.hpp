@@ -2,6 +2,8 @@
 // A column of a laboratory's sheet: which of Grit's it is, in which unit and sign, and how exact.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,15 +20,20 @@ struct LaboratoryColumn {
     double error = 0.0;  // standard deviation in Grit's unit, 0 and no relative one: not compared
     double relative_error = 0.0;
     bool may_be_empty = false;
+    std::optional<double> zero;  // of strains and pore pressure: Grit's, where the test starts
 
+    // Counts from where the test starts.
+    bool is_change() const;
     bool compared() const { return error > 0.0 || relative_error > 0.0; }
     // Of Grit, or nothing where an engineering strain is -1 or less.
     std::optional<double> value(double theirs) const;
     double deviation(double value) const;  // of a value of Grit
 };
 
-// [columns] of a test, a table for each quantity that the sheet has. Throws BadInput.
-std::vector<LaboratoryColumn> read_columns(TomlTable table, const std::vector<std::string>& header,
-                                           bool shear);
+// [columns] of a test, a table for each quantity that the sheet has. where: words about a column that the header has
+// not. Throws BadInput.
+std::vector<LaboratoryColumn>
+read_columns(TomlTable table, const std::vector<std::string>& header,
+             const std::function<std::string(const std::string&)>& where, bool shear);
 
 }  // namespace cli

@@ -65,22 +65,51 @@ void add(std::vector<Sum>& sums, const calibration::Experiment& test,
     }
 }
 
+TestMisfit of_test(const calibration::Experiment& test, const calibration::Prediction& computed) {
+    TestMisfit out;
+    if (!computed.failure.empty()) {
+        out.root_mean_square = out.worst = NAN;
+        return out;
+    }
+    std::vector<double> squares(test.channels.size(), 0.0), counts(test.channels.size(), 0.0);
+    double all = 0.0;
+    for (std::size_t i = 0; i < test.readings.size(); ++i) {
+        const calibration::Reading& each = test.readings[i];
+        const double off =
+            (computed.values[static_cast<Eigen::Index>(i)] - each.value) / each.error;
+        squares[static_cast<std::size_t>(each.channel)] += off * off;
+        counts[static_cast<std::size_t>(each.channel)] += 1.0;
+        all += off * off;
+    }
+    out.root_mean_square = std::sqrt(all / static_cast<double>(test.readings.size()));
+    for (std::size_t c = 0; c < squares.size(); ++c) {
+        const double off = std::sqrt(squares[c] / std::max(counts[c], 1.0));
+        if (off < out.worst) continue;
+        out.worst = off;
+        out.quantity = test.channels[c].name;
+    }
+    return out;
+}
+
 }  // namespace
 
-std::vector<Misfit> misfits(const std::vector<calibration::Experiment>& tests,
-                            const grit_sand_parameters& sand, int threads) {
+Misfits misfits(const std::vector<calibration::Experiment>& tests, const grit_sand_parameters& sand,
+                int threads) {
     std::vector<calibration::Prediction> computed(tests.size());
     calibration::in_parallel(threads, tests.size(), [&](std::size_t i) {
         computed[i] = calibration::predict(tests[i], sand);
     });
+    Misfits out;
     std::vector<Sum> sums;
-    for (std::size_t i = 0; i < tests.size(); ++i) add(sums, tests[i], computed[i]);
-    std::vector<Misfit> out;
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+        add(sums, tests[i], computed[i]);
+        out.by_test.push_back(of_test(tests[i], computed[i]));
+    }
     for (Sum& each : sums) {
         const auto count = static_cast<double>(each.count);
         each.row.root_mean_square = std::sqrt(each.squares / count);
         each.row.relative = std::sqrt(each.relative_squares / count);
-        out.push_back(each.row);
+        out.by_kind.push_back(each.row);
     }
     return out;
 }

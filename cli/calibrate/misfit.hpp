@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far a sand is from what was measured, by kind of test and quantity.
+// How far a sand is from what was measured, by kind of test and quantity, and test by test.
 #pragma once
 
 #include <string>
@@ -17,8 +17,20 @@ struct Misfit {
     double relative = 0.0;  // each over the largest of its test
 };
 
-// A row per kind, quantity and whether they were fitted, in the order of the tests.
-std::vector<Misfit> misfits(const std::vector<calibration::Experiment>& tests,
-                            const grit_sand_parameters& sand, int threads);
+// Of one test: each reading over its error.
+struct TestMisfit {
+    double root_mean_square = 0.0;  // NaN: it cannot be computed with this sand
+    double worst = 0.0;             // of one quantity
+    std::string quantity;           // that it is
+};
+
+struct Misfits {
+    std::vector<Misfit>
+        by_kind;  // and quantity, and whether they were fitted, in the order of the tests
+    std::vector<TestMisfit> by_test;  // in their order
+};
+
+Misfits misfits(const std::vector<calibration::Experiment>& tests, const grit_sand_parameters& sand,
+                int threads);
 
 }  // namespace cli

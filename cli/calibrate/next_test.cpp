@@ -105,14 +105,15 @@ Experiment experiment_of(const Plan& plan, const CalibrationCase& file,
     return out;
 }
 
-std::string name_of(const Plan& plan, double density) {
-    const char* sand = density > 0.5 ? "dense" : "loose";
+std::string name_of(const Plan& plan, double density, double e) {
+    const std::string sand =
+        fmt::format("{} sand, e = {:.2f},", density > 0.5 ? "dense" : "loose", e);
     const std::string test = plan.test;
     if (test == "oedometer")
-        return fmt::format("oedometer test of {} sand to {:g} kPa", sand, -plan.last);
+        return fmt::format("oedometer test of {} to {:g} kPa", sand, -plan.last);
     if (test == "isotropic")
-        return fmt::format("isotropic compression of {} sand to {:g} kPa", sand, plan.last);
-    return fmt::format("{} triaxial test of {} sand at {:g} kPa",
+        return fmt::format("isotropic compression of {} to {:g} kPa", sand, plan.last);
+    return fmt::format("{} triaxial test of {} at {:g} kPa",
                        test == "triaxial_drained" ? "drained" : "undrained", sand, plan.pressure);
 }
 
@@ -151,7 +152,7 @@ std::vector<NextTest> next_tests(const CalibrationCase& file, const CalibrationR
         }
         const Matrix after = (information + slopes.transpose() * slopes).inverse();
         NextTest& out = found[i];
-        out.name = name_of(*each.plan, each.density);
+        out.name = name_of(*each.plan, each.density, test.start.void_ratio);
         const Vector gain = result.laplace.deviation.cwiseQuotient(after.diagonal().cwiseSqrt());
         Eigen::Index most = 0;
         gain.maxCoeff(&most);

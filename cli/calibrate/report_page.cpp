@@ -20,7 +20,7 @@ using calibration::Experiment;
 constexpr const char* style =
     "body{font-family:sans-serif;max-width:1040px;margin:24px auto;padding:0 12px;color:#222}"
     "table{border-collapse:collapse;margin:8px 0}td,th{padding:3px 10px;border-bottom:1px solid "
-    "#ddd;text-align:right}td:first-child,th:first-child,td.l{text-align:left}svg{font:11px "
+    "#ddd;text-align:right}td:first-child,th:first-child,td.l,th.l{text-align:left}svg{font:11px "
     "sans-serif;margin:2px}.bad{color:#b03000}p{max-width:760px;line-height:1.4}";
 
 std::string in_unit(int index, double value) {
@@ -43,6 +43,8 @@ std::string parameter_table(const CalibrationCase& file, const CalibrationResult
             high = in_unit(i, interval.highest);
             if (!result.laplace.determines(*place))
                 note += " <span class=\"bad\">not determined by these tests</span>";
+            else if (interval.ends_at_bound)
+                note += " <span class=\"bad\">open to its bound</span>";
         } else if (std::none_of(file.space.ties.begin(), file.space.ties.end(),
                                 [i](const calibration::Tie& tie) { return tie.index == i; })) {
             note = "fixed";
@@ -62,8 +64,8 @@ std::string misfit_table(const CalibrationCase& file, const CalibrationResult& r
         "sand</th>" +
         (beside ? fmt::format("<th>{}</th><th>ratio</th>", escaped(file.beside)) : std::string()) +
         "</tr>\n";
-    for (std::size_t i = 0; i < result.misfits.size(); ++i) {
-        const Misfit& one = result.misfits[i];
+    for (std::size_t i = 0; i < result.misfits.by_kind.size(); ++i) {
+        const Misfit& one = result.misfits.by_kind[i];
         const auto number = [](const Misfit& each) {
             return each.tests > 0 ? fmt::format("{:.4g}", each.root_mean_square) : "fails";
         };
@@ -72,9 +74,32 @@ std::string misfit_table(const CalibrationCase& file, const CalibrationResult& r
             one.quantity.empty() ? "all, over their errors" : one.quantity + " [" + one.unit + "]",
             one.fitted ? "fitted" : "held out", one.tests + one.failed, number(one));
         if (beside)
-            out += fmt::format("<td>{}</td><td>{:.3f}</td>", number(result.beside[i]),
-                               one.root_mean_square / result.beside[i].root_mean_square);
+            out += fmt::format("<td>{}</td><td>{:.3f}</td>", number(result.beside.by_kind[i]),
+                               one.root_mean_square / result.beside.by_kind[i].root_mean_square);
         out += "</tr>\n";
+    }
+    return out + "</table>\n";
+}
+
+// Which tests there are, what of them was used, and how far the sand is from each.
+std::string test_table(const CalibrationCase& file, const CalibrationResult& result) {
+    std::string out =
+        "<table><tr><th>test</th><th class=\"l\">kind</th><th></th><th class=\"l\">from</th>"
+        "<th>start p [kPa]</th><th>e</th><th>errors off</th><th class=\"l\">most</th></tr>\n";
+    for (std::size_t i = 0; i < file.experiments.size(); ++i) {
+        const Experiment& test = file.experiments[i];
+        const TestMisfit& misfit = result.misfits.by_test[i];
+        const double p =
+            -(test.at_rest ? test.start.stress[0] : test.start.stress.head<3>().sum() / 3.0);
+        out += fmt::format(
+            "<tr><td>{}</td><td class=\"l\">{}</td><td>{}</td><td class=\"l\">{}</td>"
+            "<td>{:.4g}{}</td><td>{:.4g}{}</td><td>{}</td><td class=\"l\">{}</td></tr>\n",
+            escaped(test.name), test.kind, test.fitted ? "fitted" : "held out",
+            escaped(file.sources[i]), p, test.at_rest ? " axial" : "", test.start.void_ratio,
+            test.at_zero_pressure ? " at p = 0" : "",
+            std::isnan(misfit.root_mean_square) ? "fails"
+                                                : fmt::format("{:.2f}", misfit.root_mean_square),
+            misfit.quantity);
     }
     return out + "</table>\n";
 }
@@ -186,9 +211,10 @@ std::string charts(const CalibrationCase& file, const std::vector<Band>& bands) 
 }
 
 std::string next_table(const std::vector<NextTest>& next) {
-    std::string out = "<table><tr><th>a test that nobody has made yet</th><th>information "
-                      "[nats]</th><th>gains most</th><th>standard deviation now</th><th>then</th>"
-                      "</tr>\n";
+    std::string out =
+        "<table><tr><th>a test that nobody has made yet</th><th>information "
+        "[nats]</th><th>gains most</th><th>its standard deviation now</th><th>then</th>"
+        "</tr>\n";
     for (const NextTest& each : next)
         out += fmt::format("<tr><td>{}</td><td>{:.2f}</td><td>{}</td><td>{:.2g} %</td><td>{:.2g} "
                            "%</td></tr>\n",
@@ -223,6 +249,12 @@ void write_report_page(const std::filesystem::path& path, const CalibrationCase&
         "<p>Parameters of a hypoplastic sand, found by <code>grit calibrate {}</code> (Grit "
         "{}).</p>\n",
         escaped(file.path.filename().string()), version()));
+    if (!result.doubts.empty()) {
+        page.write("<h2>Look at this first</h2>\n<ul>\n");
+        for (const std::string& each : result.doubts)
+            page.write(fmt::format("<li class=\"bad\">{}</li>\n", escaped(each)));
+        page.write("</ul>\n");
+    }
     page.write("<h2>Parameters</h2>\n" + parameter_table(file, result) + sampling(result));
     page.write(fmt::format(
         "<p>Misfit: &chi;&sup2; over the degrees of freedom is {:.3g}. {}</p>\n",
@@ -232,19 +264,32 @@ void write_report_page(const std::filesystem::path& path, const CalibrationCase&
                           "tests, are not as exact as stated, and intervals are as much wider.",
                           result.laplace.inflation)
             : std::string("Residuals are as large as the stated errors or smaller.")));
-    page.write("<h2>How far from the tests</h2>\n" + misfit_table(file, result));
+    page.write(fmt::format(
+        "<p>{} of {} starts end at this best fit. The sand stands in <code>{}</code>: "
+        "<code>grit element --sand FILE</code> and <code>grit mpm --sand FILE</code> "
+        "compute with it, <code>grit sand show FILE</code> shows it for other programs.</p>\n",
+        result.fit.agreeing, result.fit.descents.size(), escaped(file.name + "_sand.toml")));
+    page.write("<h2>How far from the tests</h2>\n<p>Root mean squares of the difference.</p>\n" +
+               misfit_table(file, result) + test_table(file, result));
     page.write("<h2>Which parameters go together</h2>\n<p>Correlation: red, one may be larger if "
-               "the other is; blue, if the other is smaller. Below the diagonal, samples.</p>\n" +
+               "the other is; blue, if the other is smaller." +
+               std::string(result.posterior ? " Below the diagonal, samples." : "") + "</p>\n" +
                correlation_picture(file, result));
     page.write("<h2>What to measure next</h2>\n");
     for (const std::string& sentence : result.advice)
         page.write("<p>" + escaped(sentence) + ".</p>\n");
-    page.write(next_table(next));
-    page.write(
-        "<h2>Measured and computed</h2>\n<p>Circles are measured, the line is computed with "
-        "the best parameters. 95 % of what the parameters may be lies in the darker band, of "
-        "measurements with their errors in the lighter one.</p>\n" +
-        charts(file, bands));
+    if (!next.empty())
+        page.write("<p>What a further test would add, most first: information in nats is the "
+                   "logarithm of how "
+                   "many times smaller the volume of parameters becomes that the tests allow (0.7 "
+                   "halves it); "
+                   "beside it the parameter that gains most, and its standard deviation.</p>\n" +
+                   next_table(next));
+    page.write("<h2>Measured and computed</h2>\n<p>Circles are measured, the line is computed with "
+               "the best parameters; strains are logarithmic. 95 % of what the parameters may be "
+               "lies in the darker band, of "
+               "measurements with their errors in the lighter one.</p>\n" +
+               charts(file, bands));
     page.write("</body></html>\n");
     page.complete();
 }

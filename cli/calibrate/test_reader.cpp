@@ -13,6 +13,7 @@
 #include "cli/element/stage_reader.hpp"
 #include "cli/process/exit_code.hpp"
 #include "cli/table/sheet.hpp"
+#include "cli/table/workbook.hpp"
 #include "element/check.hpp"
 #include "element/errors.hpp"
 #include "element/nearest.hpp"
@@ -59,6 +60,11 @@ struct TestTable {
     Driver driver;
     std::vector<LaboratoryColumn> columns;
 
+    // As the sheet has it.
+    const std::string& cell(const Rows& rows, std::size_t row, std::size_t column) const {
+        return sheet.cells.rows[rows.of_sheet[row]][columns[column].place];
+    }
+
     // Place among the columns.
     std::optional<std::size_t> find(const std::string& quantity) const {
         for (std::size_t i = 0; i < columns.size(); ++i)
@@ -72,12 +78,19 @@ Sheet read_sheet_of(TomlTable& table, std::vector<std::filesystem::path>& inputs
     out.path = table.folder() / table.string("file");
     out.format.sheet = table.string_if("sheet").value_or("");
     out.format.header_line = table.integer_or("header_line", 0, 1, 1000000);
+    out.format.first_line = table.integer_or("first_line", 0, 1, 1000000);
+    out.format.last_line = table.integer_or("last_line", 0, 1, 1000000);
+    const char* const stranger = is_workbook(out.path) ? "separator" : "sheet";
+    if (table.has(stranger))
+        table.fail(stranger, fmt::format("{} is said of {} alone", table.full(stranger),
+                                         is_workbook(out.path) ? "a CSV" : "a workbook, .xlsx"));
     if (table.has("separator")) {
         const std::string word = table.choice("separator", {",", ";", "tab"});
         out.format.separator = word == "tab" ? '\t' : word.front();
     }
     out.format.decimal_comma = table.boolean_or("decimal_comma", false);
-    if (out.format.decimal_comma && out.format.separator == ',')
+    const bool commas = out.format.separator == 0 || out.format.separator == ',';
+    if (out.format.decimal_comma && commas && !is_workbook(out.path))
         table.fail("decimal_comma", fmt::format("{} needs another separator than \",\"",
                                                 table.full("decimal_comma")));
     try {
@@ -127,15 +140,14 @@ double read_cell(const TestTable& test, std::size_t row, const LaboratoryColumn&
                              cell.find(',') != std::string::npos ? ": decimal_comma = true?" : ""));
     const std::optional<double> value = column.value(*theirs);
     const double size = std::abs(*theirs * column.factor);
-    if (column.unit == "-" && column.quantity != "void_ratio" && !(size <= 1.0))
-        sheet.fail(row, fmt::format("column {}: a strain of {:g} is beyond 1: unit = \"percent\"?",
-                                    column.name, size));
-    if (!value)
-        sheet.fail(row, fmt::format("column {}: a compression of {:g} leaves nothing of the sample",
-                                    column.name, size));
+    if (column.unit == "-" && column.quantity != "void_ratio" && !(value && size <= 1.0))
+        sheet.fail(row,
+                   fmt::format("column {}: a strain of {:g} is {}: unit = \"percent\"?",
+                               column.name, size, size > 1.0 ? "beyond 1" : "all of the sample"));
     if (column.quantity == "void_ratio" && !(*value > 0.05 && *value < 5.0))
-        sheet.fail(row, fmt::format("column {}: a void ratio must be in (0.05, 5), got {:g}",
-                                    column.name, *value));
+        sheet.fail(row,
+                   fmt::format("column {}: a void ratio must be in (0.05, 5), got {:g}{}",
+                               column.name, *value, *value > 5.0 ? ": unit = \"percent\"?" : ""));
     if (column.unit == "kPa" && !(size <= largest_stress))
         sheet.fail(row, fmt::format("column {}: {:g} kPa is more than sand bears: unit = \"Pa\"?",
                                     column.name, size));
@@ -199,6 +211,11 @@ struct Selection {
            most = INFINITY;  // of what drives the test, as large as it is in the sheet's unit
     int at_most = 0;
 
+    // A value of what drives the test, unit: of the sheet's in Grit's.
+    bool takes(double value, double unit) const {
+        const double size = std::abs(value / unit);
+        return size >= least && size <= most;
+    }
     void apply(Rows& rows, std::size_t driver, double unit) const;
 };
 
@@ -232,8 +249,7 @@ void Selection::apply(Rows& rows, std::size_t driver, double unit) const {
             if (change * direction < 0.0) break;
             if (change == 0.0) continue;  // at rest, as where the load turns
         }
-        const double size = std::abs(value / unit);
-        if (size >= least && size <= most) which.push_back(i);
+        if (takes(value, unit)) which.push_back(i);
     }
     if (at_most > 0 && which.size() > static_cast<std::size_t>(at_most)) {
         std::vector<std::size_t> fewer;
@@ -244,6 +260,44 @@ void Selection::apply(Rows& rows, std::size_t driver, double unit) const {
         which = std::move(fewer);
     }
     keep(rows, which);
+}
+
+// Rows that first_loading leaves out, and that go on from where it ended; several tests below each other.
+std::vector<std::string> doubts_about(const TestTable& test, const Rows& all, const Rows& used,
+                                      std::size_t driver, const Selection& selection) {
+    std::vector<std::string> out;
+    const std::string& name = test.columns[driver].name;
+    const auto size = [&](const Rows& rows, std::size_t i) {
+        return std::abs(rows.values[i][driver]);
+    };
+    double largest = 0.0, before = 0.0;
+    for (std::size_t i = 0; i < used.values.size(); ++i) largest = std::max(largest, size(used, i));
+    const auto last = std::find(all.of_sheet.begin(), all.of_sheet.end(), used.of_sheet.back());
+    const auto after = static_cast<std::size_t>(last - all.of_sheet.begin()) + 1;
+    for (std::size_t i = after; selection.first_loading && i < all.values.size(); ++i)
+        if (size(all, i) > 1.05 * largest &&
+            selection.takes(size(all, i), test.columns[driver].factor)) {
+            out.push_back(fmt::format(
+                "test {}: first_loading ends where {} turns back after {}, and it is {} later: "
+                "are rows out of order?",
+                all.name, name, test.cell(used, used.values.size() - 1, driver),
+                test.cell(all, i, driver)));
+            break;
+        }
+    const double first = all.values.front()[driver];
+    for (std::size_t i = 1; i + 1 < all.values.size(); ++i) {
+        const double now = std::abs(all.values[i][driver] - first);
+        if (before > 0.0 && now < 1e-3 * before &&
+            std::abs(all.values[i - 1][driver] - first) == before) {
+            out.push_back(fmt::format(
+                "test {}: {} goes back from {} to {} in one row: are these several tests "
+                "(split_by)?",
+                all.name, name, test.cell(all, i - 1, driver), test.cell(all, i, driver)));
+            break;
+        }
+        before = std::max(before, now);
+    }
+    return out;
 }
 
 // Where a sample that is pressed swells, or one that is shortened bears less, a sign is wrong.
@@ -261,11 +315,11 @@ void check_signs(const TestTable& test, const Rows& rows) {
             if (sign * x * y < 0.0)
                 test.sheet.fail(
                     rows.of_sheet[i],
-                    fmt::format("column {} goes from {:g} to {:g} {}, while {} goes from {:g} to "
-                                "{:g} {}: is the sign of one of them wrong?",
-                                test.columns[*a].name, values[0][*a], values[i][*a],
-                                test.columns[*a].unit, test.columns[*b].name, values[0][*b],
-                                values[i][*b], test.columns[*b].unit));
+                    fmt::format("column {} goes from {} to {}, while {} goes from {} to {}: is the "
+                                "sign of one of them wrong?",
+                                test.columns[*a].name, test.cell(rows, 0, *a),
+                                test.cell(rows, i, *a), test.columns[*b].name,
+                                test.cell(rows, 0, *b), test.cell(rows, i, *b)));
             return;
         }
     };
@@ -281,23 +335,35 @@ void check_signs(const TestTable& test, const Rows& rows) {
     }
 }
 
-double first_of(const TestTable& test, const Rows& rows, const char* quantity, const char* key) {
-    const auto column = test.find(quantity);
-    if (!column)
-        test.table.fail("start",
-                        fmt::format("{}.start: give {}, or name the column of {} in {}.columns: "
-                                    "its first row that is used counts",
-                                    test.table.full(""), key, quantity, test.table.full("")));
-    const double value = rows.values.front()[*column];
+double first_of(const TestTable& test, const Rows& rows, std::size_t column) {
+    const double value = rows.values.front()[column];
     if (std::isnan(value))
-        test.sheet.fail(rows.of_sheet.front(),
-                        fmt::format("column {} is empty, and the test starts here",
-                                    test.columns[*column].name));
+        test.sheet.fail(
+            rows.of_sheet.front(),
+            fmt::format("column {} is empty, and the test starts here", test.columns[column].name));
     return value;
 }
 
-void read_start_of_test(const TestTable& test, const Rows& rows, Experiment& out) {
-    auto given = test.table.table_if("start");
+double first_of(const TestTable& test, const Rows& rows, const char* quantity, const char* key) {
+    if (const auto column = test.find(quantity)) return first_of(test, rows, *column);
+    test.table.fail("start",
+                    fmt::format("{}.start: give {}, or name the column of {} in {}.columns: "
+                                "its first row that is used counts",
+                                test.table.full(""), key, quantity, test.table.full("")));
+}
+
+// Of an isotropic start: p, or the pressure in the cell.
+double first_pressure(const TestTable& test, const Rows& rows) {
+    for (const char* cell : {"stress_33", "stress_22"})
+        if (const auto column = test.find(cell); column && !test.find("p"))
+            return -first_of(test, rows, *column);
+    return first_of(test, rows, "p", "pressure_kPa");
+}
+
+// own: what is said of this test of the sheet alone.
+void read_start_of_test(const TestTable& test, const Rows& rows, std::optional<TomlTable> own,
+                        Experiment& out) {
+    auto given = own ? std::move(own) : test.table.table_if("start");
     const bool oedometric =
         test.driver.test->name == "oedometer" || test.driver.test->name == "k0_consolidation";
     element::Start& start = out.start;
@@ -311,7 +377,7 @@ void read_start_of_test(const TestTable& test, const Rows& rows, Experiment& out
         start.stress[0] = first_of(test, rows, "stress_11", "axial_stress_at_rest_kPa");
         out.at_rest = true;
     } else {
-        start.stress = -first_of(test, rows, "p", "pressure_kPa") * element::unit_tensor();
+        start.stress = -first_pressure(test, rows) * element::unit_tensor();
     }
     if (!(start.stress[0] < 0.0))
         test.sheet.fail(rows.of_sheet.front(),
@@ -322,6 +388,9 @@ void read_start_of_test(const TestTable& test, const Rows& rows, Experiment& out
                          : std::optional<std::string>();
     start.void_ratio =
         e ? given->positive_or(*e, 1.0) : first_of(test, rows, "void_ratio", "void_ratio");
+    if (e && !(start.void_ratio > 0.05 && start.void_ratio < 5.0))
+        given->fail(*e, fmt::format("{} must be in (0.05, 5), got {:g}{}", given->full(*e),
+                                    start.void_ratio, start.void_ratio > 5.0 ? ": percent?" : ""));
     out.at_zero_pressure = e == "void_ratio_at_zero_pressure";
     if (given && given->has("void_ratio_error"))
         out.void_ratio_error = given->positive_or("void_ratio_error", 1.0);
@@ -367,10 +436,8 @@ void read_readings(const TestTable& test, const Rows& rows, std::size_t driver, 
         channel.name = column.quantity;
         channel.unit = column.unit;
         channel.quantity = *linear_quantity(column.quantity, test.driver.test->shear);
-        // Strains count from the first row, and so does the pore pressure of the driver's water.
-        channel.change = column.unit == "-" ? column.quantity != "void_ratio"
-                                            : column.quantity == "pore_pressure";
-        const double first = channel.change ? rows.values.front()[c] : 0.0;
+        channel.change = column.is_change();
+        const double first = channel.change ? column.zero.value_or(rows.values.front()[c]) : 0.0;
         const int number = static_cast<int>(out.channels.size());
         out.channels.push_back(std::move(channel));
         for (std::size_t i = 1; i < rows.values.size(); ++i) {
@@ -417,8 +484,16 @@ element::Step to_first_row(const TestTable& test, double value) {
     return out;
 }
 
-Experiment make(TestTable& test, Rows rows, bool fitted, const Selection& selection,
-                const element::Program& before) {
+// What [[test]] says of all its tests.
+struct Treatment {
+    Selection selection;
+    element::Program before;
+    std::optional<TomlTable> starts;  // by the name of a test
+};
+
+void make(TestTable& test, Rows rows, bool fitted, Treatment& treatment, LaboratoryTests& made) {
+    const Selection& selection = treatment.selection;
+    const element::Program& before = treatment.before;
     Experiment out;
     out.name = rows.name;
     out.kind = test.driver.test->name;
@@ -438,7 +513,10 @@ Experiment make(TestTable& test, Rows rows, bool fitted, const Selection& select
                                         test.table.full(""), rows.name, rows.values.size(),
                                         rows.values.size() == 1 ? " is" : "s are"));
     check_signs(test, rows);
-    read_start_of_test(test, rows, out);
+    for (std::string& each : doubts_about(test, all, rows, driver, selection))
+        made.doubts.push_back(std::move(each));
+    read_start_of_test(
+        test, rows, treatment.starts ? treatment.starts->table_if(rows.name) : std::nullopt, out);
     std::vector<double> values = driving(test, rows, out, driver);
     out.driver = test.driver.quantity;
     if (test.driver.way->strain() &&
@@ -460,27 +538,39 @@ Experiment make(TestTable& test, Rows rows, bool fitted, const Selection& select
         test.table.fail(
             "", fmt::format("{}: test {}: {}", test.table.full(""), out.name, error.what()));
     }
-    return out;
+    const Sheet& sheet = test.sheet;
+    made.sources.push_back(
+        fmt::format("{}{}, {} of {} rows", sheet.path.filename().string(),
+                    sheet.format.sheet.empty() ? "" : ", sheet " + sheet.format.sheet,
+                    rows.values.size(), all.values.size()));
+    made.experiments.push_back(std::move(out));
 }
 
 }  // namespace
 
-std::vector<Experiment> read_tests(TomlTable table, const TestDefaults& defaults,
-                                   std::vector<std::filesystem::path>& inputs) {
+LaboratoryTests read_tests(TomlTable table, const TestDefaults& defaults,
+                           std::vector<std::filesystem::path>& inputs) {
     const std::string name = table.string("name");
     const Driver driver = read_driver(table);
     TestTable test{table, defaults, read_sheet_of(table, inputs), driver, {}};
-    test.columns =
-        read_columns(table.table("columns"), test.sheet.cells.rows.front(), driver.test->shear);
-    const Selection selection = read_selection(table);
+    const auto where = [&sheet = test.sheet](const std::string& column) {
+        if (const auto line = line_with(sheet.path, sheet.format, column))
+            return fmt::format("; line {0} has it: header_line = {0}", *line);
+        if (!is_workbook(sheet.path) || !sheet.format.sheet.empty()) return std::string();
+        return fmt::format("; the first sheet was read of: {}",
+                           fmt::join(read_workbook(sheet.path, "").sheets, ", "));
+    };
+    test.columns = read_columns(table.table("columns"), test.sheet.cells.rows.front(), where,
+                                driver.test->shear);
+    Treatment treatment{read_selection(table), prepare(test), table.table_if("starts")};
     const double independent_readings =
         table.has("independent_readings") ? table.positive_or("independent_readings", 1.0) : 0.0;
-    const element::Program before = prepare(test);
-    std::vector<Experiment> out;
+    LaboratoryTests out;
     for (auto& [rows, fitted] : choose(test, split(test, name))) {
-        out.push_back(make(test, std::move(rows), fitted, selection, before));
-        out.back().independent = independent_readings;
+        make(test, std::move(rows), fitted, treatment, out);
+        out.experiments.back().independent = independent_readings;
     }
+    if (treatment.starts) treatment.starts->finish();
     table.finish();
     return out;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "cli/toml/toml_table.hpp"
@@ -17,9 +18,15 @@ struct TestDefaults {
     double resolution = 1.0;  // times the usual number of increments
 };
 
+struct LaboratoryTests {
+    std::vector<calibration::Experiment> experiments;
+    std::vector<std::string> sources;  // of each: file, sheet, rows that are used
+    std::vector<std::string> doubts;   // sentences about what may be wrong with the sheet
+};
+
 // One test, or one for each name in the column that its sheet is split by; the files read are added to inputs.
 // Throws BadInput naming file, row, column or key.
-std::vector<calibration::Experiment> read_tests(TomlTable table, const TestDefaults& defaults,
-                                                std::vector<std::filesystem::path>& inputs);
+LaboratoryTests read_tests(TomlTable table, const TestDefaults& defaults,
+                           std::vector<std::filesystem::path>& inputs);
 
 }  // namespace cli

@@ -2,6 +2,8 @@
 #include "cli/table/sheet.hpp"
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -11,58 +13,164 @@
 namespace cli {
 namespace {
 
-bool is_workbook(const std::filesystem::path& path) { return path.extension() == ".xlsx"; }
+using Row = std::vector<std::string>;  // a line or row as it is written; empty: there is none
+using grit::csv::trimmed;
 
-std::vector<std::string> cut_at(const std::string& line, char separator) {
-    std::vector<std::string> out;
-    for (std::size_t from = 0;;) {
-        const std::size_t end = line.find(separator, from);
-        out.push_back(grit::csv::trimmed(line.substr(from, end - from)));
-        if (end == std::string::npos) return out;
-        from = end + 1;
+bool is_utf8(const std::string& text) {
+    int following = 0;
+    for (const char each : text) {
+        const auto byte = static_cast<unsigned char>(each);
+        if (following > 0) {
+            if ((byte & 0xC0) != 0x80) return false;
+            --following;
+        } else if (byte >= 0x80) {
+            following = byte >= 0xF0 ? 3 : byte >= 0xE0 ? 2 : 1;
+            if (byte < 0xC2 || byte > 0xF4) return false;
+        }
     }
+    return following == 0;
 }
 
-Cells read_text(const std::filesystem::path& path, const SheetFormat& layout) {
-    const auto cut = [&](const std::string& line, std::size_t) {
-        return std::optional(cut_at(line, layout.separator));
-    };
-    try {
-        return grit::csv::read(path, cut, layout.header_line);
-    } catch (const grit::csv::Error& error) {
-        throw BadInput(error.what());
+std::string from_latin_1(const std::string& text) {
+    std::string out;
+    for (const char each : text) {
+        const auto byte = static_cast<unsigned char>(each);
+        if (byte < 0x80) {
+            out += each;
+            continue;
+        }
+        out += static_cast<char>(0xC0 | byte >> 6);
+        out += static_cast<char>(0x80 | (byte & 0x3F));
     }
-}
-
-// As wide as the header; rows without anything are left out, as are columns without a name at the end.
-Cells read_workbook_sheet(const std::filesystem::path& path, const SheetFormat& layout) {
-    const WorkbookSheet sheet = read_workbook(path, layout.sheet);
-    Cells out;
-    for (std::size_t i = 0; i < sheet.rows.size(); ++i) {
-        const int line = static_cast<int>(i) + 1;
-        std::vector<std::string> row = sheet.rows[i];
-        for (std::string& cell : row) cell = grit::csv::trimmed(cell);
-        while (!row.empty() && row.back().empty()) row.pop_back();
-        if (row.empty() || line < layout.header_line) continue;
-        if (!out.rows.empty()) row.resize(out.rows.front().size());
-        out.rows.push_back(std::move(row));
-        out.lines.push_back(line);
-    }
-    if (out.rows.size() < 2)
-        throw BadInput(fmt::format("{}, sheet {}: needs a header and at least one row",
-                                   path.string(), sheet.name));
     return out;
+}
+
+std::string read_whole(const std::filesystem::path& path) {
+    const auto fail = [&path](const char* why) {
+        throw BadInput(fmt::format("{}: {}", path.string(), why));
+    };
+    std::ifstream file(path, std::ios::binary);
+    if (!file || std::filesystem::is_directory(path)) fail("cannot read this file");
+    std::string text((std::istreambuf_iterator<char>(file)), {});
+    if (text.starts_with("PK\x03\x04")) fail("is a workbook: let its name end with .xlsx");
+    if (text.starts_with("\xD0\xCF\x11\xE0")) fail("is a workbook of old: save it as .xlsx");
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+        fail("is UTF-16: save it as CSV in UTF-8");
+    if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+    return is_utf8(text) ? text : from_latin_1(text);
+}
+
+// Cells of a line; within quotation marks separators count as letters.
+Row cut_at(const std::string& line, char separator) {
+    Row out = {""};
+    bool quoted = false;
+    for (const char each : line) {
+        if (each == '"') quoted = !quoted;
+        else if (each == separator && !quoted) out.emplace_back();
+        else out.back() += each;
+    }
+    for (std::string& cell : out) cell = trimmed(cell);
+    return out;
+}
+
+std::vector<Row> lines_of(const std::filesystem::path& path, char separator) {
+    std::vector<Row> out;
+    const std::string text = read_whole(path);
+    for (std::size_t from = 0; from < text.size();) {
+        const std::size_t end = std::min(text.find('\n', from), text.size());
+        const std::string line = text.substr(from, end - from);
+        from = end + 1;
+        out.emplace_back();
+        if (!line.starts_with('#') && !trimmed(line).empty()) out.back() = cut_at(line, separator);
+    }
+    return out;
+}
+
+// Rows without anything are none, as are columns without a name at the end.
+std::vector<Row> rows_of(const std::filesystem::path& path, const std::string& sheet) {
+    std::vector<Row> out = read_workbook(path, sheet).rows;
+    for (Row& row : out) {
+        for (std::string& cell : row) cell = trimmed(cell);
+        while (!row.empty() && row.back().empty()) row.pop_back();
+    }
+    return out;
+}
+
+std::vector<Row> read_rows(const std::filesystem::path& path, const SheetFormat& layout) {
+    if (is_workbook(path)) return rows_of(path, layout.sheet);
+    return lines_of(path, layout.separator != 0 ? layout.separator : ',');
+}
+
+// Without the line breaks and double spaces of headers that look well on paper.
+std::string single_spaced(const std::string& name) {
+    std::string out;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const bool wide = name.compare(i, 2, "\xC2\xA0") == 0;  // a space that does not break
+        if (wide) ++i;
+        if (!wide && std::string(" \t\r\n").find(name[i]) == std::string::npos) out += name[i];
+        else if (!out.empty() && out.back() != ' ') out += ' ';
+    }
+    return trimmed(out);
+}
+
+// 0,5 as 0.5. A point where a comma is due would be a thousand, or another country's.
+std::string with_point(const std::filesystem::path& path, const SheetFormat& layout, int line,
+                       std::string cell) {
+    const auto digits = [](char c) { return (c >= '0' && c <= '9') || c == '-' || c == '+'; };
+    if (cell.empty() || !digits(cell.front())) return cell;
+    if (!is_workbook(path) && cell.find('.') != std::string::npos &&
+        std::all_of(cell.begin(), cell.end(),
+                    [&](char c) { return digits(c) || c == '.' || c == ','; }))
+        throw BadInput(fmt::format("{}: \"{}\" has a point, and decimal_comma = true: write 1036,2",
+                                   place_in(path, layout, line), cell));
+    std::replace(cell.begin(), cell.end(), ',', '.');
+    return cell;
 }
 
 }  // namespace
 
+bool is_workbook(const std::filesystem::path& path) { return path.extension() == ".xlsx"; }
+
 Cells read_sheet(const std::filesystem::path& path, const SheetFormat& layout) {
-    if (is_workbook(path)) return read_workbook_sheet(path, layout);
-    Cells out = read_text(path, layout);
-    if (layout.decimal_comma)
-        for (std::size_t i = 1; i < out.rows.size(); ++i)
-            for (std::string& cell : out.rows[i]) std::replace(cell.begin(), cell.end(), ',', '.');
+    const std::vector<Row> rows = read_rows(path, layout);
+    Cells out;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const int line = static_cast<int>(i) + 1;
+        Row row = rows[i];
+        if (row.empty() || line < layout.header_line) continue;
+        if (out.rows.empty()) {
+            if (row.size() == 1 && row[0].find(';') != std::string::npos)
+                throw BadInput(fmt::format("{}:{}: cells are separated by semicolons: separator = "
+                                           "\";\"",
+                                           path.string(), line));
+            for (std::string& cell : row) cell = single_spaced(cell);
+        } else {
+            if (line < layout.first_line) continue;
+            if (layout.last_line > 0 && line > layout.last_line) break;
+            const std::size_t width = out.rows.front().size();
+            if (!is_workbook(path) && row.size() != width)
+                throw BadInput(fmt::format("{}: {} cells where the header has {}",
+                                           place_in(path, layout, line), row.size(), width));
+            row.resize(width);
+            if (layout.decimal_comma)
+                for (std::string& cell : row) cell = with_point(path, layout, line, cell);
+        }
+        out.rows.push_back(std::move(row));
+        out.lines.push_back(line);
+    }
+    if (out.rows.size() < 2)
+        throw BadInput(fmt::format("{}{}: needs a header and at least one row", path.string(),
+                                   layout.sheet.empty() ? "" : ", sheet " + layout.sheet));
     return out;
+}
+
+std::optional<int> line_with(const std::filesystem::path& path, const SheetFormat& layout,
+                             const std::string& cell) {
+    const std::vector<Row> rows = read_rows(path, layout);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        for (const std::string& each : rows[i])
+            if (single_spaced(each) == cell) return static_cast<int>(i) + 1;
+    return std::nullopt;
 }
 
 std::string place_in(const std::filesystem::path& path, const SheetFormat& layout, int line) {

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/table/workbook.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <cstring>
+#include <fstream>
+#include <map>
 #include <memory>
 
 #include <fmt/format.h>
@@ -28,6 +32,13 @@ class Archive {
         zip_error_init_with_code(&error, code);
         const std::string why = zip_error_strerror(&error);
         zip_error_fini(&error);
+        std::ifstream file(path, std::ios::binary);
+        char begin[4] = {};
+        file.read(begin, sizeof begin);
+        if (std::memcmp(begin, "\xD0\xCF\x11\xE0", 4) == 0)
+            fail("is a workbook of old: save it as .xlsx");
+        if (file && std::memcmp(begin, "PK", 2) != 0)
+            fail("is no workbook: the name of a CSV ends with .csv");
         fail("cannot read this workbook: " + why);
     }
 
@@ -91,11 +102,11 @@ std::vector<std::string> shared_strings(const Archive& archive) {
 }
 
 // The part of a sheet: its relation in the workbook, whose target that is.
-std::string part_of_sheet(const Archive& archive, std::string& name) {
+std::string part_of_sheet(const Archive& archive, std::string& name,
+                          std::vector<std::string>& known) {
     const auto book = archive.part("xl/workbook.xml");
     const auto relations = archive.part("xl/_rels/workbook.xml.rels");
     if (!book || !relations) archive.fail("is no workbook: it has no xl/workbook.xml");
-    std::vector<std::string> known;
     std::string id;
     for (const pugi::xml_node& sheet : child(book->document_element(), "sheets")) {
         known.emplace_back(sheet.attribute("name").value());
@@ -103,7 +114,6 @@ std::string part_of_sheet(const Archive& archive, std::string& name) {
         if (known.back() != name) continue;
         for (const pugi::xml_attribute& each : sheet.attributes())
             if (std::string(each.name()).ends_with(":id")) id = each.value();
-        break;
     }
     if (id.empty())
         archive.fail(fmt::format("has no sheet \"{}\"{}", name, element::suggestion(name, known)));
@@ -123,8 +133,70 @@ std::size_t column_of(const char* reference, std::size_t next) {
     return out > 0 ? out - 1 : next;
 }
 
+// A format of numbers that has days, months, years or hours in it, outside of quotation marks and brackets.
+bool shows_date(const std::string& format) {
+    char until = 0;
+    for (const char each : format) {
+        if (until != 0) {
+            if (each == until) until = 0;
+        } else if (each == '"' || each == '[') {
+            until = each == '"' ? '"' : ']';
+        } else if (std::strchr("dmyhs", std::tolower(static_cast<unsigned char>(each)))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// Of each style of cells, whether it shows a number as a date.
+std::vector<bool> styles_of_dates(const Archive& archive) {
+    std::vector<bool> out;
+    const auto part = archive.part("xl/styles.xml");
+    if (!part) return out;
+    std::map<int, bool> own;
+    for (const pugi::xml_node& each : child(part->document_element(), "numFmts"))
+        own[each.attribute("numFmtId").as_int()] = shows_date(each.attribute("formatCode").value());
+    for (const pugi::xml_node& each : child(part->document_element(), "cellXfs")) {
+        if (!is(each, "xf")) continue;
+        const int format = each.attribute("numFmtId").as_int();
+        const auto at = own.find(format);
+        // Built-in ones of dates and times: 14 to 22, 45 to 47.
+        out.push_back(at != own.end()
+                          ? at->second
+                          : (format >= 14 && format <= 22) || (format >= 45 && format <= 47));
+    }
+    return out;
+}
+
+// Cells that are merged all have what stands in them.
+void spread_merged(const pugi::xml_node& sheet, std::vector<std::vector<std::string>>& rows) {
+    for (const pugi::xml_node& each : child(sheet, "mergeCells")) {
+        const std::string range = each.attribute("ref").value();
+        const std::size_t colon = range.find(':');
+        if (colon == std::string::npos) continue;
+        const std::string first = range.substr(0, colon), last = range.substr(colon + 1);
+        const std::size_t from = column_of(first.c_str(), 0), to = column_of(last.c_str(), 0);
+        const auto row_of = [](const std::string& cell) {
+            const std::size_t digits = std::min(cell.find_first_of("0123456789"), cell.size());
+            return static_cast<std::size_t>(std::strtoull(cell.c_str() + digits, nullptr, 10));
+        };
+        const std::size_t first_row = row_of(first), end_row = std::min(row_of(last), rows.size());
+        constexpr std::size_t most = 10000;  // cells: what is larger is no heading
+        if (first_row < 1 || first_row > rows.size() || to < from || to >= last_column ||
+            from >= rows[first_row - 1].size() ||
+            (end_row - first_row + 1) * (to - from + 1) > most)
+            continue;
+        const std::string text = rows[first_row - 1][from];
+        for (std::size_t row = first_row; row <= end_row; ++row) {
+            std::vector<std::string>& cells = rows[row - 1];
+            if (cells.size() <= to) cells.resize(to + 1);
+            for (std::size_t column = from; column <= to; ++column) cells[column] = text;
+        }
+    }
+}
+
 std::string value_of(const pugi::xml_node& cell, const std::vector<std::string>& strings,
-                     const Archive& archive) {
+                     const std::vector<bool>& dates, const Archive& archive) {
     const std::string type = cell.attribute("t").value();
     if (type == "inlineStr") {
         std::string out;
@@ -132,6 +204,10 @@ std::string value_of(const pugi::xml_node& cell, const std::vector<std::string>&
         return out;
     }
     const std::string value = child(cell, "v").child_value();
+    if (type == "b") return value == "0" ? "FALSE" : "TRUE";
+    const auto look = static_cast<std::size_t>(cell.attribute("s").as_uint());
+    if ((type.empty() || type == "n") && !value.empty() && look < dates.size() && dates[look])
+        return value + " (a date)";
     if (type != "s") return value;
     const auto number = static_cast<std::size_t>(std::strtoull(value.c_str(), nullptr, 10));
     if (number >= strings.size())
@@ -146,10 +222,11 @@ WorkbookSheet read_workbook(const std::filesystem::path& path, const std::string
     const Archive archive(path);
     WorkbookSheet out;
     out.name = sheet;
-    const std::string part_name = part_of_sheet(archive, out.name);
+    const std::string part_name = part_of_sheet(archive, out.name, out.sheets);
     const auto part = archive.part(part_name);
     if (!part) archive.fail(fmt::format("has no {}", part_name));
     const std::vector<std::string> strings = shared_strings(archive);
+    const std::vector<bool> dates = styles_of_dates(archive);
     for (const pugi::xml_node& row : child(part->document_element(), "sheetData")) {
         if (!is(row, "row")) continue;
         const std::size_t number =
@@ -165,9 +242,10 @@ WorkbookSheet read_workbook(const std::filesystem::path& path, const std::string
                 archive.fail(
                     fmt::format("sheet {} has a cell {}", out.name, cell.attribute("r").value()));
             if (cells.size() <= column) cells.resize(column + 1);
-            cells[column] = value_of(cell, strings, archive);
+            cells[column] = value_of(cell, strings, dates, archive);
         }
     }
+    spread_merged(part->document_element(), out.rows);
     return out;
 }
 

@@ -10,6 +10,7 @@ namespace cli {
 
 struct WorkbookSheet {
     std::string name;
+    std::vector<std::string> sheets;             // of the workbook
     std::vector<std::vector<std::string>> rows;  // from row 1, each as long as it is filled
 };
 

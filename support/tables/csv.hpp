@@ -41,8 +41,8 @@ inline std::vector<std::string> cells_of(const std::string& line) {
     }
 }
 
-// cut(line, rows so far): the cells of a line, or none where it is to be passed over, as those before first_line are.
-template <class Cut> Cells read(const std::filesystem::path& path, Cut&& cut, int first_line = 1) {
+// cut(line, rows so far): the cells of a line, or none where it is to be passed over.
+template <class Cut> Cells read(const std::filesystem::path& path, Cut&& cut) {
     std::ifstream file(path);
     if (!file || std::filesystem::is_directory(path))
         throw Error(path.string() + ": cannot read this file");
@@ -50,7 +50,7 @@ template <class Cut> Cells read(const std::filesystem::path& path, Cut&& cut, in
     int number = 0;
     for (std::string line; std::getline(file, line);) {
         if (++number == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
-        if (number < first_line || line.starts_with('#') || trimmed(line).empty()) continue;
+        if (line.starts_with('#') || trimmed(line).empty()) continue;
         const auto fail = [&](const std::string& why) {
             throw Error(path.string() + ':' + std::to_string(number) + ": " + why);
         };

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // grit calibrate from sheets to a sand that other commands read.
+#include <array>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <sstream>
 #include <string>
 
@@ -139,6 +141,165 @@ TEST(Calibrate, ReadsTheSheetsOfOtherCountriesAndUnits) {
     EXPECT_EQ(sand[0], sand[1]);
 }
 
+TEST(Calibrate, ReadsLatin1) {
+    const Workplace here;
+    std::string text = oedometer_case(
+        "stress_11 = { column = \"Spannung \u03c3 [kPa]\", compression = \"positive\" }\n"
+        "void_ratio = { column = \"Pr\u00fcfwert\", unit = \"-\", error = 0.001 }\n");
+    text.replace(text.find("Spannung \u03c3"), 11, "Spannung");
+    std::string sheet = oedometer_sheet();
+    sheet.replace(0, 13,
+                  "Spannung [kPa],Pr\xFC"
+                  "fwert");
+    const Answer answer = calibrate(here, text, sheet);
+    EXPECT_EQ(answer.status, 0) << answer.text;
+}
+
+// Where the reading at the start is another than the first row's, the fit knows it.
+TEST(Calibrate, CountsPorePressureFromItsZero) {
+    std::string sand[2];
+    for (const bool back_pressure : {false, true}) {
+        const Workplace here;
+        std::string sheet =
+            "eps [%],q [kPa],u [kPa]\n0,0," + std::string(back_pressure ? "312" : "0") + "\n";
+        for (const auto& [eps, q, u] :
+             {std::array{1, 80, 45}, {2, 110, 60}, {4, 130, 64}, {6, 140, 62}, {8, 148, 58}})
+            sheet += std::to_string(eps) + ',' + std::to_string(q) + ',' +
+                     std::to_string(u + (back_pressure ? 300 : 0)) + '\n';
+        const std::string text =
+            "[sand]\nname = \"lausitz\"\n[fit]\nparameters = [\"alpha\"]\nstarts = 1\n[[test]]\n"
+            "name = \"CU\"\ntest = \"triaxial_undrained\"\nfile = \"lab.csv\"\n"
+            "start = { pressure_kPa = 100, void_ratio = 0.75 }\n[test.columns]\n"
+            "axial_strain = { column = \"eps [%]\", compression = \"positive\" }\n"
+            "pore_pressure = { column = \"u [kPa]\", error = 3" +
+            std::string(back_pressure ? ", zero = 300" : "") + " }\n";
+        const Answer answer = calibrate(here, text, sheet);
+        ASSERT_EQ(answer.status, 0) << answer.text;
+        sand[back_pressure] = here.text("out/x_sand.toml");
+    }
+    EXPECT_EQ(sand[0], sand[1]);
+}
+
+// Two tests of a sheet, each with a start of its own.
+TEST(Calibrate, StartsEachTestOfASheetWhereItIsSaidTo) {
+    const Workplace here;
+    std::string sheet = "test,sigma [kPa],e\n";
+    std::istringstream rows(oedometer_sheet());
+    std::string row;
+    std::getline(rows, row);
+    while (std::getline(rows, row)) {
+        row = row.substr(0, row.rfind(','));
+        sheet += "A," + row + "\nB," + row + '\n';
+    }
+    const Answer answer = calibrate(
+        here,
+        oedometer_case(oedometer_columns, "split_by = \"test\"\nstarts.A = { void_ratio = 0.748 }\n"
+                                          "starts.B = { void_ratio = 0.760 }\n"),
+        sheet);
+    ASSERT_EQ(answer.status, 0) << answer.text;
+    const std::string page = here.text("out/x_report.html");
+    EXPECT_NE(page.find("<td>0.748</td>"), std::string::npos);
+    EXPECT_NE(page.find("<td>0.76</td>"), std::string::npos);
+}
+
+// What is wrong without being impossible is told, on the screen and in the report.
+std::string doubts_of(const std::string& text, const std::string& sheet) {
+    const Workplace here;
+    const Answer answer = calibrate(here, text, sheet);
+    EXPECT_EQ(answer.status, 0) << answer.text;
+    std::string out;
+    std::istringstream lines(answer.text);
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with("look: ")) out += line + '\n';
+    EXPECT_EQ(here.text("out/x_report.html").find("Look at this first") != std::string::npos,
+              !out.empty());
+    return out;
+}
+
+// With the error that its digits have.
+std::string exact_columns() {
+    std::string out = oedometer_columns;
+    return out.replace(out.find("0.001"), 5, "1.5e-5");
+}
+
+TEST(Doubt, ThereIsNoneAboutAGoodSheet) {
+    EXPECT_EQ(doubts_of(oedometer_case(exact_columns()), oedometer_sheet()), "");
+}
+
+TEST(Doubt, RowsOutOfOrder) {
+    std::string exact = exact_columns();
+    std::string sheet = oedometer_sheet();
+    sheet.replace(sheet.find("80,0.7388,\n100,0.7368,\n"), 23, "100,0.7368,\n80,0.7388,\n");
+    EXPECT_NE(doubts_of(oedometer_case(oedometer_columns, "first_loading = true\n"), sheet)
+                  .find("test oedometer: first_loading ends where sigma [kPa] turns back after "
+                        "100, and it is 150 "
+                        "later: are rows out of order?"),
+              std::string::npos);
+    EXPECT_EQ(
+        doubts_of(oedometer_case(exact, "first_loading = true\nto = 100\n"), oedometer_sheet()),
+        "");
+}
+
+TEST(Doubt, TestsBelowEachOther) {
+    const std::string twice = oedometer_sheet() + oedometer_sheet().substr(21);
+    EXPECT_NE(doubts_of(oedometer_case(), twice)
+                  .find("sigma [kPa] goes back from 400 to 20 in one row: are these several "
+                        "tests (split_by)?"),
+              std::string::npos);
+}
+
+TEST(Doubt, IndexTestsWithoutErrors) {
+    EXPECT_NE(
+        doubts_of("[index_tests]\nleast_void_ratio = 0.45\n" + oedometer_case(), oedometer_sheet())
+            .find("with least_void_ratio_error they are measurements"),
+        std::string::npos);
+}
+
+TEST(Doubt, ErrorsThatAreFarTooLargeOrTooSmall) {
+    std::string columns = oedometer_columns;
+    columns.replace(columns.find("0.001"), 5, "0.1");
+    EXPECT_NE(doubts_of(oedometer_case(columns), oedometer_sheet())
+                  .find("of the stated errors: these are too large"),
+              std::string::npos);
+    columns.replace(columns.find("0.1"), 3, "1e-6");
+    EXPECT_NE(doubts_of(oedometer_case(columns), oedometer_sheet())
+                  .find("a unit, a sign or a start is wrong"),
+              std::string::npos);
+}
+
+// A drained test with its volume the other way round, and with a deviator in another unit.
+TEST(Doubt, SignsAndUnitsThatSandDoesNotHave) {
+    const auto sheet = [](double q_times, double v_times) {
+        std::ostringstream out;
+        out << "eps,q,epsv\n";
+        for (const auto& [eps, q, v] : {std::array{0.0, 0.0, 0.0},
+                                        {1.0, 130.0, 0.25},
+                                        {2.0, 170.0, 0.1},
+                                        {4.0, 190.0, -0.7},
+                                        {8.0, 190.0, -2.4},
+                                        {12.0, 180.0, -3.9}})
+            out << eps << ',' << q_times * q << ',' << v_times * v << '\n';
+        return out.str();
+    };
+    const std::string text =
+        "[sand]\nname = \"lausitz\"\npyknotropy_exponent = 0.5\nstiffness_void_exponent = "
+        "2.5\n[fit]\nparameters = [\"alpha\", \"beta\"]\nstarts = "
+        "1\n[[test]]\nname = \"CD\"\n"
+        "test = \"triaxial_drained\"\nfile = \"lab.csv\"\nstart = { pressure_kPa = 50, void_ratio "
+        "= 0.62 }\n[test.columns]\n"
+        "axial_strain = { column = \"eps\", unit = \"%\", compression = \"positive\" }\n"
+        "axial_deviator = { column = \"q\", unit = \"kPa\", error = 10 }\n"
+        "volumetric_strain = { column = \"epsv\", unit = \"%\", compression = \"positive\", error "
+        "= 0.5 }\n";
+    EXPECT_EQ(doubts_of(text, sheet(1.0, 1.0)).find("look at its unit and sign"),
+              std::string::npos);
+    EXPECT_NE(doubts_of(text, sheet(1.0, -1.0)).find("has the other sign of volumetric_strain"),
+              std::string::npos);
+    EXPECT_NE(
+        doubts_of(text, sheet(1e-3, 1.0)).find("has a thousand times as much of axial_deviator"),
+        std::string::npos);
+}
+
 // The rows of a sheet as cells of a workbook.
 std::string worksheet(const std::string& sheet) {
     std::string out = "<worksheet><sheetData><row r=\"1\"><c r=\"A1\" t=\"inlineStr\"><is><t>"
@@ -182,6 +343,35 @@ TEST(Calibrate, ReadsASheetOfAWorkbookAsItReadsTheSameCsv) {
     std::string expected = here.text("out/x_sand.toml");
     expected.replace(expected.find("lab.csv"), 7, "lab.xlsx");
     EXPECT_EQ(here.text("book/x_sand.toml"), expected);
+}
+
+// Made by make_laboratory.py: a workbook of openpyxl, and a CSV with semicolons and decimal commas. Every parameter of the
+// sand that they were made of lies in its interval.
+TEST(Calibrate, FindsTheSandThatTheSheetsOfALaboratoryWereMadeOf) {
+    const Workplace here;
+    const Answer answer =
+        here.grit("calibrate " GRIT_CALIBRATIONS "/laboratory.toml --samples 0 --out out");
+    ASSERT_EQ(answer.status, 0) << answer.text;
+    EXPECT_FALSE(answer.says("look: ")) << answer.text;
+    std::istringstream sand(here.text("out/laboratory_sand.toml"));
+    const std::map<std::string, double> truth = {{"phi_c", 33.0}, {"h_s", 0.82e6}, {"n", 0.29},
+                                                 {"e_d0", 0.55},  {"e_c0", 0.92},  {"e_i0", 1.05},
+                                                 {"alpha", 0.16}, {"beta", 1.5}};
+    std::size_t found = 0;
+    for (std::string line; std::getline(sand, line);) {
+        std::istringstream words(line);
+        std::string hash, symbol, dots;
+        double low = NAN, high = NAN;
+        if (!(words >> hash >> symbol >> low >> dots >> high) || dots != "...") continue;
+        ++found;
+        EXPECT_TRUE(low < truth.at(symbol) && truth.at(symbol) < high) << line;
+        EXPECT_LT(high - low, (symbol == "h_s"     ? 1.0
+                               : symbol == "alpha" ? 0.6
+                                                   : 0.35) *
+                                  truth.at(symbol))
+            << line;
+    }
+    EXPECT_EQ(found, truth.size());
 }
 
 TEST(Calibrate, KeepsTheBestFitWhenSamplingIsInterrupted) {

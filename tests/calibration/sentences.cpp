@@ -67,6 +67,24 @@ TEST(Column, ThatIsNotThere) {
                         "nearest: sigma [kPa]");
 }
 
+TEST(Cell, WithAVoidRatioInPercent) {
+    expect_cell_refused("40,0.7440", "40,74.40", "got 74.4: unit = \"percent\"?");
+}
+
+TEST(Cell, WithAPointWhereACommaIsDue) {
+    const std::string text =
+        oedometer_case(oedometer_columns, "separator = \";\"\ndecimal_comma = true\n");
+    expect_refused(text, "sigma [kPa];e;remark\n20,5;0,748;\n1.040;0,7440;\n",
+                   "lab.csv:3: \"1.040\" has a point, and decimal_comma = true");
+}
+
+TEST(Column, ThatStandsInAnotherLine) {
+    expect_refused(oedometer_case(), "laboratory,of,soils\n" + oedometer_sheet(),
+                   "the sheet has no column \"e\"; known here: laboratory, of, soils; "
+                   "line 2 has it: "
+                   "header_line = 2");
+}
+
 TEST(Column, ThatIsThereTwice) {
     expect_refused(oedometer_case(), replaced(oedometer_sheet(), "remark", "e"),
                    "the sheet has 2 columns \"e\"");
@@ -101,6 +119,28 @@ TEST(Unit, OfAStrainInPercentThatIsNotSaidToBe) {
                    "lab.csv:10: column e: a strain of 3.7198 is beyond 1: unit = \"percent\"?");
 }
 
+TEST(Unit, OfAStrainThatIsAllOfTheSample) {
+    expect_refused(replaced(oedometer_case(), "void_ratio = { column = \"e\",",
+                            "axial_strain = { column = \"e\", unit = \"-\", compression = "
+                            "\"positive\","),
+                   replaced(oedometer_sheet(), "400,0.7198", "400,1"),
+                   "lab.csv:10: column e: a strain of 1 is all of the sample: unit = \"percent\"?");
+}
+
+TEST(Unit, ThatTheHeaderContradicts) {
+    expect_case_refused("compression = \"positive\" }",
+                        "compression = \"positive\", unit = \"Pa\" }",
+                        "x.toml:11: test[1].columns.stress_11.unit is \"Pa\", and the header says "
+                        "\"kPa\": rename the column");
+}
+
+TEST(Unit, OfALength) {
+    expect_refused(replaced(oedometer_case(), "void_ratio = { column = \"e\",",
+                            "axial_strain = { column = \"s [mm]\", compression = \"positive\","),
+                   replaced(oedometer_sheet(), ",e,", ",s [mm],"),
+                   "\"s [mm]\" is a length: give a column that is a strain");
+}
+
 TEST(Sign, ThatNobodySays) {
     expect_case_refused(", compression = \"positive\"", "",
                         "test[1].columns.stress_11.compression is missing");
@@ -108,8 +148,8 @@ TEST(Sign, ThatNobodySays) {
 
 TEST(Sign, OfASampleThatSwellsUnderLoad) {
     expect_refused(oedometer_case(), "sigma [kPa],e\n20,0.70\n40,0.71\n80,0.72\n400,0.73\n",
-                   "lab.csv:5: column sigma [kPa] goes from -20 to -400 kPa, while e goes from 0.7 "
-                   "to 0.73 -: is the sign of one of them wrong?");
+                   "lab.csv:5: column sigma [kPa] goes from 20 to 400, while e goes from 0.70 to "
+                   "0.73: is the sign of one of them wrong?");
 }
 
 TEST(Error, OfNothingIsToldToBeMissing) {
@@ -135,6 +175,42 @@ TEST(Test, ThatStartsWhereNothingPresses) {
 TEST(Test, WithoutARowThatIsUsed) {
     expect_case_refused("file = \"lab.csv\"\n", "file = \"lab.csv\"\nfrom = 400\n",
                         "of test oedometer, 1 row is left: two are needed");
+}
+
+TEST(Test, WithAStartThatNoSampleHas) {
+    expect_case_refused(
+        "file = \"lab.csv\"\n", "file = \"lab.csv\"\nstart.void_ratio = 75\n",
+        "x.toml:10: test[1].start.void_ratio must be in (0.05, 5), got 75: percent?");
+}
+
+TEST(Test, OfAnotherNameThanItsStart) {
+    expect_case_refused("file = \"lab.csv\"\n",
+                        "file = \"lab.csv\"\nstarts.oedometre.void_ratio = 0.7\n",
+                        "unknown key test[1].starts.oedometre; nearest: oedometer");
+}
+
+TEST(File, ThatIsNoCsv) {
+    for (const auto& [begin, words] :
+         {std::pair{std::string("PK\x03\x04"),
+                    "lab.csv: is a workbook: let its name end with .xlsx"},
+          {std::string("\xD0\xCF\x11\xE0"), "lab.csv: is a workbook of old: save it as .xlsx"},
+          {std::string("\xFF\xFE"), "lab.csv: is UTF-16: save it as CSV in UTF-8"}})
+        expect_refused(oedometer_case(), begin + oedometer_sheet(), words);
+}
+
+TEST(File, ThatIsNoWorkbook) {
+    const Workplace here;
+    here.write("lab.xlsx", oedometer_sheet());
+    here.write("x.toml", replaced(oedometer_case(), "lab.csv", "lab.xlsx"));
+    const Answer answer = here.grit("calibrate x.toml --out out");
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_TRUE(answer.says("lab.xlsx: is no workbook: the name of a CSV ends with .csv"))
+        << answer.text;
+}
+
+TEST(File, OfAnotherKindThanItsKeys) {
+    expect_case_refused("file = \"lab.csv\"\n", "file = \"lab.csv\"\nsheet = \"OED 1\"\n",
+                        "test[1].sheet is said of a workbook, .xlsx alone");
 }
 
 TEST(File, ThatIsNotThere) {

@@ -54,6 +54,57 @@ TEST(Workbook, IsReadAsATableFromItsHeaderOn) {
     EXPECT_NE(cli::place_in(book.path, layout, 5).find("sheet TMD 1, row 5"), std::string::npos);
 }
 
+TEST(Workbook, TellsDatesAndTruthsFromNumbers) {
+    Parts parts = usual();
+    parts["xl/styles.xml"] =
+        "<styleSheet><numFmts><numFmt numFmtId=\"164\" formatCode=\"0.00&quot; day&quot;\"/>"
+        "<numFmt numFmtId=\"165\" formatCode=\"dd/mm/yyyy\"/></numFmts><cellXfs><xf "
+        "numFmtId=\"0\"/>"
+        "<xf numFmtId=\"164\"/><xf numFmtId=\"165\"/><xf numFmtId=\"14\"/></cellXfs></styleSheet>";
+    parts["xl/worksheets/sheet2.xml"] =
+        "<worksheet><sheetData><row r=\"1\"><c s=\"0\"><v>1</v></c><c s=\"1\"><v>2</v></c>"
+        "<c s=\"2\"><v>3</v></c><c s=\"3\"><v>4</v></c><c t=\"b\"><v>1</v></c></row></sheetData>"
+        "</worksheet>";
+    const Book book(parts);
+    EXPECT_EQ(cli::read_workbook(book.path, "TMD 1").rows[0],
+              (std::vector<std::string>{"1", "2", "3 (a date)", "4 (a date)", "TRUE"}));
+}
+
+TEST(Workbook, HasTheTextOfMergedCellsInAllOfThem) {
+    Parts parts = usual();
+    parts["xl/worksheets/sheet2.xml"] =
+        "<worksheet><sheetData><row r=\"1\"><c r=\"A1\" t=\"inlineStr\"><is><t>p</t></is></c>"
+        "<c r=\"B1\" t=\"inlineStr\"><is><t>q</t></is></c></row><row r=\"2\"><c "
+        "r=\"C2\"><v>7</v></c>"
+        "</row></sheetData><mergeCells><mergeCell ref=\"A1:A2\"/><mergeCell ref=\"B1:C1\"/>"
+        "<mergeCell ref=\"A1:XFD1048576\"/><mergeCell ref=\"Z9:A1\"/></mergeCells></worksheet>";
+    const Book book(parts);
+    const auto rows = cli::read_workbook(book.path, "TMD 1").rows;
+    EXPECT_EQ(rows[0], (std::vector<std::string>{"p", "q", "q"}));
+    EXPECT_EQ(rows[1], (std::vector<std::string>{"p", "", "7"}));
+}
+
+TEST(Workbook, IsReadBetweenItsLinesAndWithCommasInItsTexts) {
+    Parts parts = usual();
+    parts["xl/worksheets/sheet2.xml"] =
+        "<worksheet><sheetData><row r=\"1\"><c t=\"inlineStr\"><is><t>q\n "
+        "[kN/m\xC2\xB2]</t></is></c></row>"
+        "<row r=\"2\"><c t=\"inlineStr\"><is><t>(mean)</t></is></c></row>"
+        "<row r=\"3\"><c><v>1.5</v></c></row><row r=\"4\"><c "
+        "t=\"inlineStr\"><is><t>2,5</t></is></c></row>"
+        "<row r=\"5\"><c t=\"inlineStr\"><is><t>removed on "
+        "3.4.</t></is></c></row></sheetData></worksheet>";
+    const Book book(parts);
+    cli::SheetFormat layout;
+    layout.sheet = "TMD 1";
+    layout.first_line = 3;
+    layout.last_line = 4;
+    layout.decimal_comma = true;
+    const cli::Cells cells = cli::read_sheet(book.path, layout);
+    EXPECT_EQ(cells.rows,
+              (std::vector<std::vector<std::string>>{{"q [kN/m\xC2\xB2]"}, {"1.5"}, {"2.5"}}));
+}
+
 std::string refusal(const Parts& parts, const std::string& sheet) {
     const Book book(parts);
     try {
