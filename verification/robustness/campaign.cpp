@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "robustness/campaign.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include <grit/version.h>
+
+#include "support/version_text.hpp"
+
+namespace robustness {
+namespace {
+
+std::atomic<bool> asked_to_stop = false;
+
+class Journal {
+  public:
+    Journal(const Kind& kind, const Campaign& campaign, std::vector<bool>& done, Findings& all)
+        : path(campaign.journal), words(kind.words) {
+        if (path.empty()) return;
+        const std::string head = "grit torture " + kind.name + ", seed " +
+                                 std::to_string(campaign.seed) + ", blocks of " +
+                                 std::to_string(kind.block) + ", Grit " +
+                                 grit::version_text(grit_version());
+        std::ifstream before(path);
+        std::string line;
+        if (std::getline(before, line)) {
+            if (line != head)
+                throw std::runtime_error(path + ": is of \"" + line + "\", not of \"" + head +
+                                         "\": give another file");
+            while (std::getline(before, line)) {
+                if (before.eof()) break;  // cut off
+                const std::size_t number = std::stoul(line);
+                if (number < done.size() && !done[number]) all.add(Findings::of_line(words, line));
+                if (number < done.size()) done[number] = true;
+            }
+        }
+        before.close();
+        rewrite_without_cut_line();
+        file.open(path, std::ios::app);
+        if (file.tellp() == 0) file << head << '\n' << std::flush;
+        if (!file) throw std::runtime_error(path + ": cannot be written");
+    }
+
+    void add(std::size_t block, const Findings& found) {
+        if (path.empty()) return;
+        file << block << found.line(words) << '\n' << std::flush;
+        if (!file) throw std::runtime_error(path + ": cannot be written");
+    }
+
+  private:
+    void rewrite_without_cut_line() const {
+        std::ifstream in(path, std::ios::binary);
+        const std::string text(std::istreambuf_iterator<char>(in), {});
+        if (text.empty() || text.back() == '\n') return;
+        std::ofstream(path, std::ios::binary) << text.substr(0, text.rfind('\n') + 1);
+    }
+
+    std::string path;
+    const Vocabulary& words;
+    std::ofstream file;
+};
+
+}  // namespace
+
+bool run(const Kind& kind, const Campaign& campaign) {
+    using Clock = std::chrono::steady_clock;
+    const auto blocks = static_cast<std::size_t>((campaign.count + kind.block - 1) / kind.block);
+    std::vector<bool> done(blocks);
+    Findings all(kind.words);
+    Journal journal(kind, campaign, done, all);
+    std::vector<std::size_t> left;
+    for (std::size_t i = 0; i < blocks; ++i)
+        if (!done[i]) left.push_back(i);
+    const std::size_t before = blocks - left.size();
+
+    std::signal(SIGINT, [](int) { asked_to_stop = true; });
+    const auto start = Clock::now();
+    const auto seconds = [&] {
+        return std::chrono::duration<double>(Clock::now() - start).count();
+    };
+    std::mutex mutex;
+    std::size_t next = 0, ended = 0;
+    std::string failure;
+    double told = 0.0;
+    const auto work = [&] {
+        for (;;) {
+            std::size_t block;
+            {
+                const std::lock_guard lock(mutex);
+                const bool late = campaign.hours > 0.0 && seconds() > 3600.0 * campaign.hours;
+                if (next == left.size() || asked_to_stop || late || !failure.empty()) return;
+                block = left[next++];
+            }
+            Findings found(kind.words);
+            // Neighbouring seeds and blocks have streams that share nothing.
+            Random random(Random(campaign.seed).bits() ^ Random(~std::uint64_t{block}).bits());
+            kind.run(random, kind.block, found);
+            const std::lock_guard lock(mutex);
+            try {
+                journal.add(block, found);
+            } catch (const std::runtime_error& error) {
+                failure = error.what();
+                return;
+            }
+            all.add(found);
+            ++ended;
+            if (seconds() - told < 10.0) continue;
+            told = seconds();
+            const double rate = static_cast<double>(ended) / told;
+            std::fprintf(stderr, "%s: block %zu of %zu, %.3g cases/s, %.0f s left\n",
+                         kind.name.c_str(), before + ended, blocks,
+                         rate * static_cast<double>(kind.block),
+                         static_cast<double>(left.size() - ended) / rate);
+        }
+    };
+    std::vector<std::thread> others;
+    for (int i = 1; i < campaign.threads; ++i) others.emplace_back(work);
+    work();
+    for (std::thread& each : others) each.join();
+    if (!failure.empty()) throw std::runtime_error(failure);
+
+    std::printf("%s: %zu of %zu blocks of %ld cases, seed %lu, Grit %s\n", kind.name.c_str(),
+                before + ended, blocks, kind.block, campaign.seed,
+                grit::version_text(grit_version()).c_str());
+    all.print(kind.words);
+    return all.clean();
+}
+
+}  // namespace robustness

@@ -1,0 +1,550 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "robustness/contact_trials.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include <grit/grit.h>
+
+#include "robustness/layout.hpp"
+#include "robustness/program_text.hpp"
+
+namespace robustness {
+namespace {
+
+enum Count { nodes, inactive, open, stick, slip, refused, of_many, many_not_converged };
+enum Largest {
+    momentum_error,
+    energy_gain,
+    friction_excess,
+    approach_left,
+    swap_error,
+    galilei_error,
+    turn_error,
+    many_momentum,
+    many_energy
+};
+enum Rule {
+    finite,
+    untouched,
+    open_untouched,
+    same_bits,
+    known_status,
+    keeps_momentum,
+    gains_no_energy,
+    obeys_coulomb,
+    pushes_only,
+    closes_as_told,
+    does_not_see_names,
+    does_not_see_common_velocity,
+    turns_along,
+    many_keeps_momentum,
+    many_gains_no_energy,
+    many_of_two_is_pair
+};
+
+const Vocabulary words = {
+    {"nodes corrected alone", "with one body", "open", "sticking", "slipping", "refused",
+     "nodes of more bodies", "of these, squeezed"},
+    {"momentum error over momentum", "energy gained over that of the relative motion",
+     "friction above Coulomb's, over m_r |w|", "approach left beside (1 - f_p) of it, over |w|",
+     "difference with bodies exchanged, over velocities",
+     "difference with a common velocity, over velocities",
+     "difference when turned, over velocities", "momentum error of more bodies",
+     "energy gained by more bodies, over that of relative motion"},
+    {"results are finite", "a refused node keeps its bits", "an open node keeps its bits",
+     "a batch gives the bits of single calls, whatever its strides", "a status is one of a node's",
+     "momentum is kept to 1e-15", "energy does not grow by more than 1e-14",
+     "friction stays within Coulomb's limit to 1e-13", "the normal impulse presses",
+     "f_p of the approach is taken to 1e-14", "bodies exchanged give the same to 1e-14",
+     "a common velocity is not seen, to 1e-14 (1 + mu)",
+     "turned nodes give turned velocities to 1e-13 (1 + mu)",
+     "momentum of more bodies is kept to 1e-14", "energy of more bodies does not grow by 1e-12",
+     "two bodies among many are a pair, to the bit"}};
+
+using Vec = std::array<double, 3>;
+
+double dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double norm(const Vec& a) { return std::sqrt(dot(a, a)); }
+Vec plus(const Vec& a, double s, const Vec& b) {
+    return {a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]};
+}
+
+struct Node {
+    double m_a = 0.0, m_b = 0.0, distance = 0.0, cell = 1.0, gap = 0.0, area = 0.0, pore = 0.0;
+    Vec normal{}, v_a{}, v_b{};
+    grit_contact_report report{};
+
+    double m_r() const { return m_a / (m_a + m_b) * m_b; }
+    Vec w() const { return plus(v_a, -1.0, v_b); }
+};
+
+struct Call {
+    grit_contact_options options;
+    bool gap = false, area = false, pore = false;
+};
+
+constexpr int longest_batch = 31;
+constexpr double smallest_speed = 1e-290;  // below, numbers have fewer digits
+
+Call random_call(Random& random) {
+    Call call;
+    grit_contact_options& o = call.options;
+    grit_contact_options_init(&o, sizeof o);
+    o.components = 2 + random.below(2);
+    o.law = random.below(2) ? GRIT_CONTACT_GEO : GRIT_CONTACT_FRICTIONAL;
+    o.penalty_power = random.below(2) ? 6.0 : random.log_uniform(1e-6, 1e6);
+    o.friction_coefficient = random.below(3) ? random.log_uniform(1e-6, 1e3) : 0.0;
+    o.time_step = random.log_uniform(1e-12, 1e3);
+    call.area = random.below(3) == 0;
+    if (call.area) o.adhesion = random.below(2) ? random.log_uniform(1e-10, 1e10) : 0.0;
+    o.mass_tolerance = random.below(2) ? 1e-10 : random.uniform(0.0, 0.499);
+    o.rigid = random.below(4) ? GRIT_CONTACT_NONE_RIGID : 1 + random.below(2);
+    o.instruction_set = 1 + random.below(grit_instruction_set());
+    call.gap = random.below(3) == 0;
+    if (call.gap) o.gap_tolerance = random.below(2) ? 0.0 : random.log_uniform(1e-12, 1.0);
+    call.pore = random.below(4) == 0;
+    if (o.law == GRIT_CONTACT_GEO && random.below(3) == 0)
+        o.relaxation_time = random.log_uniform(1e-12, 1e3);
+    return call;
+}
+
+Vec random_vector(Random& random, int components) {
+    return {random.normal(), random.normal(), components == 3 ? random.normal() : 0.0};
+}
+
+Node random_node(Random& random, const Call& call) {
+    Node x;
+    const int components = call.options.components;
+    x.m_a = random.below(40) ? random.log_uniform(1e-30, 1e30) : 0.0;
+    x.m_b = random.below(3) ? x.m_a * random.log_uniform(1e-12, 1e12)
+                            : random.log_uniform(1e-250, 1e100);
+    if (random.below(40) == 0) x.m_b = 0.0;
+    x.normal = random_vector(random, components);
+    const double size = norm(x.normal);
+    for (double& each : x.normal) each /= size;
+    if (random.below(10) == 0) {
+        x.normal = {};
+        x.normal[static_cast<std::size_t>(random.below(components))] = random.below(2) ? 1.0 : -1.0;
+    }
+    x.cell = random.log_uniform(1e-6, 1e6);
+    switch (random.below(6)) {
+        case 0: x.distance = 0.0; break;
+        case 1: x.distance = x.cell; break;
+        case 2: x.distance = INFINITY; break;
+        case 3: x.distance = -x.cell * random.log_uniform(1e-12, 1e3); break;
+        default: x.distance = x.cell * random.uniform(0.0, 1.2);
+    }
+    x.gap = random.below(4) ? x.cell * random.uniform(-1.0, 1.0) : 0.0;
+    x.area = random.log_uniform(1e-12, 1e6);
+    const double speed = random.log_uniform(1e-12, 1e6);
+    for (Vec* v : {&x.v_a, &x.v_b}) {
+        *v = random_vector(random, components);
+        for (double& each : *v) each *= speed;
+    }
+    const double away = std::pow(10.0, random.uniform(-14.0, 0.0));
+    switch (random.below(8)) {
+        case 0:  // nearly together
+            x.v_b = plus(x.v_a, away * speed, random_vector(random, components));
+            break;
+        case 1:  // along the normal
+            x.v_b = plus(x.v_a, -speed * away, x.normal);
+            break;
+        case 2: x.v_b = x.v_a; break;
+        case 3: x.v_a = x.v_b = {}; break;
+        default: break;
+    }
+    x.pore = (random.below(2) ? 1.0 : -1.0) * x.m_r() * speed * random.log_uniform(1e-6, 10.0);
+    if (!std::isfinite(x.pore)) x.pore = 0.0;
+    if (random.below(100) == 0) {
+        const double bad[] = {NAN, INFINITY, -INFINITY, 1e308, -1e308, 4.9e-324, -1.0};
+        double* const member[] = {&x.m_a,  &x.m_b,       &x.distance, &x.cell,  &x.gap,
+                                  &x.area, &x.normal[0], &x.v_a[1],   &x.v_b[0]};
+        *member[random.below(9)] = bad[random.below(7)];
+    }
+    return x;
+}
+
+grit_contact_nodes views_of(const Call& call, Node& x) {
+    grit_contact_nodes q{};
+    q.struct_size = sizeof q;
+    q.mass_a = grit_view_of(&x.m_a, 1, 1);
+    q.mass_b = grit_view_of(&x.m_b, 1, 1);
+    q.normal = grit_view_of(x.normal.data(), 3, 1);
+    q.distance = grit_view_of(&x.distance, 1, 1);
+    q.cell_size = grit_view_of(&x.cell, 1, 1);
+    if (call.gap) q.gap = grit_view_of(&x.gap, 1, 1);
+    if (call.area) q.contact_area = grit_view_of(&x.area, 1, 1);
+    if (call.pore) q.pore_impulse = grit_view_of(&x.pore, 1, 1);
+    q.velocity_a = grit_mutable_view_of(x.v_a.data(), 3, 1);
+    q.velocity_b = grit_mutable_view_of(x.v_b.data(), 3, 1);
+    return q;
+}
+
+void correct(const Call& call, Node& x) {
+    const grit_contact_nodes q = views_of(call, x);
+    grit_contact_correct(&call.options, 1, &q, &x.report, nullptr, nullptr);
+}
+
+void correct_together(Random& random, const Call& call, std::vector<Node>& all) {
+    const auto n = static_cast<std::ptrdiff_t>(all.size());
+    const std::ptrdiff_t places = n + random.below(3);
+    const std::vector<std::ptrdiff_t> index = shuffled(random, places);
+    const int c = call.options.components;
+    Layout m_a(random, places, 1), m_b(random, places, 1), normal(random, places, c),
+        distance(random, places, 1), cell(random, places, 1), gap(random, places, 1),
+        area(random, places, 1), pore(random, places, 1), v_a(random, places, c),
+        v_b(random, places, c);
+    for (std::ptrdiff_t i = 0; i < n; ++i) {
+        const Node& x = all[static_cast<std::size_t>(i)];
+        const std::ptrdiff_t at = index[static_cast<std::size_t>(i)];
+        m_a.put(at, &x.m_a);
+        m_b.put(at, &x.m_b);
+        normal.put(at, x.normal.data());
+        distance.put(at, &x.distance);
+        cell.put(at, &x.cell);
+        gap.put(at, &x.gap);
+        area.put(at, &x.area);
+        pore.put(at, &x.pore);
+        v_a.put(at, x.v_a.data());
+        v_b.put(at, x.v_b.data());
+    }
+    grit_contact_nodes q{};
+    q.struct_size = sizeof q;
+    q.index = index.data();
+    q.mass_a = m_a.in();
+    q.mass_b = m_b.in();
+    q.normal = normal.in();
+    q.distance = distance.in();
+    q.cell_size = cell.in();
+    if (call.gap) q.gap = gap.in();
+    if (call.area) q.contact_area = area.in();
+    if (call.pore) q.pore_impulse = pore.in();
+    q.velocity_a = v_a.out();
+    q.velocity_b = v_b.out();
+    std::vector<grit_contact_report> reports(all.size());
+    grit_contact_correct(&call.options, n, &q, reports.data(), nullptr, nullptr);
+    for (std::ptrdiff_t i = 0; i < n; ++i) {
+        Node& x = all[static_cast<std::size_t>(i)];
+        const std::ptrdiff_t at = index[static_cast<std::size_t>(i)];
+        v_a.get(at, x.v_a.data());
+        v_b.get(at, x.v_b.data());
+        x.report = reports[static_cast<std::size_t>(i)];
+    }
+}
+
+bool same(const Vec& a, const Vec& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool same(const Node& a, const Node& b) { return same(a.v_a, b.v_a) && same(a.v_b, b.v_b); }
+bool all_finite(const Vec& a) {
+    return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
+}
+
+std::string program_of(const Call& call, const Node& x) {
+    const grit_contact_options& o = call.options;
+    const double scalars[] = {x.m_a, x.m_b, x.distance, x.cell, x.gap, x.area, x.pore};
+    const double options[] = {o.penalty_power,  o.friction_coefficient, o.adhesion,
+                              o.time_step,      o.mass_tolerance,       o.gap_tolerance,
+                              o.relaxation_time};
+    return "#include <grit/grit.h>\n#include <stdio.h>\nint main(void) {\n    double s[] = " +
+           numbers(scalars, 7) + ";\n    double n[] = " + numbers(x.normal.data(), 3) +
+           ", a[] = " + numbers(x.v_a.data(), 3) + ", b[] = " + numbers(x.v_b.data(), 3) +
+           ";\n    double p[] = " + numbers(options, 7) +
+           ";\n    grit_contact_options o; grit_contact_options_init(&o, sizeof o);\n    "
+           "o.components = " +
+           std::to_string(o.components) + "; o.law = " + std::to_string(o.law) +
+           "; o.rigid = " + std::to_string(o.rigid) +
+           "; o.instruction_set = " + std::to_string(o.instruction_set) +
+           ";\n    o.penalty_power = p[0]; o.friction_coefficient = p[1]; o.adhesion = p[2]; "
+           "o.time_step = p[3];\n"
+           "    o.mass_tolerance = p[4]; o.gap_tolerance = p[5]; o.relaxation_time = p[6];\n"
+           "    grit_contact_nodes q = {sizeof q};\n"
+           "    q.mass_a = grit_view_of(s, 1, 1); q.mass_b = grit_view_of(s + 1, 1, 1); q.normal = "
+           "grit_view_of(n, 3, 1);\n"
+           "    q.distance = grit_view_of(s + 2, 1, 1); q.cell_size = grit_view_of(s + 3, 1, "
+           "1);\n" +
+           (call.gap ? "    q.gap = grit_view_of(s + 4, 1, 1);\n" : "") +
+           (call.area ? "    q.contact_area = grit_view_of(s + 5, 1, 1);\n" : "") +
+           (call.pore ? "    q.pore_impulse = grit_view_of(s + 6, 1, 1);\n" : "") +
+           "    q.velocity_a = grit_mutable_view_of(a, 3, 1); q.velocity_b = "
+           "grit_mutable_view_of(b, 3, 1);\n"
+           "    grit_contact_report r; grit_error e = {0}; grit_contact_correct(&o, 1, &q, &r, 0, "
+           "&e);\n"
+           "    printf(\"status %d state %d f_p %.17g J %.17g %.17g %.17g %s\\n\", r.status, "
+           "r.state, r.penalty_factor,\n"
+           "           r.impulse[0], r.impulse[1], r.impulse[2], e.message);\n"
+           "    for (int c = 0; c < 3; ++c) printf(\"%.17g %.17g\\n\", a[c], b[c]);\n}\n";
+}
+
+void judge(const Call& call, const Node& x, const Node& y, Findings& out) {
+    const auto program = [&] { return program_of(call, x); };
+    const grit_contact_report& r = y.report;
+    out.count(nodes);
+    if (r.status != GRIT_OK) {
+        out.count(refused);
+        out.demand(known_status, r.status == GRIT_BAD_STATE, program);
+        out.demand(untouched, same(x, y), program);
+        return;
+    }
+    out.demand(known_status, r.state >= GRIT_CONTACT_INACTIVE && r.state <= GRIT_CONTACT_SLIP,
+               program);
+    out.count(inactive + r.state);
+    if (r.state <= GRIT_CONTACT_OPEN) {
+        out.demand(open_untouched, same(x, y), program);
+        return;
+    }
+    const Vec J = {r.impulse[0], r.impulse[1], r.impulse[2]};
+    out.demand(finite, all_finite(y.v_a) && all_finite(y.v_b) && all_finite(J), program);
+    const double speeds = norm(x.v_a) + norm(x.v_b), before = norm(x.w());
+    if (speeds < smallest_speed) return;
+    const double m_r = call.options.rigid == GRIT_CONTACT_A_RIGID   ? x.m_b
+                       : call.options.rigid == GRIT_CONTACT_B_RIGID ? x.m_a
+                                                                    : x.m_r();
+    if (call.options.rigid == GRIT_CONTACT_NONE_RIGID) {
+        double error = 0.0, size = 0.0;
+        for (std::size_t c = 0; c < 3; ++c) {
+            error += std::fabs(x.m_a * (y.v_a[c] - x.v_a[c]) + x.m_b * (y.v_b[c] - x.v_b[c]));
+            size += x.m_a * (std::fabs(x.v_a[c]) + std::fabs(y.v_a[c])) +
+                    x.m_b * (std::fabs(x.v_b[c]) + std::fabs(y.v_b[c]));
+        }
+        out.measure(momentum_error, error / size);
+        out.demand(keeps_momentum, error <= 1e-15 * size, program);
+    }
+    const double roundoff = 4e-16 * speeds / before;  // of w itself
+    const double gain = norm(y.w()) / before - 1.0;
+    out.measure(energy_gain, gain - roundoff);
+    out.demand(gains_no_energy, gain <= 1e-14 + roundoff, program);
+    // Impulses over m_r |w|, whose squares may be too small for numbers.
+    const double size = m_r * before, w_n = dot(x.w(), x.normal);
+    const Vec share = {J[0] / size, J[1] / size, J[2] / size};
+    const double J_n = dot(share, x.normal), J_t = norm(plus(share, -J_n, x.normal));
+    out.demand(pushes_only, J_n >= -1e-14, program);
+    const double rubs = std::max(0.0, J_n - (call.pore ? x.pore / size : 0.0));
+    const grit_contact_options& o = call.options;
+    const double limit = o.friction_coefficient * rubs +
+                         (o.adhesion > 0.0 ? o.adhesion * x.area * o.time_step / size : 0.0);
+    const double excess = (J_t - limit) / (1.0 + limit);
+    out.measure(friction_excess, excess - roundoff);
+    out.demand(obeys_coulomb, excess <= 1e-13 + 4.0 * roundoff, program);
+    if (call.options.relaxation_time == 0.0) {
+        const double left =
+            std::fabs(dot(y.w(), x.normal) - (1.0 - r.penalty_factor) * w_n) / before;
+        out.measure(approach_left, left - roundoff);
+        out.demand(closes_as_told, left <= 1e-14 + 4.0 * roundoff, program);
+    }
+}
+
+double apart(const Node& a, const Vec& v_a, const Vec& v_b) {
+    return norm(plus(a.v_a, -1.0, v_a)) + norm(plus(a.v_b, -1.0, v_b));
+}
+
+// What a node must give in other words: with the bodies exchanged, in another frame, turned.
+void judge_in_other_words(const Call& call, const Node& x, const Node& y, Random& random,
+                          Findings& out) {
+    if (y.report.status != GRIT_OK || y.report.state <= GRIT_CONTACT_OPEN) return;
+    const auto program = [&] { return program_of(call, x); };
+    const double speeds = norm(x.v_a) + norm(x.v_b);
+    if (speeds < smallest_speed) return;
+
+    Node exchanged = x;
+    std::swap(exchanged.m_a, exchanged.m_b);
+    std::swap(exchanged.v_a, exchanged.v_b);
+    for (double& each : exchanged.normal) each = -each;
+    Call other = call;
+    if (call.options.rigid != GRIT_CONTACT_NONE_RIGID) other.options.rigid = 3 - call.options.rigid;
+    correct(other, exchanged);
+    const double swapped = apart(y, exchanged.v_b, exchanged.v_a) / speeds;
+    out.measure(swap_error, swapped);
+    out.demand(does_not_see_names, exchanged.report.state == y.report.state && swapped <= 1e-14,
+               program);
+
+    // Roundoff of a common velocity may decide between what is close: opening, sticking, slipping.
+    Node moving = x;
+    const double speed = std::min(speeds, 10.0 * norm(x.w()));
+    Vec common = random_vector(random, call.options.components);
+    for (double& each : common) each *= speed;
+    moving.v_a = plus(moving.v_a, 1.0, common);
+    moving.v_b = plus(moving.v_b, 1.0, common);
+    correct(call, moving);
+    if (moving.report.state == y.report.state) {
+        const double seen =
+            apart(y, plus(moving.v_a, -1.0, common), plus(moving.v_b, -1.0, common)) /
+            (speeds + norm(common));
+        out.measure(galilei_error, seen);
+        out.demand(does_not_see_common_velocity,
+                   seen <= 1e-14 * (1.0 + call.options.friction_coefficient), program);
+    }
+
+    const double angle = random.uniform(0.0, 6.283185307179586), cosine = std::cos(angle),
+                 sine = std::sin(angle);
+    const auto turned = [&](const Vec& a) {
+        return Vec{cosine * a[0] - sine * a[1], sine * a[0] + cosine * a[1], a[2]};
+    };
+    Node aside = x;
+    for (Vec* each : {&aside.normal, &aside.v_a, &aside.v_b}) *each = turned(*each);
+    correct(call, aside);
+    if (aside.report.state != y.report.state) return;
+    const double off = apart(aside, turned(y.v_a), turned(y.v_b)) / speeds;
+    out.measure(turn_error, off);
+    out.demand(turns_along, off <= 1e-13 * (1.0 + call.options.friction_coefficient), program);
+}
+
+// Two to five bodies at a node, in pairs of random normals.
+void try_many(const Call& call, Random& random, Findings& out) {
+    const int count = 2 + random.below(4), c = call.options.components;
+    std::vector<double> mass(static_cast<std::size_t>(count));
+    std::vector<Vec> velocity(mass.size()), before;
+    const double scale = random.log_uniform(1e-20, 1e20), speed = random.log_uniform(1e-9, 1e6);
+    for (std::size_t i = 0; i < mass.size(); ++i) {
+        mass[i] = scale * random.log_uniform(1e-4, 1e4);
+        velocity[i] = random_vector(random, c);
+        for (double& each : velocity[i]) each *= speed;
+    }
+    before = velocity;
+    grit_contact_options options = call.options;
+    options.rigid = GRIT_CONTACT_NONE_RIGID;
+    options.mass_tolerance = 0.0;
+    std::vector<Node> between;
+    std::vector<grit_contact_pair> pairs;
+    for (int a = 0; a < count; ++a)
+        for (int b = a + 1; b < count; ++b)
+            if (count == 2 || random.below(3)) {
+                between.push_back(random_node(random, call));
+                Node& x = between.back();
+                x.normal = random_vector(random, c);
+                const double size = norm(x.normal);
+                for (double& each : x.normal) each /= size;
+                x.cell = 1.0;
+                x.distance = random.uniform(-0.5, 1.2);
+                x.gap = random.uniform(-1.0, 0.5);
+                x.area = random.log_uniform(1e-6, 1.0);
+                x.pore = 0.0;
+                grit_contact_pair pair{};
+                pair.struct_size = sizeof pair;
+                pair.a = a;
+                pair.b = b;
+                pairs.push_back(pair);
+            }
+    if (pairs.empty()) return;
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+        Node& x = between[k];
+        pairs[k].options = &options;
+        pairs[k].normal = grit_view_of(x.normal.data(), 3, 1);
+        pairs[k].distance = grit_view_of(&x.distance, 1, 1);
+        pairs[k].cell_size = grit_view_of(&x.cell, 1, 1);
+        if (call.gap) pairs[k].gap = grit_view_of(&x.gap, 1, 1);
+        if (call.area) pairs[k].contact_area = grit_view_of(&x.area, 1, 1);
+        if (call.pore) pairs[k].pore_impulse = grit_view_of(&x.pore, 1, 1);
+    }
+    std::vector<grit_view> masses;
+    std::vector<grit_mutable_view> velocities;
+    for (std::size_t i = 0; i < mass.size(); ++i) {
+        masses.push_back(grit_view_of(&mass[i], 1, 1));
+        velocities.push_back(grit_mutable_view_of(velocity[i].data(), 3, 1));
+    }
+    grit_contact_bodies bodies{};
+    bodies.struct_size = sizeof bodies;
+    bodies.components = c;
+    bodies.count = count;
+    bodies.mass = masses.data();
+    bodies.velocity = velocities.data();
+    bodies.instruction_set = options.instruction_set;
+    std::vector<grit_contact_report> reports(pairs.size());
+    const grit_status status = grit_contact_correct_many(
+        &bodies, static_cast<int>(pairs.size()), pairs.data(), 1, reports.data(), nullptr, nullptr);
+    out.count(of_many);
+    Node pair;
+    pair.m_a = mass[0];
+    pair.m_b = mass[1];
+    pair.v_a = before[0];
+    pair.v_b = before[1];
+    const Node& first = between.front();
+    pair.normal = first.normal;
+    pair.distance = first.distance;
+    pair.cell = first.cell;
+    pair.gap = first.gap;
+    pair.area = first.area;
+    pair.pore = first.pore;
+    const auto program = [&] {
+        std::string text = program_of(call, pair) + "/* bodies:";
+        for (std::size_t i = 0; i < mass.size(); ++i)
+            text += " m " + number_text(mass[i]) + " v " + numbers(before[i].data(), 3);
+        for (std::size_t k = 0; k < pairs.size(); ++k)
+            text += " pair " + std::to_string(pairs[k].a) + '-' + std::to_string(pairs[k].b) +
+                    " n " + numbers(between[k].normal.data(), 3) + " s " +
+                    number_text(between[k].distance) + " gap " + number_text(between[k].gap) +
+                    " area " + number_text(between[k].area);
+        return text + " */\n";
+    };
+    if (status != GRIT_OK) {
+        out.count(many_not_converged);
+        bool kept = true;
+        for (std::size_t i = 0; i < mass.size(); ++i) kept = kept && same(velocity[i], before[i]);
+        out.demand(untouched, kept, program);
+        return;
+    }
+    double error = 0.0, size = 0.0, energy_before = 0.0, energy_after = 0.0;
+    Vec centre{};
+    double total = 0.0;
+    for (std::size_t i = 0; i < mass.size(); ++i) {
+        total += mass[i];
+        centre = plus(centre, mass[i], before[i]);
+    }
+    for (double& each : centre) each /= total;
+    for (std::size_t d = 0; d < 3; ++d) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < mass.size(); ++i) {
+            sum += mass[i] * (velocity[i][d] - before[i][d]);
+            size += mass[i] * (std::fabs(velocity[i][d]) + std::fabs(before[i][d]));
+        }
+        error += std::fabs(sum);
+    }
+    for (std::size_t i = 0; i < mass.size(); ++i) {
+        const Vec old = plus(before[i], -1.0, centre), now = plus(velocity[i], -1.0, centre);
+        energy_before += 0.5 * mass[i] * dot(old, old);
+        energy_after += 0.5 * mass[i] * dot(now, now);
+    }
+    out.measure(many_momentum, error / size);
+    out.demand(many_keeps_momentum, error <= 1e-14 * size, program);
+    const double gain = energy_after / energy_before - 1.0;
+    out.measure(many_energy, gain);
+    out.demand(many_gains_no_energy, gain <= 1e-12, program);
+    if (count != 2) return;
+    Call alone = call;
+    alone.options = options;
+    correct(alone, pair);
+    out.demand(many_of_two_is_pair, same(pair.v_a, velocity[0]) && same(pair.v_b, velocity[1]),
+               program);
+}
+
+void run_contact(Random& random, long cases, Findings& out) {
+    for (long tried = 0; tried < cases;) {
+        const Call call = random_call(random);
+        const auto n = static_cast<std::size_t>(
+            std::min<long>(1 + random.below(longest_batch), cases - tried));
+        std::vector<Node> before, alone, together;
+        for (std::size_t i = 0; i < n; ++i) before.push_back(random_node(random, call));
+        alone = together = before;
+        for (Node& x : alone) correct(call, x);
+        correct_together(random, call, together);
+        for (std::size_t i = 0; i < n; ++i) {
+            judge(call, before[i], alone[i], out);
+            out.demand(same_bits,
+                       same(alone[i], together[i]) &&
+                           alone[i].report.status == together[i].report.status &&
+                           alone[i].report.state == together[i].report.state,
+                       [&] { return program_of(call, before[i]); });
+            if (random.below(8) == 0) judge_in_other_words(call, before[i], alone[i], random, out);
+        }
+        if (random.below(4) == 0) try_many(call, random, out);
+        tried += static_cast<long>(n);
+    }
+}
+
+}  // namespace
+
+Kind contact_trials() { return {"contact", words, 1000000, run_contact}; }
+
+}  // namespace robustness

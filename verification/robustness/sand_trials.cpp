@@ -1,0 +1,694 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "robustness/sand_trials.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <numeric>
+#include <vector>
+
+#include <grit/grit.h>
+
+#include "robustness/exact_rate.hpp"
+#include "robustness/layout.hpp"
+#include "robustness/program_text.hpp"
+
+namespace robustness {
+namespace {
+
+enum Count {
+    updates,
+    done,
+    bad_states,
+    not_converged,
+    stress_free,
+    void_clamped,
+    outside_cone,
+    h_clamped,
+    rate_evaluations,
+    published,
+    retried,
+    compared,
+    over_tolerance,
+    referred,
+    referred_over,
+    differences,
+    cycles,
+    cycles_with_energy
+};
+enum Largest {
+    evaluations_of_a_call,
+    error_of_published,
+    error_of_any,
+    error_of_flagged,
+    error_of_reference,
+    h_of_reference,
+    tangent_error,
+    steps_of_a_retry
+};
+enum Rule {
+    finite,
+    untouched,
+    at_rest,
+    same_bits,
+    known_status,
+    bounded,
+    in_cone,
+    h_in_its_radius,
+    e_of_volume,
+    estimate_positive,
+    taken_again,
+    retry_ends,
+    error_bounded,
+    estimate_tells,
+    exact_stress,
+    tangent_is_difference,
+    no_energy_of_nothing
+};
+
+const Vocabulary words = {
+    {"updates of a point", "cases done", "refused for their state", "not converged",
+     "done, stress-free", "done, e beyond its limits", "done, scaled back to the cone",
+     "done, h scaled to R", "evaluations of the rate", "of published sands",
+     "not converged, followed by smaller steps", "compared with a tolerance of 1e-11",
+     "of these, error above the tolerance", "compared with the long double reference",
+     "of these, error above the tolerance of 1e-9", "tangents compared with differences",
+     "closed cycles from nothing", "of these, energy given"},
+    {"evaluations of a call", "error over tolerance, published sands",
+     "error over tolerance, any parameters",
+     "error over tolerance, where the cone, h or nothing limits",
+     "error against the reference, published sands", "error of h over R, published sands",
+     "error of a tangent, published sands", "steps that a failed strain was cut into"},
+    {"results are finite", "a failed point keeps its bits",
+     "without strain and rotation nothing changes",
+     "a batch gives the bits of single calls, whatever its strides", "a status is one of a point's",
+     "evaluations stay within their limit", "stress ends within the cone",
+     "|h| ends within R (1 + 1e-12)", "e follows the volume to 1e-12",
+     "the error estimate is not negative", "the next call takes the result",
+     "following step_reduction ends", "the error of published sands stays below 10 tolerances",
+     "the error estimate of published sands is above a hundredth of an error above the tolerance",
+     "stress and h of published sands are those of the reference within 1e-7",
+     "the tangent of published sands is the difference of stresses within 1 %",
+     "no closed cycle of a published sand from nothing gives energy"}};
+
+// What one call is told, and one point.
+struct Call {
+    grit_sand_parameters parameters;
+    grit_sand sand;
+    grit_sand_options options;
+    int components = 6;
+    bool rotated = false, advised = false, of_catalogue = false;
+};
+struct Point {
+    double strain[6] = {}, rotation[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1}, stress[6] = {},
+           state[GRIT_SAND_STATE_SIZE] = {}, substep = 0.0, tangent[36] = {};
+    grit_sand_report report{};
+};
+
+constexpr double untouched_tangent = 7.0;
+
+bool with_memory(const Call& call) {
+    return !std::isnan(call.parameters.elastic_strain_radius) && !call.options.intergranular_off;
+}
+
+double norm(const double* a, double shear) {
+    double sum = 0.0;
+    for (int c = 0; c < 6; ++c) sum += (c < 3 ? 1.0 : shear) * a[c] * a[c];
+    return std::sqrt(sum);
+}
+double norm_of_stress(const double* T) { return norm(T, 2.0); }
+double norm_of_strain(const double* E) { return norm(E, 0.5); }
+
+// A random symmetric tensor of this norm, as stress (1) or engineering strain (2); four components in the plane.
+void random_tensor(Random& random, double length, double shear_factor, int components,
+                   double out[6]) {
+    for (int c = 0; c < 6; ++c) out[c] = c < components ? random.normal() : 0.0;
+    const double size = norm_of_stress(out);
+    for (int c = 0; c < 6; ++c) out[c] *= length / size * (c < 3 ? 1.0 : shear_factor);
+}
+
+// Mostly the published ones, or everything that grit_sand_prepare takes.
+void random_sand(Random& random, Call& call) {
+    grit_sand_parameters& p = call.parameters;
+    for (;;) {
+        grit_sand_parameters_init(&p, sizeof p);
+        call.of_catalogue = random.below(3) == 0;
+        if (call.of_catalogue) {
+            grit_sand_record_parameters(random.below(grit_sand_record_count()), 1.0, &p);
+        } else {
+            for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i) {
+                const grit_sand_parameter_info& info = *grit_sand_parameter_describe(i);
+                const double low = std::max(info.lowest, 1e-3 * info.highest);
+                grit_sand_parameter_set(&p, i,
+                                        random.below(2) ? random.uniform(info.lowest, info.highest)
+                                                        : random.log_uniform(low, info.highest));
+            }
+            p.granulate_hardness =
+                random.below(8) ? random.log_uniform(1e4, 1e11) : random.log_uniform(1e-30, 1e30);
+            p.densest_void_ratio = random.log_uniform(0.01, 5.0);
+            p.critical_void_ratio = random.log_uniform(p.densest_void_ratio, 5.0);
+            p.loosest_void_ratio = random.log_uniform(p.critical_void_ratio, 5.0);
+            p.pressure_shift =
+                random.below(3) ? 0.0 : p.granulate_hardness * random.log_uniform(1e-14, 1.0);
+            p.transverse_stiffness = random.log_uniform(1.0, p.reversal_stiffness);
+            p.elastic_strain_radius = random.log_uniform(1e-6, 1e-2);
+            p.evolution_exponent = random.log_uniform(0.01, 2.0);
+            if (random.below(6) == 0)
+                p.reversal_stiffness = p.transverse_stiffness = p.elastic_strain_radius =
+                    p.evolution_exponent = p.stiffness_interpolation_exponent = NAN;
+        }
+        if (grit_sand_prepare(&p, &call.sand, nullptr) == GRIT_OK) return;
+    }
+}
+
+Call random_call(Random& random) {
+    Call call;
+    random_sand(random, call);
+    grit_sand_options_init(&call.options, sizeof call.options);
+    call.options.tolerance =
+        random.below(16) ? random.log_uniform(1e-6, 0.1) : random.log_uniform(1e-12, 0.1);
+    if (random.below(4) == 0) call.options.tolerance = GRIT_SAND_DEFAULT_TOLERANCE;
+    call.options.evaluation_limit = random.below(4)   ? 2000
+                                    : random.below(4) ? 2 + random.below(50)
+                                                      : 20000;
+    call.options.intergranular_off = random.below(8) == 0;
+    call.options.tangent = random.below(8) == 0 ? 1 + random.below(2) : GRIT_TANGENT_NONE;
+    call.options.instruction_set = 1 + random.below(grit_instruction_set());
+    call.components = random.below(4) ? 6 : 4;
+    call.rotated = random.below(6) == 0;
+    call.options.stress_is_rotated = call.rotated && random.below(2);
+    call.advised = random.below(3) == 0;
+    return call;
+}
+
+// About a random axis, in the plane about the third one.
+void random_rotation(Random& random, int components, double Q[9]) {
+    double q[4] = {random.normal(), random.normal(), random.normal(), random.normal()};
+    if (components == 4) q[1] = q[2] = 0.0;
+    if (random.below(2)) q[0] += random.log_uniform(1.0, 1e6);
+    double size = 0.0;
+    for (const double each : q) size += each * each;
+    for (double& each : q) each /= std::sqrt(size);
+    const double w = q[0], x = q[1], y = q[2], z = q[3];
+    const double made[9] = {
+        1 - 2 * (y * y + z * z), 2 * (x * y - w * z),     2 * (x * z + w * y),
+        2 * (x * y + w * z),     1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
+        2 * (x * z - w * y),     2 * (y * z + w * x),     1 - 2 * (x * x + y * y)};
+    std::copy(made, made + 9, Q);
+}
+
+Point random_point(Random& random, const Call& call) {
+    Point x;
+    const grit_sand_parameters& s = call.parameters;
+    const double p =
+        s.granulate_hardness *
+        std::pow(10.0, random.below(2) ? random.uniform(-12.0, 1.0) : random.uniform(-8.0, -2.0));
+    random_tensor(random, 1.0, 1.0, call.components, x.stress);
+    const double mean = (x.stress[0] + x.stress[1] + x.stress[2]) / 3.0;
+    for (int c = 0; c < 3; ++c) x.stress[c] -= mean;
+    const int where = random.below(20);
+    const double tan_psi = where == 0   ? random.uniform(1.4, 10.0)
+                           : where == 1 ? std::sqrt(2.0) * (1.0 + 1e-15 * random.below(3))
+                           : where == 2 ? 0.0
+                           : where == 3 ? random.log_uniform(1e-16, 1e-3)
+                                        : random.uniform(0.0, 1.2);
+    const double size = std::max(norm_of_stress(x.stress), 1e-300);
+    for (int c = 0; c < 6; ++c)
+        x.stress[c] = x.stress[c] * tan_psi * std::sqrt(3.0) * p / size - (c < 3 ? p : 0.0);
+    if (where == 4)
+        for (double& each : x.stress) each = random.below(2) ? -each : 0.0;
+    if (where == 5)
+        for (double& each : x.stress) each = 0.0;
+
+    double limits[3];
+    grit_sand_void_ratios(&call.sand, p, limits);
+    const double place =
+        random.below(10) == 0 ? random.uniform(-3.0, 5.0) : random.uniform(0.0, 1.2);
+    double e = limits[2] + place * (limits[1] - limits[2]);
+    if (random.below(50) == 0) e = limits[random.below(3)];
+    x.state[GRIT_SAND_VOID_RATIO] = e;
+    if (where == 5 && random.below(2))
+        x.state[GRIT_SAND_SEPARATION] = random.log_uniform(1e-16, 1.0);
+
+    const double strain =
+        random.below(3) ? random.log_uniform(1e-8, 1e-1) : random.log_uniform(1e-15, 1.0);
+    random_tensor(random, strain, 2.0, call.components, x.strain);
+    const int way = random.below(30);
+    if (way == 0) std::fill(x.strain, x.strain + 6, 0.0);
+    if (way == 1 || way == 2)  // of volume alone
+        for (int c = 0; c < 6; ++c)
+            x.strain[c] = c < 3 ? (way == 1 ? -1 : 1) * strain / std::sqrt(3.0) : 0.0;
+
+    const double R = std::isnan(s.elastic_strain_radius) ? 1e-4 : s.elastic_strain_radius;
+    random_tensor(random, R, 2.0, call.components, x.state);
+    const double along = norm_of_strain(x.strain) > 0.0 ? R / norm_of_strain(x.strain) : 0.0;
+    double rho = 1.0;
+    switch (random.below(12)) {
+        case 0: rho = 0.0; break;
+        case 1: rho = random.log_uniform(1e-16, 1.0); break;
+        case 2: rho = random.uniform(1.0, 1.02); break;
+        case 3: rho = 1.0; break;
+        case 4: rho = random.uniform(1.0, 3.0); break;
+        case 5:  // exactly at a reversal, or mobilised
+        case 6:
+            for (int c = 0; c < 6; ++c)
+                x.state[c] = (random.below(2) ? 1.0 : -1.0) * along * x.strain[c];
+            break;
+        default: rho = random.uniform();
+    }
+    for (int c = 0; c < 6; ++c) x.state[c] *= rho;
+    if (call.rotated) random_rotation(random, call.components, x.rotation);
+    if (call.advised) x.substep = random.below(3) ? random.log_uniform(1e-12, 1.0) : 0.0;
+    if (random.below(200) == 0) {
+        const double bad[] = {NAN, INFINITY, -INFINITY, 1e308, -1e308, 4.9e-324};
+        double* const member[] = {x.strain, x.stress, x.state, x.rotation};
+        member[random.below(4)][random.below(4)] = bad[random.below(6)];
+    }
+    std::fill(x.tangent, x.tangent + 36, untouched_tangent);
+    return x;
+}
+
+grit_sand_points views_of(const Call& call, Point& x) {
+    grit_sand_points q{};
+    q.struct_size = sizeof q;
+    q.components = call.components;
+    q.strain_increment = grit_view_of(x.strain, 6, 1);
+    if (call.rotated) q.rotation_increment = grit_view_of(x.rotation, 9, 1);
+    q.stress = grit_mutable_view_of(x.stress, 6, 1);
+    q.state = grit_mutable_view_of(x.state, GRIT_SAND_STATE_SIZE, 1);
+    q.tangent = grit_mutable_matrix_view_of(x.tangent, 36, call.components, 1);
+    if (call.advised) q.substep = grit_mutable_view_of(&x.substep, 1, 1);
+    return q;
+}
+
+thread_local long updates_made = 0;
+
+void update(const Call& call, const grit_sand_options& options, Point& x) {
+    ++updates_made;
+    const grit_sand_points q = views_of(call, x);
+    grit_sand_update(&call.sand, &options, 1, &q, &x.report, nullptr);
+}
+void update(const Call& call, Point& x) { update(call, call.options, x); }
+
+// The same points in one call, in memory as a host may have it and in any order.
+void update_together(Random& random, const Call& call, std::vector<Point>& points) {
+    const auto n = static_cast<std::ptrdiff_t>(points.size());
+    const std::ptrdiff_t places = n + random.below(3);
+    const bool listed = places > n || random.below(2);
+    std::vector<std::ptrdiff_t> index(static_cast<std::size_t>(places));
+    std::iota(index.begin(), index.end(), 0);
+    if (listed) index = shuffled(random, places);
+    Layout strain(random, places, call.components), rotation(random, places, 9),
+        stress(random, places, call.components), state(random, places, GRIT_SAND_STATE_SIZE),
+        tangent(random, places, call.components * call.components), substep(random, places, 1);
+    for (std::ptrdiff_t i = 0; i < n; ++i) {
+        const Point& x = points[static_cast<std::size_t>(i)];
+        const std::ptrdiff_t at = index[static_cast<std::size_t>(i)];
+        strain.put(at, x.strain);
+        rotation.put(at, x.rotation);
+        stress.put(at, x.stress);
+        state.put(at, x.state);
+        tangent.put(at, x.tangent);
+        substep.put(at, &x.substep);
+    }
+    grit_sand_points q{};
+    q.struct_size = sizeof q;
+    q.components = call.components;
+    if (listed) q.index = index.data();
+    q.strain_increment = strain.in();
+    if (call.rotated) q.rotation_increment = rotation.in();
+    q.stress = stress.out();
+    q.state = state.out();
+    q.tangent = tangent.matrix(call.components);
+    if (call.advised) q.substep = substep.out();
+    std::vector<grit_sand_report> reports(points.size());
+    grit_sand_update(&call.sand, &call.options, n, &q, reports.data(), nullptr);
+    for (std::ptrdiff_t i = 0; i < n; ++i) {
+        Point& x = points[static_cast<std::size_t>(i)];
+        const std::ptrdiff_t at = index[static_cast<std::size_t>(i)];
+        stress.get(at, x.stress);
+        state.get(at, x.state);
+        tangent.get(at, x.tangent);
+        if (call.advised) substep.get(at, &x.substep);
+        x.report = reports[static_cast<std::size_t>(i)];
+    }
+}
+
+bool same(const Point& a, const Point& b) {
+    return std::memcmp(a.stress, b.stress, sizeof a.stress) == 0 &&
+           std::memcmp(a.state, b.state, sizeof a.state) == 0 &&
+           std::memcmp(a.tangent, b.tangent, sizeof a.tangent) == 0 &&
+           std::memcmp(&a.substep, &b.substep, sizeof a.substep) == 0;
+}
+
+// What a call takes for a rotation: orthogonal, by a margin within its 1e-8.
+bool is_rotation(const double* Q) {
+    for (int r = 0; r < 3; ++r)
+        for (int c = 0; c < 3; ++c) {
+            double product = r == c ? -1.0 : 0.0;
+            for (int k = 0; k < 3; ++k) product += Q[3 * r + k] * Q[3 * c + k];
+            if (!(std::fabs(product) < 1e-9)) return false;
+        }
+    return true;
+}
+
+bool all_finite(const double* x, int n) {
+    return std::all_of(x, x + n, [](double each) { return std::isfinite(each); });
+}
+
+// A program that makes this call and prints what it says.
+std::string program_of(const Call& call, const Point& x) {
+    std::array<double, GRIT_SAND_PARAMETER_COUNT> parameters{};
+    for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i)
+        grit_sand_parameter_get(&call.parameters, i, &parameters[static_cast<std::size_t>(i)]);
+    const grit_sand_options& o = call.options;
+    return "#include <grit/grit.h>\n#include <stdio.h>\nint main(void) {\n    double v[] = " +
+           numbers(parameters.data(), parameters.size()) +
+           ";\n    double d[] = " + numbers(x.strain, 6) + ", T[] = " + numbers(x.stress, 6) +
+           ";\n    double q[] = " + numbers(x.state, GRIT_SAND_STATE_SIZE) +
+           ", M[36], s = " + numbers(&x.substep, 1, "") +
+           ";\n    double Q[] = " + numbers(x.rotation, 9) +
+           ";\n    grit_sand_parameters p; grit_sand_parameters_init(&p, sizeof p);\n"
+           "    for (int i = 0; i < 14; ++i) grit_sand_parameter_set(&p, i, v[i]);\n"
+           "    grit_sand sand; grit_sand_prepare(&p, &sand, 0);\n"
+           "    grit_sand_options o; grit_sand_options_init(&o, sizeof o);\n    o.tolerance = " +
+           numbers(&o.tolerance, 1, "") +
+           "; o.evaluation_limit = " + std::to_string(o.evaluation_limit) +
+           "; o.intergranular_off = " + std::to_string(o.intergranular_off) +
+           ";\n    o.tangent = " + std::to_string(o.tangent) +
+           "; o.instruction_set = " + std::to_string(o.instruction_set) +
+           "; o.stress_is_rotated = " + std::to_string(o.stress_is_rotated) +
+           ";\n    grit_sand_points x = {sizeof x, " + std::to_string(call.components) +
+           "};\n    x.strain_increment = grit_view_of(d, 6, 1); x.stress = grit_mutable_view_of(T, "
+           "6, 1);\n"
+           "    x.state = grit_mutable_view_of(q, 8, 1); x.tangent = "
+           "grit_mutable_matrix_view_of(M, 36, " +
+           std::to_string(call.components) + ", 1);\n" +
+           (call.rotated ? "    x.rotation_increment = grit_view_of(Q, 9, 1);\n"
+                         : "    (void)Q;\n") +
+           (call.advised ? "    x.substep = grit_mutable_view_of(&s, 1, 1);\n" : "    (void)s;\n") +
+           "    grit_sand_report r; grit_sand_update(&sand, &o, 1, &x, &r, 0);\n"
+           "    printf(\"status %d flags %d evaluations %d\\n\", r.status, r.flags, "
+           "r.evaluations);\n"
+           "    for (int c = 0; c < 6; ++c) printf(\"%.17g %.17g\\n\", T[c], q[c]);\n}\n";
+}
+
+// How far stresses are apart, over the larger of the norms that the tolerance refers to.
+double stress_error(const Point& a, const Point& exact, const Point& before) {
+    double apart[6];
+    for (int c = 0; c < 6; ++c) apart[c] = a.stress[c] - exact.stress[c];
+    return norm_of_stress(apart) /
+           std::max({norm_of_stress(exact.stress), norm_of_stress(before.stress), 1e-300});
+}
+
+// What holds for every update.
+void judge(const Call& call, const Point& before, const Point& after, Findings& out) {
+    const auto program = [&] { return program_of(call, before); };
+    const grit_sand_report& r = after.report;
+    out.count(rate_evaluations, r.evaluations);
+    out.measure(evaluations_of_a_call, r.evaluations);
+    out.demand(bounded, r.evaluations >= 0 && r.evaluations <= call.options.evaluation_limit,
+               program);
+    if (r.status != GRIT_OK) {
+        out.count(r.status == GRIT_BAD_STATE ? bad_states : not_converged);
+        const bool bad_call = !all_finite(before.strain, 6) ||
+                              norm_of_strain(before.strain) > 1e3 ||
+                              (call.rotated && !is_rotation(before.rotation));
+        out.demand(known_status,
+                   r.status == GRIT_BAD_STATE || r.status == GRIT_NOT_CONVERGED ||
+                       (bad_call && r.status == GRIT_BAD_CALL),
+                   program);
+        out.demand(untouched, same(before, after), program);
+        return;
+    }
+    out.count(done);
+    if (norm_of_strain(before.strain) == 0.0 && !call.rotated) {
+        Point stress_and_state = after;
+        std::copy(before.tangent, before.tangent + 36, stress_and_state.tangent);
+        stress_and_state.substep = before.substep;
+        out.demand(at_rest, same(before, stress_and_state), program);
+        return;
+    }
+    if (norm_of_strain(before.strain) == 0.0) return;  // turned, no more
+    const int flags[] = {GRIT_SAND_STRESS_FREE, GRIT_SAND_VOID_CLAMPED, GRIT_SAND_OUTSIDE_CONE,
+                         GRIT_SAND_H_CLAMPED};
+    for (int i = 0; i < 4; ++i)
+        if (r.flags & flags[i]) out.count(stress_free + i);
+    const int entries = call.components * call.components;
+    out.demand(
+        finite,
+        all_finite(after.stress, 6) && all_finite(after.state, GRIT_SAND_STATE_SIZE) &&
+            std::isfinite(after.substep) && std::isfinite(r.error_estimate) &&
+            (call.options.tangent == GRIT_TANGENT_NONE || all_finite(after.tangent, entries)),
+        program);
+    out.demand(estimate_positive, r.error_estimate >= 0.0, program);
+    grit_sand_invariants invariants{};
+    invariants.struct_size = sizeof invariants;
+    grit_sand_invariants_of(&call.sand, after.stress, after.state, &invariants);
+    const double p = invariants.p + call.parameters.pressure_shift;
+    const bool free = norm_of_stress(after.stress) == 0.0;
+    out.demand(in_cone, free || (p >= 0.0 && invariants.tan_psi <= std::sqrt(2.0) * (1.0 + 1e-12)),
+               program);
+    if (with_memory(call)) {
+        const double R = call.parameters.elastic_strain_radius;
+        out.demand(h_in_its_radius, norm_of_strain(after.state) <= R * (1.0 + 1e-12), program);
+    }
+    const double volume = before.strain[0] + before.strain[1] + before.strain[2];
+    const double e_0 = before.state[GRIT_SAND_VOID_RATIO];
+    const double e = (1.0 + e_0) * std::exp(volume) - 1.0;
+    out.demand(e_of_volume,
+               std::fabs(after.state[GRIT_SAND_VOID_RATIO] - e) <=
+                   1e-12 * (1.0 + e_0) * std::exp(std::fabs(volume)),
+               program);
+}
+
+// A host that follows the advice gets through the strain, or down to a billionth of it, where void ratios end.
+void follow_advice(const Call& call, const Point& before, const Point& failed, Findings& out) {
+    if (call.options.evaluation_limit < 2000 || call.options.tolerance < 1e-8) return;
+    out.count(retried);
+    Point x = before;
+    double left = 1.0, share = std::clamp(failed.report.step_reduction, 1e-6, 0.9);
+    int steps = 0;
+    constexpr int most_steps = 100000;
+    while (left > 0.0 && share > 1e-9 && steps < most_steps) {
+        Point next = x;
+        const double taken = std::min(share, left);
+        for (int c = 0; c < 6; ++c) next.strain[c] = taken * before.strain[c];
+        update(call, next);
+        ++steps;
+        if (next.report.status == GRIT_OK) {
+            x = next;
+            left = taken == left ? 0.0 : left - taken;
+            share = 1.5 * taken;
+        } else if (next.report.status == GRIT_NOT_CONVERGED && next.report.step_reduction > 0.0 &&
+                   next.report.step_reduction < 1.0) {
+            share = taken * next.report.step_reduction;
+        } else {
+            break;  // out of the range of states: no step helps
+        }
+    }
+    out.measure(steps_of_a_retry, steps);
+    out.demand(retry_ends,
+               steps < most_steps && failed.report.step_reduction > 0.0 &&
+                   failed.report.step_reduction < 1.0,
+               [&] { return program_of(call, before); });
+}
+
+// Against the same integrator at 1e-11.
+void compare_tolerance(const Call& call, const Point& before, const Point& after, Findings& out) {
+    grit_sand_options tight = call.options;
+    tight.tolerance = 1e-11;
+    tight.evaluation_limit = 200000;
+    Point exact = before;
+    update(call, tight, exact);
+    // Where one of them opens and the other does not, stress jumps (docs/adr/0002).
+    if (exact.report.status != GRIT_OK ||
+        ((exact.report.flags ^ after.report.flags) & GRIT_SAND_STRESS_FREE) ||
+        norm_of_stress(before.stress) == 0.0)
+        return;
+    const double tolerance = call.options.tolerance, error = stress_error(after, exact, before);
+    out.count(compared);
+    out.count(over_tolerance, error > tolerance && error > 1e-10 ? 1 : 0);
+    const bool clean = ((exact.report.flags | after.report.flags) & ~GRIT_SAND_VOID_CLAMPED) == 0;
+    out.measure(!clean              ? error_of_flagged
+                : call.of_catalogue ? error_of_published
+                                    : error_of_any,
+                std::max(0.0, error - 1e-10) / tolerance);
+    if (!call.of_catalogue || !clean) return;
+    const auto program = [&] { return program_of(call, before); };
+    out.demand(error_bounded, error <= 10.0 * tolerance + 1e-10, program);
+    out.demand(estimate_tells,
+               error <= std::max(tolerance, 100.0 * after.report.error_estimate) + 1e-10, program);
+}
+
+void compare_reference(const Call& call, const Point& before, Findings& out) {
+    if (norm_of_strain(before.strain) > 0.02 || call.rotated) return;
+    const bool basic = !with_memory(call);
+    if (!basic && norm_of_strain(before.state) > call.parameters.elastic_strain_radius) return;
+    const auto exact =
+        exact_update(call.parameters, before.stress, before.state, before.strain, basic);
+    if (!exact) return;
+    grit_sand_options tight = call.options;
+    tight.tolerance = 1e-9;
+    tight.evaluation_limit = 200000;
+    Point x = before, reference = before;
+    update(call, tight, x);
+    if (x.report.status != GRIT_OK || (x.report.flags & GRIT_SAND_STRESS_FREE)) return;
+    std::copy(exact->stress, exact->stress + 6, reference.stress);
+    const double error = stress_error(x, reference, before);
+    double apart[6];
+    for (int c = 0; c < 6; ++c) apart[c] = basic ? 0.0 : x.state[c] - exact->h[c];
+    const double of_h = basic ? 0.0 : norm_of_strain(apart) / call.parameters.elastic_strain_radius;
+    out.count(referred);
+    out.count(referred_over, error > 1e-9 ? 1 : 0);
+    if (!call.of_catalogue) return;
+    out.measure(error_of_reference, error);
+    out.measure(h_of_reference, of_h);
+    out.demand(exact_stress, error <= 1e-7 && of_h <= 1e-7,
+               [&] { return program_of(call, before); });
+}
+
+// Where F has the tip of a cone.
+bool near_axis(const Point& x) {
+    double deviator[6];
+    const double mean = (x.stress[0] + x.stress[1] + x.stress[2]) / 3.0;
+    for (int c = 0; c < 6; ++c) deviator[c] = x.stress[c] - (c < 3 ? mean : 0.0);
+    return norm_of_stress(deviator) < 0.02 * std::fabs(mean);
+}
+
+// Differences of two sizes that agree are a derivative; the others pass a kink.
+void compare_tangent(const Call& call, const Point& before, Random& random, Findings& out) {
+    if (!call.of_catalogue || norm_of_strain(before.strain) < 1e-8 || near_axis(before)) return;
+    Call tight = call;
+    tight.options.tolerance = 1e-9;
+    tight.options.evaluation_limit = 200000;
+    tight.options.tangent = GRIT_TANGENT_CONSISTENT;
+    tight.advised = false;
+    Point x = before;
+    update(tight, x);
+    if (x.report.status != GRIT_OK || x.report.flags || near_axis(x)) return;
+    double way[6], of_tangent[6] = {}, difference[2][6];
+    random_tensor(random, 1.0, 2.0, call.components, way);
+    for (int r = 0; r < call.components; ++r)
+        for (int c = 0; c < call.components; ++c)
+            of_tangent[r] += x.tangent[r * call.components + c] * way[c];
+    for (int i = 0; i < 2; ++i) {
+        const double h = (i == 0 ? 1e-3 : 5e-4) * norm_of_strain(before.strain);
+        Point plus = before, minus = before;
+        for (int c = 0; c < 6; ++c) {
+            plus.strain[c] += h * way[c];
+            minus.strain[c] -= h * way[c];
+        }
+        tight.options.tangent = GRIT_TANGENT_NONE;
+        update(tight, plus);
+        update(tight, minus);
+        if (plus.report.status != GRIT_OK || minus.report.status != GRIT_OK || plus.report.flags ||
+            minus.report.flags)
+            return;
+        for (int c = 0; c < 6; ++c)
+            difference[i][c] = (plus.stress[c] - minus.stress[c]) / (2.0 * h);
+    }
+    double between[6], apart[6];
+    for (int c = 0; c < 6; ++c) {
+        between[c] = difference[0][c] - difference[1][c];
+        apart[c] = of_tangent[c] - difference[1][c];
+    }
+    const double size = norm_of_stress(difference[1]);
+    if (norm_of_stress(between) > 1e-4 * size) return;
+    out.count(differences);
+    const double error = norm_of_stress(apart) / size;
+    out.measure(tangent_error, error);
+    out.demand(tangent_is_difference, error <= 1e-2, [&] { return program_of(tight, before); });
+}
+
+// Work of a closed path of strain that starts without stress.
+void try_cycle(const Call& call, Random& random, Findings& out) {
+    if (!call.of_catalogue || !with_memory(call)) return;
+    Point x;
+    double limits[3];
+    grit_sand_void_ratios(&call.sand, 0.0, limits);
+    x.state[GRIT_SAND_VOID_RATIO] = random.uniform(limits[2], limits[0]);
+    const int corners = 2 + random.below(4);
+    const double amplitude = random.log_uniform(1e-6, 3e-2);
+    std::vector<std::array<double, 6>> corner(static_cast<std::size_t>(corners) + 1);
+    for (int i = 1; i < corners; ++i)
+        random_tensor(random, amplitude * random.uniform(), 2.0, 6,
+                      corner[static_cast<std::size_t>(i)].data());
+    Call plain = call;
+    plain.components = 6;
+    plain.rotated = plain.advised = false;
+    plain.options.tangent = GRIT_TANGENT_NONE;
+    plain.options.tolerance = 1e-5;
+    plain.options.evaluation_limit = 20000;
+    constexpr int increments = 200;
+    double work = 0.0, largest = 0.0;
+    for (std::size_t i = 1; i < corner.size(); ++i)
+        for (int k = 0; k < increments; ++k) {
+            double old[6];
+            std::copy(x.stress, x.stress + 6, old);
+            for (std::size_t c = 0; c < 6; ++c)
+                x.strain[c] = (corner[i][c] - corner[i - 1][c]) / increments;
+            update(plain, x);
+            if (x.report.status != GRIT_OK) return;
+            for (int c = 0; c < 6; ++c) work += 0.5 * (old[c] + x.stress[c]) * x.strain[c];
+            largest = std::max(largest, norm_of_stress(x.stress));
+        }
+    out.count(cycles);
+    const bool gives = work < -1e-3 * largest * amplitude;
+    out.count(cycles_with_energy, gives ? 1 : 0);
+    out.demand(no_energy_of_nothing, !gives, [&] {
+        std::string text = program_of(plain, x) + "/* corners:";
+        for (const auto& each : corner) text += ' ' + numbers(each.data(), 6);
+        return text + " */\n";
+    });
+}
+
+void run_sand(Random& random, long cases, Findings& out) {
+    updates_made = 0;
+    for (long tried = 0; tried < cases;) {
+        const Call call = random_call(random);
+        const auto n =
+            static_cast<std::size_t>(std::min<long>(1 + random.below(31), cases - tried));
+        std::vector<Point> before, alone, together;
+        for (std::size_t i = 0; i < n; ++i) before.push_back(random_point(random, call));
+        alone = together = before;
+        for (Point& x : alone) update(call, x);
+        update_together(random, call, together);
+        for (std::size_t i = 0; i < n; ++i) {
+            const Point &x = before[i], &y = alone[i];
+            const auto program = [&] { return program_of(call, x); };
+            out.count(published, call.of_catalogue ? 1 : 0);
+            judge(call, x, y, out);
+            out.demand(same_bits,
+                       same(y, together[i]) && y.report.status == together[i].report.status &&
+                           y.report.evaluations == together[i].report.evaluations,
+                       program);
+            if (y.report.status == GRIT_NOT_CONVERGED && random.below(64) == 0)
+                follow_advice(call, x, y, out);
+            if (y.report.status != GRIT_OK) continue;
+            Point next = y;
+            for (double& each : next.strain) each *= -1e-3;
+            Call plain = call;
+            plain.rotated = false;
+            update(plain, next);
+            out.demand(taken_again,
+                       next.report.status == GRIT_OK || next.report.status == GRIT_NOT_CONVERGED,
+                       program);
+            if (random.below(256) == 0) compare_tolerance(call, x, y, out);
+            if (random.below(2048) == 0) compare_reference(call, x, out);
+            if (random.below(1024) == 0) compare_tangent(call, x, random, out);
+        }
+        if (random.below(2048) == 0) try_cycle(call, random, out);
+        tried += static_cast<long>(n);
+        updates_made += static_cast<long>(n);  // together
+    }
+    out.count(updates, updates_made);
+}
+
+}  // namespace
+
+Kind sand_trials() { return {"sand", words, 100000, run_sand}; }
+
+}  // namespace robustness
