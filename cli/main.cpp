@@ -7,6 +7,7 @@
 #include "cli/element/element_options.hpp"
 #include "cli/plot/plot_options.hpp"
 #include "cli/process/abnormal_end.hpp"
+#include "cli/process/misspelt.hpp"
 #include "cli/process/standard_streams.hpp"
 #include "cli/process/version.hpp"
 #include "cli/sand/sand_options.hpp"
@@ -51,7 +52,9 @@ int follow(int argc, char** argv) {
         std::ostringstream help, complaint;
         const int status = app.exit(error, help, complaint);
         cli::say("{}", help.str());
-        cli::warn("{}", complaint.str());
+        const std::string unknown = status == 0 ? "" : cli::misspelt(app, argc, argv);
+        if (unknown.empty()) cli::warn("{}", complaint.str());
+        else cli::warn("{}\nRun with --help for more information.\n", unknown);
         return status == 0 ? cli::ok : cli::bad_input;
     } catch (const cli::BadInput& error) {
         cli::warn("grit: {}\n", error.what());

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/process/misspelt.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "element/nearest.hpp"
+
+namespace cli {
+namespace {
+
+bool knows(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::vector<std::string> commands_of(const CLI::App& app) {
+    std::vector<std::string> out;
+    for (const CLI::App* each : app.get_subcommands([](const CLI::App*) { return true; }))
+        out.push_back(each->get_name());
+    return out;
+}
+
+std::vector<std::string> options_of(const CLI::App& app) {
+    std::vector<std::string> out;
+    for (const CLI::Option* each : app.get_options())
+        for (const std::string& name : each->get_lnames()) out.push_back("--" + name);
+    return out;
+}
+
+}  // namespace
+
+std::string misspelt(const CLI::App& app, int argc, const char* const* argv) {
+    const CLI::App* at = &app;
+    std::string command = app.get_name();
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i];
+        if (word == "--") break;
+        if (word.starts_with("--")) {
+            const std::string name = word.substr(0, word.find('='));
+            const std::vector<std::string> known = options_of(*at);
+            if (!knows(known, name))
+                return fmt::format("{}: there is no option {}{}", command, name,
+                                   element::suggestion(name, known));
+            continue;
+        }
+        const std::vector<std::string> known = commands_of(*at);
+        if (known.empty()) continue;  // a file
+        if (!knows(known, word))
+            return fmt::format("{}: there is no command \"{}\"{}", command, word,
+                               element::suggestion(word, known));
+        at = at->get_subcommand(word);
+        command += ' ' + word;
+    }
+    return "";
+}
+
+}  // namespace cli
