@@ -75,7 +75,7 @@ TEST_P(WetSurface, RubsWithItsEffectiveStress) {
 }
 
 TEST_P(WetSurface, KeepsMomentumAndEnergyWhereABlockHits) {
-    for (const double k : {0.0, 1e-6, 1e-4}) {
+    for (const double k : {0.0, 1e-6, 1e-4, 1e-2, 1e-1}) {
         BuiltCase built =
             hit_by_a_block({.cells = 16, .conductivity = k, .implicit = GetParam()}, true);
         Simulation& simulation = *built.simulation;
@@ -87,7 +87,7 @@ TEST_P(WetSurface, KeepsMomentumAndEnergyWhereABlockHits) {
                     (k > 0.0 ? 1e-3 : 1e-12) * -before)
             << k;
         const Energy energy = simulation.energy();
-        EXPECT_NEAR(energy.residual(), 0.0, 0.002 * energy.kinetic_0) << k;
+        EXPECT_NEAR(energy.residual(), 0.0, (GetParam() ? 1e-4 : 1e-3) * energy.kinetic_0) << k;
         EXPECT_GE(energy.contact, 0.0);
     }
 }
