@@ -112,8 +112,12 @@ contains
          allocate (workspace(bytes/8 + 1))
          status = c_surface_correct(options, a, b, c_loc(workspace), 8*size(workspace, kind=c_size_t), &
                                     bytes, to, totals, error)
-         if (bytes == 0) return
+         if (bytes == 0) exit
       end do
+      if (.not. present(totals)) return
+      totals%row = c_null_ptr
+      totals%term = c_null_ptr
+      totals%rows = 0
    end function
 
    integer(c_int) function find_free(position, side, tolerance, vertex, facet, vertices, facets, owner, &

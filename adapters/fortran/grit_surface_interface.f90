@@ -16,10 +16,10 @@ module grit_surface_interface
       real(c_double) :: reach                 ! [length]
    end type
 
-   ! facet (components, facets), node and weight (nodes_each, vertices), fixed (nodes), spacing (facets): c_loc of
-   ! arrays.
+   ! facet (components, facets), node and weight (nodes_each, vertices), fixed and water_fixed (nodes), spacing and
+   ! pore_pressure (facets): c_loc of arrays. pores (3, nodes): mass of water, drag, porosity.
    type, bind(c) :: grit_surface
-      integer(c_size_t) :: struct_size = 200
+      integer(c_size_t) :: struct_size = 288
       integer(c_int) :: rigid = 0, nodes_each = 0
       integer(c_ptrdiff_t) :: vertices = 0, facets = 0
       type(grit_view) :: position
@@ -30,6 +30,11 @@ module grit_surface_interface
       type(grit_mutable_view) :: velocity
       type(grit_view) :: previous_velocity, vertex_velocity
       type(c_ptr) :: spacing = c_null_ptr
+      type(grit_view) :: pores
+      type(c_ptr) :: water_fixed = c_null_ptr
+      type(grit_mutable_view) :: seepage
+      type(grit_view) :: previous_seepage
+      type(c_ptr) :: pore_pressure = c_null_ptr
    end type
 
    type, bind(c) :: grit_surface_report
@@ -37,11 +42,25 @@ module grit_surface_interface
    end type
 
    type, bind(c) :: grit_surface_totals
-      integer(c_size_t) :: struct_size = 136
+      integer(c_size_t) :: struct_size = 160
       real(c_double) :: impulse_on_a(3) = 0, impulse_on_b(3) = 0, normal_impulse = 0, area = 0
       real(c_double) :: dissipation_normal = 0, dissipation_tangential = 0, smallest_gap = 0
       real(c_double) :: largest_approach = 0, residual = 0
       integer(c_ptrdiff_t) :: points = 0, pressures = 0, sweeps = 0
+      ! Of grit_surface_row and grit_surface_term, in the caller's workspace; null where the call has its own.
+      type(c_ptr) :: row = c_null_ptr, term = c_null_ptr
+      integer(c_ptrdiff_t) :: rows = 0
+   end type
+
+   type, bind(c) :: grit_surface_row
+      integer(c_ptrdiff_t) :: first_term, terms
+      real(c_double) :: bound, rigid(3), impulse(3), water_impulse(2)
+   end type
+
+   type, bind(c) :: grit_surface_term
+      integer(c_ptrdiff_t) :: node
+      integer(c_int) :: of_b
+      real(c_double) :: direction(3, 3)
    end type
 
    type, bind(c) :: grit_surface_domains

@@ -177,9 +177,17 @@ void check_names(const Case& plan) {
     for (const mpm::BodyPlan& body : plan.bodies)
         if (const auto* rigid = std::get_if<mpm::RigidPlan>(&body.material))
             if (!rigid->from_stage.empty()) plan.stage(rigid->from_stage);
-    for (std::size_t i = 0; i < plan.contacts.size(); ++i)
-        refuse("contact " + plan.contacts[i].stiff + ' ' + plan.contacts[i].soft,
-               mpm::objection_to_contact(plan, i, name_of_body), name_of_body);
+    for (std::size_t i = 0; i < plan.contacts.size(); ++i) {
+        const mpm::ContactPlan& contact = plan.contacts[i];
+        const std::string which = "contact " + contact.stiff + ' ' + contact.soft;
+        refuse(which, mpm::objection_to_contact(plan, i, name_of_body), name_of_body);
+        for (const std::string& body : {contact.stiff, contact.soft}) {
+            const auto& water = plan.bodies[plan.body(body)].water;
+            if (water && water->implicit && contact.at_surfaces)
+                throw std::invalid_argument(which + ": implicit pore pressure, in \"" + body +
+                                            "\", knows no surface contact across processes");
+        }
+    }
     plan.body(plan.history.body);
 }
 

@@ -54,6 +54,28 @@ grit_status check_rigid(const grit_surface& s, const char* name, int components,
     });
 }
 
+grit_status check_water(const grit_surface& s, const char* name, std::ptrdiff_t node,
+                        int components, grit_error* error) {
+    constexpr const char* what[] = {"mass of water", "drag", "porosity"};
+    constexpr const char* range[] = {"1e30] (mass)", "1e30] (mass)", "1]"};
+    for (int i = 0; i < 3; ++i)
+        if (const double x = component(s.pores, node, i);
+            !(x >= 0.0 && x <= (i == 2 ? 1.0 : largest_number)))
+            return failure(error, GRIT_BAD_STATE, node, "%s node %td: %s must be in [0, %s, got %g",
+                           name, node, what[i], range[i], x);
+    const grit_view seepage{s.seepage.base, s.seepage.point_stride, s.seepage.component_stride};
+    for (const grit_view& v : {seepage, s.previous_seepage})
+        for (int c = 0; v.base && c < components; ++c)
+            if (const double x = component(v, node, c); !is_within(x, largest_number))
+                return failure(
+                    error, GRIT_BAD_STATE, node,
+                    "%s node %td: seepage %d must be within +-1e30 (length / time), got %g", name,
+                    node, c, x);
+    if (s.water_fixed && !is_mask(s.water_fixed[node], components))
+        return refuse_mask(s.water_fixed[node], components, node, {name, "water_fixed"}, error);
+    return GRIT_OK;
+}
+
 grit_status check_node(const grit_surface& s, const char* name, std::ptrdiff_t node, int components,
                        grit_error* error) {
     const double m = component(s.mass, node, 0);
@@ -74,7 +96,7 @@ grit_status check_node(const grit_surface& s, const char* name, std::ptrdiff_t n
                     name, node, c, x);
     if (s.fixed && !is_mask(s.fixed[node], components))
         return refuse_mask(s.fixed[node], components, node, {name, "fixed"}, error);
-    return GRIT_OK;
+    return s.pores.base ? check_water(s, name, node, components, error) : GRIT_OK;
 }
 
 grit_status check_free(const grit_surface& s, const char* name, const grit_surface_options& o,
@@ -90,6 +112,13 @@ grit_status check_free(const grit_surface& s, const char* name, const grit_surfa
     if (s.previous_velocity.base)
         GRIT_CHECK(
             check_components(s.previous_velocity, components, {name, "previous_velocity"}, error));
+    if (s.pores.base) {
+        GRIT_CHECK(check_components(s.pores, 3, {name, "pores"}, error));
+        GRIT_CHECK(check_output(s.seepage, components, {name, "seepage"}, error));
+        if (s.previous_seepage.base)
+            GRIT_CHECK(check_components(s.previous_seepage, components, {name, "previous_seepage"},
+                                        error));
+    }
     for (std::ptrdiff_t corner = 0; corner < components * s.facets; ++corner) {
         const std::ptrdiff_t v = s.facet[corner];
         double sum = 0.0;
@@ -158,6 +187,11 @@ grit_status read_surface(const grit_surface* given, const char* name, const grit
             return failure(error, GRIT_BAD_STATE, f,
                            "%s facet %td: spacing must be in (0, 1e30] (length), got %g", name, f,
                            s.spacing[f]);
+    for (std::ptrdiff_t f = 0; s.pore_pressure && f < s.facets; ++f)
+        if (!is_within(s.pore_pressure[f], largest_number))
+            return failure(error, GRIT_BAD_STATE, f,
+                           "%s facet %td: pore_pressure must be within +-1e30 (stress), got %g",
+                           name, f, s.pore_pressure[f]);
     return s.rigid ? check_rigid(s, name, o.components, error) : check_free(s, name, o, error);
 }
 

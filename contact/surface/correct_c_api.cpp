@@ -69,6 +69,8 @@ template <int C> class Call {
         t.residual = outcome.residual;
         t.sweeps = outcome.sweeps;
         t.points = n_points;
+        system.fill_lists();
+        system.list(&t.row, &t.term, &t.rows);
         return t;
     }
     void write() const { system.write(); }
@@ -135,6 +137,7 @@ template <int C> class Call {
     }
     bool solve() {
         if (!system.build(points, n_points, shares, n_shares, o.time_step)) return false;
+        if (!system.make_lists()) return false;
         outcome = system.sweep(o.friction_coefficient, o.sweep_limit, o.sweep_tolerance);
         return true;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The impulses of all points that carry pressure, (V3)-(V5): rows of a system that projected Gauss-Seidel sweeps
-// solve, to and fro, on copies of the velocities of the nodes.
+// solve, to and fro, on copies of the velocities of the nodes. Beside the impulses on a body are those of its water on
+// the surface (V7): none of it passes.
 #pragma once
 
 #include <cmath>
@@ -22,6 +23,10 @@ template <int C> struct ContactNode {
     std::ptrdiff_t id;
     Vector<double, C> v, v_old;
     Vector<double, C> inverse_mass;  // 0: held
+    // Of water that flows through the body: against it, as drag leaves it, and by what porosity it counts. What it
+    // answers: to an impulse on the body, and to one on it with the opposite on the body [1/mass].
+    Vector<double, C> seepage, seepage_old, by_body, by_itself;
+    double porosity;  // 0: there is none
 };
 
 // Direction 0 is the normal, the others are tangents; all fields are means around the point.
@@ -34,6 +39,9 @@ template <int C> struct Row {
     double effective[C];        // 1 / mass
     double impulse[C];
     double before[C];  // approach without contact
+    // Of the water of A and of B, by the flow into the other body that is left [length / time].
+    double water_effective[2], water_impulse[2], water_before[2];
+    double pore_impulse;  // of water, which does not rub
 };
 template <int C> struct Term {
     std::ptrdiff_t node;
@@ -59,13 +67,22 @@ template <int C> class System {
     };
     Outcome sweep(double mu, int limit, double tolerance) {
         Outcome out{0, 0.0, 0.0};
+        double largest = 0.0;  // change that is wanted
         for (std::ptrdiff_t r = 0; r < n_rows; ++r) {
             for (int k = 0; k < C; ++k) rows[r].before[k] = approach(rows[r], k, &Node::v);
+            for (int body = 0; body < 2; ++body) {
+                const double q = rows[r].water_before[body] =
+                    seepage(rows[r], body, &Node::seepage);
+                if (rows[r].water_effective[body] > 0.0)
+                    largest = std::max(largest, std::fabs(q) / rows[r].water_effective[body] *
+                                                    rows[r].effective[0]);
+            }
             out.largest_approach =
                 std::max(out.largest_approach, rows[r].before[0] - rows[r].bound);
         }
-        if (out.largest_approach == 0.0) return out;
-        const double enough = tolerance * out.largest_approach;
+        largest = std::max(largest, out.largest_approach);
+        if (largest == 0.0) return out;
+        const double enough = tolerance * largest;
         do {
             out.residual = 0.0;
             const bool forth = out.sweeps % 2 == 0;
@@ -87,6 +104,9 @@ template <int C> class System {
             work[k] = 0.5 * row.impulse[k] *
                       (approach(row, k, &Node::v_old) + approach(row, k, &Node::v));
         Vector2 out{work[0], 0.0};
+        for (int body = 0; body < 2; ++body)
+            out[0] += 0.5 * row.water_impulse[body] *
+                      (seepage(row, body, &Node::seepage_old) + seepage(row, body, &Node::seepage));
         for (int k = 1; k < C; ++k) out[1] += work[k];
         return out;
     }
@@ -105,9 +125,48 @@ template <int C> class System {
     void write() const {
         for (int body = 0; body < 2; ++body)
             for (std::ptrdiff_t i = first_node[body]; i < first_node[body + 1]; ++i)
-                for (int c = 0; c < C; ++c)
+                for (int c = 0; c < C; ++c) {
                     if (nodes[i].inverse_mass[c] > 0.0)
                         component(skin[body]->given->velocity, nodes[i].id, c) = nodes[i].v[c];
+                    if (nodes[i].by_itself[c] > 0.0)
+                        component(skin[body]->given->seepage, nodes[i].id, c) = nodes[i].seepage[c];
+                }
+    }
+    // The rows and their terms, for a host that goes on with them.
+    void list(const grit_surface_row** out_rows, const grit_surface_term** out_terms,
+              std::ptrdiff_t* count) const {
+        *out_rows = given_rows;
+        *out_terms = given_terms;
+        *count = n_rows;
+    }
+    // Room for these, before anything is written; false: there is none.
+    bool make_lists() {
+        given_rows = arena.take<grit_surface_row>(n_rows);
+        given_terms = arena.take<grit_surface_term>(n_terms);
+        return !arena.is_overrun();
+    }
+    void fill_lists() const {
+        for (std::ptrdiff_t r = 0; r < n_rows; ++r) {
+            grit_surface_row& to = given_rows[r];
+            to = {};
+            to.first_term = rows[r].begin;
+            to.terms = rows[r].end - rows[r].begin;
+            to.bound = rows[r].bound;
+            for (int k = 0; k < C; ++k) {
+                to.rigid[k] = rows[r].rigid[k];
+                to.impulse[k] = rows[r].impulse[k];
+            }
+            for (int body = 0; body < 2; ++body)
+                to.water_impulse[body] = rows[r].water_impulse[body];
+        }
+        for (std::ptrdiff_t i = 0; i < n_terms; ++i) {
+            grit_surface_term& to = given_terms[i];
+            to = {};
+            to.of_b = terms[i].node >= first_node[1];
+            to.node = nodes[terms[i].node].id;
+            for (int k = 0; k < C; ++k)
+                for (int c = 0; c < C; ++c) to.direction[k][c] = terms[i].d[k][c];
+        }
     }
 
   private:
@@ -204,6 +263,34 @@ template <int C> class System {
             const int held = s.fixed ? s.fixed[node.id] : 0;
             for (int c = 0; c < C; ++c)
                 node.inverse_mass[c] = held >> c & 1 ? 0.0 : 1.0 / component(s.mass, node.id, 0);
+            read_water(s, node, held);
+        }
+    }
+    // Drag is implicit: what moves one of the two drags the other within the step.
+    static void read_water(const grit_surface& s, Node& node, int held) {
+        node.porosity = 0.0;
+        node.seepage = node.seepage_old = node.by_body = node.by_itself = {};
+        if (!s.pores.base || !(component(s.pores, node.id, 0) > 0.0)) return;
+        const double m = component(s.mass, node.id, 0), m_w = component(s.pores, node.id, 0);
+        const double drag = component(s.pores, node.id, 1);
+        const double all = m * m_w + drag * (m + m_w);
+        const int water_held = s.water_fixed ? s.water_fixed[node.id] : held;
+        node.porosity = component(s.pores, node.id, 2);
+        node.seepage = vector_of<C>(read_only(s.seepage), node.id);
+        node.seepage_old =
+            s.previous_seepage.base ? vector_of<C>(s.previous_seepage, node.id) : node.seepage;
+        for (int c = 0; c < C; ++c) {
+            const bool body_moves = !(held >> c & 1), water_moves = !(water_held >> c & 1);
+            if (body_moves && water_moves) {
+                node.inverse_mass[c] = (m_w + drag) / all;
+                node.by_body[c] = -m_w / all;
+                node.by_itself[c] = (m + m_w) / all;
+            } else if (body_moves) {
+                node.inverse_mass[c] = node.by_itself[c] = 1.0 / (m + drag);
+                node.by_body[c] = -node.by_itself[c];
+            } else if (water_moves) {
+                node.by_itself[c] = 1.0 / (m_w + drag);
+            }
         }
     }
 
@@ -255,11 +342,16 @@ template <int C> class System {
             row.begin = found.size();
             std::ptrdiff_t count[2] = {0, 0};
             double gap = 0.0;
+            const bool both = skin[0]->given->pore_pressure && skin[1]->given->pore_pressure;
             for (std::ptrdiff_t i = start[k]; i < start[k + 1]; ++i) {
                 const MeetingPoint<C>& p = points[shares[order[i]].point];
                 const double size = shares[order[i]].share * p.size;
                 row.size += size;
                 gap += size * p.gap;
+                for (int body = 0; body < 2; ++body)
+                    if (const double* pressure = skin[body]->given->pore_pressure)
+                        row.pore_impulse +=
+                            (both ? 0.5 : 1.0) * dt * size * pressure[facet_of(p, body)];
                 Vector<double, C> direction[C];
                 directions(k, p.facet_a, direction);
                 for (int body = 0; body < 2; ++body)
@@ -284,6 +376,7 @@ template <int C> class System {
             row.end = found.size();
             if (row.end > row.begin) rows[n_rows++] = row;
         }
+        n_terms = found.size();
         terms = found.close();
         return !arena.is_overrun();
     }
@@ -331,6 +424,11 @@ template <int C> class System {
                     any = any || term.d[m][c] != 0.0;
                 }
             }
+            const Node& at = nodes[node];
+            const int body = node >= first_node[1];
+            for (int c = 0; c < C; ++c)
+                row.water_effective[body] +=
+                    at.porosity * at.porosity * term.d[0][c] * term.d[0][c] * at.by_itself[c];
             if (any) found.add(term);
         }
     }
@@ -344,9 +442,47 @@ template <int C> class System {
     void push(const Row<C>& row, int k, double impulse) {
         for (std::ptrdiff_t i = row.begin; i < row.end; ++i) {
             Node& node = nodes[terms[i].node];
-            for (int c = 0; c < C; ++c)
+            for (int c = 0; c < C; ++c) {
                 node.v[c] -= impulse * node.inverse_mass[c] * terms[i].d[k][c];
+                node.seepage[c] -= impulse * node.by_body[c] * terms[i].d[k][c];
+            }
         }
+    }
+    // Flow of a body's water, along the normal out of A.
+    double seepage(const Row<C>& row, int body, Vector<double, C> Node::*velocity) const {
+        double q = 0.0;
+        for (std::ptrdiff_t i = row.begin; i < row.end; ++i)
+            if (is_of(terms[i].node, body))
+                q += nodes[terms[i].node].porosity *
+                     dot(terms[i].d[0], nodes[terms[i].node].*velocity);
+        return q;
+    }
+    void push_water(const Row<C>& row, int body, double impulse) {
+        for (std::ptrdiff_t i = row.begin; i < row.end; ++i) {
+            if (!is_of(terms[i].node, body)) continue;
+            Node& node = nodes[terms[i].node];
+            const double share = impulse * node.porosity;
+            for (int c = 0; c < C; ++c) {
+                node.v[c] -= share * node.by_body[c] * terms[i].d[0][c];
+                node.seepage[c] -= share * node.by_itself[c] * terms[i].d[0][c];
+            }
+        }
+    }
+    bool is_of(std::ptrdiff_t node, int body) const {
+        return (node >= first_node[1]) == (body == 1);
+    }
+    // No water passes. Returns by how much velocities have changed: of the body, as the same impulse on it would change
+    // them, for flow may be as slow as it likes.
+    double correct_water(Row<C>& row) {
+        double largest = 0.0;
+        for (int body = 0; body < 2; ++body) {
+            if (!(row.water_effective[body] > 0.0)) continue;
+            const double change = seepage(row, body, &Node::seepage) / row.water_effective[body];
+            row.water_impulse[body] += change;
+            if (change != 0.0) push_water(row, body, change);
+            largest = std::max(largest, std::fabs(change) * row.effective[0]);
+        }
+        return largest;
     }
     // Returns by how much a velocity has changed.
     double correct(Row<C>& row, double mu) {
@@ -356,7 +492,7 @@ template <int C> class System {
         const double change = wanted - row.impulse[0];
         row.impulse[0] = wanted;
         if (change != 0.0) push(row, 0, change);
-        double largest = std::fabs(change) * row.effective[0];
+        double largest = std::max(std::fabs(change) * row.effective[0], correct_water(row));
         if (!(mu > 0.0)) return largest;
         double tangential[C] = {}, squared = 0.0, most = 0.0;
         for (int k = 1; k < C; ++k) most = std::max(most, row.effective[k]);
@@ -365,7 +501,8 @@ template <int C> class System {
             tangential[k] = row.impulse[k] + approach(row, k, &Node::v) / most;
             squared += tangential[k] * tangential[k];
         }
-        const double limit = mu * row.impulse[0];
+        const double limit =
+            row.impulse[0] > 0.0 ? mu * std::max(row.impulse[0] - row.pore_impulse, 0.0) : 0.0;
         const double back = squared > limit * limit ? limit / std::sqrt(squared) : 1.0;
         for (int k = 1; k < C; ++k) {
             const double step = back * tangential[k] - row.impulse[k];
@@ -378,19 +515,29 @@ template <int C> class System {
     // Impulses that friction's unfinished sweeps made too large: scaled until no energy is gained.
     void keep_energy() {
         double work = 0.0, twice_kinetic = 0.0;  // J . w_before; J . (w_before - w_after)
-        for (std::ptrdiff_t r = 0; r < n_rows; ++r)
-            for (int k = 0; k < C; ++k) {
-                work += rows[r].impulse[k] * rows[r].before[k];
-                twice_kinetic +=
-                    rows[r].impulse[k] * (rows[r].before[k] - approach(rows[r], k, &Node::v));
-            }
+        const auto add = [&](double impulse, double before, double after) {
+            work += impulse * before;
+            twice_kinetic += impulse * (before - after);
+        };
+        for (std::ptrdiff_t r = 0; r < n_rows; ++r) {
+            for (int k = 0; k < C; ++k)
+                add(rows[r].impulse[k], rows[r].before[k], approach(rows[r], k, &Node::v));
+            for (int body = 0; body < 2; ++body)
+                add(rows[r].water_impulse[body], rows[r].water_before[body],
+                    seepage(rows[r], body, &Node::seepage));
+        }
         if (!(twice_kinetic > 2.0 * work) || !(twice_kinetic > 0.0)) return;
         const double share = std::max(2.0 * work / twice_kinetic, 0.0);
-        for (std::ptrdiff_t r = 0; r < n_rows; ++r)
+        for (std::ptrdiff_t r = 0; r < n_rows; ++r) {
             for (int k = 0; k < C; ++k) {
                 push(rows[r], k, (share - 1.0) * rows[r].impulse[k]);
                 rows[r].impulse[k] *= share;
             }
+            for (int body = 0; body < 2; ++body) {
+                push_water(rows[r], body, (share - 1.0) * rows[r].water_impulse[body]);
+                rows[r].water_impulse[body] *= share;
+            }
+        }
     }
 
     Arena& arena;
@@ -409,7 +556,9 @@ template <int C> class System {
     std::ptrdiff_t first_node[3] = {0, 0, 0};
     Row<C>* rows = nullptr;
     Term<C>* terms = nullptr;
-    std::ptrdiff_t n_rows = 0;
+    std::ptrdiff_t n_rows = 0, n_terms = 0;
+    grit_surface_row* given_rows = nullptr;
+    grit_surface_term* given_terms = nullptr;
 };
 
 }  // namespace grit::surface

@@ -68,6 +68,18 @@ typedef struct grit_surface {
     grit_view vertex_velocity;   /* [vertices][components] of a rigid body [length / time] */
     const double* spacing; /* [facets] optional, of A: in the place of the options' [length] in
                                     (0, 1e30], where cells differ along the surface */
+    /* Water that flows through the body with a velocity of its own, optional: mass and velocity above are
+     * then those of its grains. None of it passes the surface where that is in contact, (V7). */
+    grit_view pores; /* [nodes][3] of the nodes in contact: mass of the water in [0, 1e30], 0:
+                                     none is there; impulse of the drag of this step for a velocity against
+                                     the grains, implicit, in [0, 1e30], both [mass]; porosity in [0, 1] */
+    const int* water_fixed; /* [nodes] optional, of the water; else fixed counts for it as well */
+    grit_mutable_view seepage;  /* [nodes][components] of the water against the grains, after the
+                                     momentum update and drag [length / time]: needed with pores */
+    grit_view previous_seepage; /* [nodes][components] optional: before it, for the dissipation */
+    const double*
+        pore_pressure; /* [facets] optional: of water in the body there, within +-1e30 [stress]:
+                                     its part of the pressure of the contact does not rub, (V4) */
 } grit_surface;
 
 /* What acts on a facet of A. */
@@ -79,6 +91,23 @@ typedef struct grit_surface_report {
     double friction_force; /* [force], the resultant's length */
     double force[3];       /* on A [force] */
 } grit_surface_report;
+
+/* What one point that carries pressure does, for hosts that go on with velocities after contact: its approach is the
+ * sum of direction[k] . v over its terms, and rigid[k]; its impulse k changes the momentum of a node by
+ * -impulse direction[k]. k = 0: along the normal; its approach is bound where it bears. */
+typedef struct grit_surface_row {
+    ptrdiff_t first_term, terms;
+    double bound;      /* approach that closes the gap and no more [length / time] */
+    double rigid[3];   /* by rigid bodies [length / time] */
+    double impulse[3]; /* [force time] */
+    double water_impulse
+        [2]; /* of the water of a and b, whose flow is the sum of n direction[0] . seepage */
+} grit_surface_row;
+typedef struct grit_surface_term {
+    ptrdiff_t node;
+    int of_b;               /* 0: of a, 1: of b */
+    double direction[3][3]; /* of k [-] */
+} grit_surface_term;
 
 typedef struct grit_surface_totals {
     size_t struct_size;     /* set by the caller */
@@ -95,6 +124,10 @@ typedef struct grit_surface_totals {
     ptrdiff_t points;        /* of integration in contact */
     ptrdiff_t pressures;     /* that are > 0 */
     ptrdiff_t sweeps;
+    /* In the workspace, until it is used again; null on failure. */
+    const grit_surface_row* row;
+    const grit_surface_term* term;
+    ptrdiff_t rows;
 } grit_surface_totals;
 
 /* ---- contact --------------------------------------------------------------------------------- */
@@ -111,7 +144,8 @@ GRIT_API size_t grit_surface_workspace_size(const grit_surface* a, const grit_su
  *   when      it is in contact if its gap is overrun at the end of the step, or less than a fiftieth of
  *             the reach; overlap that is there stays, but does not grow.
  *   pressure  >= 0, between points of A that are spacing apart, so that the mean approach around each of
- *             them is what closes the gap; friction opposes the slip that is left, <= mu times it.
+ *             them is what closes the gap; friction opposes the slip that is left, <= mu times what of it
+ *             pore water does not bear.
  *   Both bodies feel the same impulses at the same points: linear momentum is kept to roundoff, and no
  *   energy is made in the frame of a rigid body, however many sweeps were taken.
  *   All or nothing: on failure nothing is written; error->point is the vertex, facet or node, the

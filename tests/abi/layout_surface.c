@@ -15,7 +15,7 @@ PLACE(grit_surface_options, time_step, 40);
 PLACE(grit_surface_options, spacing, 48);
 PLACE(grit_surface_options, reach, 56);
 
-SIZE(grit_surface, 200);
+SIZE(grit_surface, 288);
 PLACE(grit_surface, struct_size, 0);
 PLACE(grit_surface, rigid, 8);
 PLACE(grit_surface, nodes_each, 12);
@@ -32,6 +32,11 @@ PLACE(grit_surface, velocity, 120);
 PLACE(grit_surface, previous_velocity, 144);
 PLACE(grit_surface, vertex_velocity, 168);
 PLACE(grit_surface, spacing, 192);
+PLACE(grit_surface, pores, 200);
+PLACE(grit_surface, water_fixed, 224);
+PLACE(grit_surface, seepage, 232);
+PLACE(grit_surface, previous_seepage, 256);
+PLACE(grit_surface, pore_pressure, 280);
 
 SIZE(grit_surface_report, 56);
 PLACE(grit_surface_report, area, 0);
@@ -40,7 +45,20 @@ PLACE(grit_surface_report, normal_force, 16);
 PLACE(grit_surface_report, friction_force, 24);
 PLACE(grit_surface_report, force, 32);
 
-SIZE(grit_surface_totals, 136);
+SIZE(grit_surface_row, 88);
+PLACE(grit_surface_row, first_term, 0);
+PLACE(grit_surface_row, terms, 8);
+PLACE(grit_surface_row, bound, 16);
+PLACE(grit_surface_row, rigid, 24);
+PLACE(grit_surface_row, impulse, 48);
+PLACE(grit_surface_row, water_impulse, 72);
+
+SIZE(grit_surface_term, 88);
+PLACE(grit_surface_term, node, 0);
+PLACE(grit_surface_term, of_b, 8);
+PLACE(grit_surface_term, direction, 16);
+
+SIZE(grit_surface_totals, 160);
 PLACE(grit_surface_totals, struct_size, 0);
 PLACE(grit_surface_totals, impulse_on_a, 8);
 PLACE(grit_surface_totals, impulse_on_b, 32);
@@ -54,6 +72,9 @@ PLACE(grit_surface_totals, residual, 104);
 PLACE(grit_surface_totals, points, 112);
 PLACE(grit_surface_totals, pressures, 120);
 PLACE(grit_surface_totals, sweeps, 128);
+PLACE(grit_surface_totals, row, 136);
+PLACE(grit_surface_totals, term, 144);
+PLACE(grit_surface_totals, rows, 152);
 
 SIZE(grit_surface_domains, 88);
 PLACE(grit_surface_domains, struct_size, 0);

@@ -116,6 +116,28 @@ TEST_P(LammpsWater, GoesOnWhereTheGridIsCutAnew) {
     EXPECT_EQ(first_difference(hosts.in_driver(all), hosts.in_lammps(2, 1, script)), "");
 }
 
+std::string at_surfaces(const std::string& text) {
+    return replaced(text, "law = \"geo\"", "law = \"surface\"");
+}
+
+TEST(LammpsWaterAtSurfaces, HasTheBitsOfTheDriverHoweverTheGridIsCut) {
+    for (const std::string& drainage : {undrained, flow}) {
+        const BothHosts hosts(at_surfaces(pushed(drainage)));
+        const Told driver = hosts.in_driver(all);
+        EXPECT_GT(driver.rows.back()[tip_force], 0.0);
+        expect_bits_however_cut(hosts, driver);
+    }
+}
+
+TEST(LammpsWaterAtSurfaces, RefusesAnImplicitPressure) {
+    const BothHosts hosts(at_surfaces(pushed(undrained + implicit)));
+    const Answer answer = hosts.lammps(1, hosts.script());
+    EXPECT_NE(answer.status, 0);
+    EXPECT_TRUE(answer.says("contact pile soil: implicit pore pressure, in \"soil\", knows no "
+                            "surface contact across processes"))
+        << answer.text;
+}
+
 // Sums in another order are other sums, by roundoff that grows with the steps; a solver that stops at 1e-5 of its
 // load may stop an iteration sooner.
 TEST_P(LammpsWater, FollowsTheDriverWithDoubleSums) {

@@ -18,6 +18,7 @@
 #include "support/lausitz.hpp"
 #include "support/one_particle.hpp"
 #include "support/plans.hpp"
+#include "support/pressed_column.hpp"
 #include "support/saturated_column.hpp"
 #include "support/saturated_disk.hpp"
 #include "support/wet_cell.hpp"
@@ -96,28 +97,6 @@ TEST(FlowingWater, LeavesADiskAsDeLeeuwSays) {
     }
 }
 
-// A column under a rigid piston that no water passes, 30 ms after it has sunk by 15 µm.
-Case under_a_piston(const Column& column) {
-    Case plan = column.plan();
-    BodyPlan piston{};
-    piston.name = "piston";
-    const double h = column.cell(), L = column.height;
-    piston.outlines = {Outline{{{0.0, L}, {h, L}, {h, L + h}, {0.0, L + h}}}};
-    piston.density = 1000.0;
-    RigidPlan motion;
-    motion.velocity_r = TimeTable{{0.0}, {0.0}};
-    motion.velocity_z = TimeTable{{0.0, 0.005, 0.015, 0.02}, {0.0, -1e-3, -1e-3, 0.0}};
-    piston.material = motion;
-    plan.bodies.push_back(piston);
-    ContactPlan contact;
-    contact.stiff = "piston";
-    contact.soft = "sand";
-    contact.law = GRIT_CONTACT_FRICTIONAL;
-    plan.contacts = {contact};
-    plan.history.body = "piston";
-    return plan;
-}
-
 class UnderAPiston : public testing::TestWithParam<bool> {};
 INSTANTIATE_TEST_SUITE_P(Pressure, UnderAPiston, testing::Bool(), [](const auto& of) {
     return std::string(of.param ? "Implicit" : "Explicit");
@@ -149,58 +128,6 @@ TEST_P(UnderAPiston, WaterPressesBesideTheEffectiveStress) {
                     -simulation.pore_faces(0).along_z[1] - simulation.contact(0).faces().along_z[1],
                     1e-9 * p_w / count);
     }
-}
-
-// A plate on a block, whose mean force along its way it gives once it slides [N]: K_w = E n, so that water carries
-// half of what presses.
-double rubbing_force(std::optional<WaterPlan> water) {
-    constexpr double L = 1.0, E = 10e6, n = 0.4;
-    Case plan;
-    plan.name = "plate";
-    plan.settings.axisymmetric = false;
-    plan.r = {0.0, {{L, 8, 1.0}}};
-    plan.z = {0.0, {{0.5 * L, 4, 1.0}, {0.75 * L, 2, 1.0}}};
-    for (const Side side : {Side::left, Side::right, Side::bottom})
-        plan.boundary[static_cast<int>(side)] = Boundary::roller;
-    BodyPlan block{}, plate{};
-    block.name = "block";
-    block.outlines = {Outline{{{0.0, 0.0}, {L, 0.0}, {L, 0.5 * L}, {0.0, 0.5 * L}}}};
-    block.density = 1590.0;
-    block.material = ElasticPlan{E, 0.0};
-    if (water) {
-        water->bulk_modulus = E * n;
-        water->porosity = n;
-        water->grain_density = 2650.0;
-        if (water->drainage == Drainage::undrained) block.density += n * water->density;
-        block.water = water;
-    }
-    plate.name = "plate";
-    plate.outlines = {Outline{{{0.0, 0.5 * L}, {L, 0.5 * L}, {L, 0.625 * L}, {0.0, 0.625 * L}}}};
-    plate.density = 1000.0;
-    RigidPlan motion;
-    motion.velocity_r = TimeTable{{0.0, 0.05, 0.06}, {0.0, 0.0, 0.02}};
-    motion.velocity_z = TimeTable{{0.0, 0.02, 0.04}, {0.0, -1e-2, 0.0}};
-    plate.material = motion;
-    plan.bodies = {block, plate};
-    ContactPlan contact;
-    contact.stiff = "plate";
-    contact.soft = "block";
-    contact.law = GRIT_CONTACT_FRICTIONAL;
-    contact.friction_coefficient = 0.3;
-    plan.contacts = {contact};
-    plan.stages = {StagePlan{.name = "stage", .end = {.time = 1.0}}};
-    plan.history.body = "plate";
-    BuiltCase built = build_case(plan);
-    Simulation& simulation = *built.simulation;
-    double force = 0.0;
-    int count = 0;
-    while (simulation.time() < 0.12) {
-        simulation.step();
-        if (simulation.time() < 0.07) continue;
-        force += simulation.contact(0).faces().along_z[0];
-        ++count;
-    }
-    return force / count;
 }
 
 TEST(PoreWater, DoesNotRub) {
@@ -358,39 +285,9 @@ TEST(ImplicitPressure, CarriesWavesInShortSteps) {
 // A dry block hits a saturated one, both free: across nodes that they share the pressure moves both.
 TEST(ImplicitPressure, KeepsMomentumAndEnergyWhereBodiesMeet) {
     for (const double k : {0.0, 1e-4}) {
-        const Column column{.cells = 16, .conductivity = k, .implicit = true};
-        Case plan = column.plan();
-        const double h = column.cell(), L = column.height;
-        plan.boundary[static_cast<int>(Side::bottom)] = Boundary::free;
-        plan.z = {-4.0 * h, {{2.0 * L, 36, 1.0}}};
-        BodyPlan block{};
-        block.name = "block";
-        block.outlines = {Outline{{{0.0, L}, {h, L}, {h, 1.5 * L}, {0.0, 1.5 * L}}}};
-        block.density = 2000.0;
-        block.material = ElasticPlan{1e8, 0.0};
-        plan.bodies.push_back(block);
-        ContactPlan contact;
-        contact.stiff = "block";
-        contact.soft = "sand";
-        contact.law = GRIT_CONTACT_FRICTIONAL;
-        plan.contacts = {contact};
-        BuiltCase built = build_case(plan);
+        BuiltCase built = hit_by_a_block({.cells = 16, .conductivity = k, .implicit = true});
         Simulation& simulation = *built.simulation;
-        const ParticleView q = simulation.body(1).particles.view();
-        for (std::ptrdiff_t p = 0; p < simulation.body(1).particles.size(); ++p)
-            q[column::v_z][p] = -0.1;
-        const auto momentum = [&](std::size_t which) {
-            Body& body = simulation.body(which);
-            const ParticleView of = body.particles.view();
-            double sum = 0.0;
-            for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p) {
-                sum += of[column::mass][p] * of[column::v_z][p];
-                if (body.water && body.water->flows)
-                    sum += body.water->mass(of, p) *
-                           (of[column::v_z][p] + of[body.water->velocity_column() + 1][p]);
-            }
-            return sum;
-        };
+        const auto momentum = [&](std::size_t body) { return momentum_z(simulation, body); };
         const double before = momentum(0) + momentum(1);
         while (simulation.time() < 0.004) simulation.step();
         EXPECT_GT(std::fabs(momentum(0)), 0.1 * std::fabs(before)) << k;

@@ -35,6 +35,19 @@ TEST(UndrainedSand, ExpandsACavityInLooseSandToo) {
     EXPECT_GT(seen.innermost.p_w, 3e4);
 }
 
+// A wall with an implicit pressure: at the surface, without noise.
+TEST(ImplicitPressure, MeetsTheWallOfACavityWithThePressureOfTheBalanceAlongTheRadius) {
+    for (const double e : {0.55, 0.75}) {
+        CavityByPoints points = undrained_cavity(e, e < 0.6 ? 9 : 6);
+        points.implicit = true;
+        const CavityErrors seen =
+            compare(points, UndrainedCavity(points, points.bulk_modulus, 100));
+        EXPECT_LT(seen.wall_most, e < 0.6 ? 0.01 : 0.002);
+        EXPECT_LT(seen.effective_most, e < 0.6 ? 0.06 : 0.01);
+        EXPECT_LT(seen.pore_most, e < 0.6 ? 0.075 : 0.03);
+    }
+}
+
 // By the pressure of that balance, without contact.
 TEST(ImplicitPressure, ExpandsACavityAsFarAsTheBalanceAlongTheRadius) {
     CavityByPoints points = undrained_cavity(0.55, 6);

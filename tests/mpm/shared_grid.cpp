@@ -113,7 +113,7 @@ std::vector<double> totals_of(Simulation& s) {
                             unbalanced_share(s, s.next_step())};
     for (const double x : contact_totals_of(s)) out.push_back(x);
     if (s.body(1).water) {
-        const Faces& pore = s.pore_faces(0);
+        const Faces pore = s.contact_count() > 0 ? s.pore_faces(0) : Faces{};
         const Extremes pressures = pore_pressures(s);
         out.insert(out.end(), {e.pore_water, e.half, e.drag, e.implicit, pore.along_r[0],
                                pore.along_z[1], pressures.least, pressures.largest});
@@ -257,6 +257,24 @@ TEST_P(SharedWater, HasTheBitsOfOneProcess) {
         EXPECT_EQ(two.totals[0], one.totals[0]) << cut.direction << ' ' << cut.cell;
         EXPECT_EQ(two.totals[1], one.totals[0]) << cut.direction << ' ' << cut.cell;
         EXPECT_TRUE(same_bits(two.rows, one.rows)) << cut.direction << ' ' << cut.cell;
+    }
+}
+
+// With explicit pressure surfaces are those of all processes, and so is the water behind them.
+TEST(SharedWaterAtSurfaces, HasTheBitsOfOneProcess) {
+    for (const bool flows : {false, true}) {
+        PressedSand problem;
+        problem.settings.fixed_point = true;
+        problem.at_surfaces = true;
+        problem.water = PressedSand::soft_water(flows, false);
+        constexpr int steps = 120;
+        const Result one = alone(problem, steps);
+        for (const Cut cut : {Cut{1, 10}, Cut{0, 3}}) {
+            const Result two = together(problem, cut, steps, 3);
+            EXPECT_EQ(two.totals[0], one.totals[0]) << flows << ' ' << cut.direction;
+            EXPECT_EQ(two.totals[1], one.totals[0]) << flows << ' ' << cut.direction;
+            EXPECT_TRUE(same_bits(two.rows, one.rows)) << flows << ' ' << cut.direction;
+        }
     }
 }
 

@@ -102,7 +102,7 @@ TEST(RiddenLine, MovesAsTheDomainsThatItsVerticesWereNearestTo) {
     for (const double r : {0.5, 1.5}) particles.add({r, 0.5, 0.5, 0.5, 1.0}, false);
     const RiddenLine line({{{2.0, 1.2}, {0.0, 1.2}}, false}, 1.0, particles);
     std::vector<double> x;
-    std::vector<std::ptrdiff_t> facet;
+    std::vector<std::ptrdiff_t> facet, owner;
     // F = [[1.1, 0.2], [-0.1, 0.9]], moved by (3, 4).
     const auto image = [](double r, double z) {
         return std::pair{3.0 + 1.1 * r + 0.2 * z, 4.0 - 0.1 * r + 0.9 * z};
@@ -113,16 +113,18 @@ TEST(RiddenLine, MovesAsTheDomainsThatItsVerticesWereNearestTo) {
         domains.push_back(
             domain(static_cast<std::uint64_t>(particles.ids()[p]), r, z, {0.55, -0.05, 0.1, 0.45}));
     }
-    line.place(domains, x, facet);
+    line.place(domains, x, facet, owner);
     ASSERT_EQ(x.size(), 6u);
     EXPECT_EQ(facet, (std::vector<std::ptrdiff_t>{0, 1, 1, 2}));
+    EXPECT_EQ(owner, (std::vector<std::ptrdiff_t>{
+                         0, 0}));  // of the middle, which both are near, and the left
     for (std::size_t v = 0; v < 3; ++v) {
         const auto [r, z] = image(2.0 - static_cast<double>(v), 1.2);
         EXPECT_NEAR(x[2 * v], r, 1e-12);
         EXPECT_NEAR(x[2 * v + 1], z, 1e-12);
     }
     domains.pop_back();  // what is not near is left out
-    line.place(domains, x, facet);
+    line.place(domains, x, facet, owner);
     EXPECT_EQ(x.size() / 2, facet.size() / 2 + 1);
     EXPECT_LT(x.size(), 6u);
 }
@@ -132,12 +134,13 @@ TEST(RiddenLine, OfAClosedLineIsClosed) {
     particles.add({0.5, 0.5, 0.5, 0.5, 1.0}, false);
     const RiddenLine line({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, true}, 0.5, particles);
     std::vector<double> x;
-    std::vector<std::ptrdiff_t> facet;
+    std::vector<std::ptrdiff_t> facet, owner;
     const KeyedNumbers one =
         domain(static_cast<std::uint64_t>(particles.ids()[0]), 0.5, 0.5, {0.5, 0.0, 0.0, 0.5});
-    line.place({&one, 1}, x, facet);
+    line.place({&one, 1}, x, facet, owner);
     EXPECT_EQ(x.size(), 16u);
     ASSERT_EQ(facet.size(), 16u);
+    EXPECT_EQ(owner, std::vector<std::ptrdiff_t>(8, 0));
     EXPECT_EQ(facet[15], 0);
 }
 

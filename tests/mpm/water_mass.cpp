@@ -64,8 +64,10 @@ void expect_kept(Simulation& simulation, std::size_t body, int steps) {
 // Under a block that hits it, in axisymmetry.
 TEST(WaterMass, IsKeptUnderABlow) {
     for (const bool implicit : {false, true})
-        for (const bool fixed_point : {false, true}) {
+        for (const auto& [fixed_point, at_surfaces] :
+             {std::pair{false, false}, {true, false}, {false, true}}) {
             PressedSand problem;
+            problem.at_surfaces = at_surfaces;
             problem.settings.fixed_point = fixed_point;
             problem.water = PressedSand::soft_water(true, implicit);
             const auto simulation = problem.build();

@@ -150,13 +150,23 @@ Objections objection_to_contact(const Case& plan, std::size_t contact, const Key
                     "\" both have an implicit pore pressure; one of the two must be explicit"};
     for (const std::string& body : {c.stiff, c.soft}) {
         const auto& water = plan.bodies[plan.body(body)].water;
-        if (!water || !(c.penalty || c.at_surfaces)) continue;
+        if (!water) continue;
         const char* what = water->drainage == Drainage::flow ? "water that flows"
                            : water->implicit                 ? "implicit pore pressure"
                                                              : nullptr;
-        if (what)
+        if (what && c.penalty)
             return Objection{"law", std::string(": ") + what + ", in \"" + body +
-                                        "\", knows contact at nodes alone"};
+                                        "\", knows no penalty contact"};
+        if (!water->implicit) continue;
+        if (c.at_surfaces && plan.has_side(Boundary::platen))
+            return Objection{"law", ": implicit pore pressure, in \"" + body +
+                                        "\", knows no surface contact beside a platen"};
+        for (std::size_t i = 0; i < contact; ++i) {
+            const ContactPlan& other = plan.contacts[i];
+            if ((other.stiff == body || other.soft == body) && other.at_surfaces != c.at_surfaces)
+                return Objection{"law", ": implicit pore pressure, in \"" + body +
+                                            "\", knows contacts at nodes or at surfaces, not both"};
+        }
     }
     for (std::size_t i = 0; i < contact; ++i) {
         const ContactPlan& other = plan.contacts[i];

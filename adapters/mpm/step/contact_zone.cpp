@@ -5,12 +5,13 @@
 
 #include "adapters/mpm/kernel/nodes.hpp"
 #include "adapters/mpm/kernel/place.hpp"
+#include "adapters/mpm/step/water.hpp"
 
 namespace grit::mpm {
 namespace {
 
 // Part of the zone, and number within it.
-constexpr int number_bits = 62;
+constexpr int number_bits = 60;
 std::uint64_t key_of(int part, std::ptrdiff_t number) {
     return static_cast<std::uint64_t>(part) << number_bits | static_cast<std::uint64_t>(number);
 }
@@ -18,6 +19,10 @@ std::ptrdiff_t number_of(const KeyedNumbers& item) {
     return static_cast<std::ptrdiff_t>(item.key & ((std::uint64_t{1} << number_bits) - 1));
 }
 bool is_before(const KeyedNumbers& item, std::uint64_t key) { return item.key < key; }
+int mask_of(double bits) {
+    const int held = static_cast<int>(bits);
+    return (held & fixed::r ? 1 : 0) | (held & fixed::z ? 2 : 0);
+}
 
 }  // namespace
 
@@ -56,6 +61,9 @@ void ContactZone::add_domains(const SurfaceBody& body, int which) {
         items.push_back({key_of(which, body.ids[p]),
                          {place.r, place.z, place.domain.r1r, place.domain.r1z, place.domain.r2r,
                           place.domain.r2z}});
+        if (body.water && body.water->has(body.number))
+            items.push_back(
+                {key_of(4 + which, body.ids[p]), {body.water->pressure_at(body.number, p)}});
     }
 }
 
@@ -71,6 +79,15 @@ void ContactZone::add_nodes(const SurfaceBody& body, int which) {
         items.push_back({key_of(2 + which, z * whole.grid.nodes_r() + r),
                          {n[record::m], v[motion::v_r], v[motion::v_z], v[motion::other_r],
                           v[motion::other_z], static_cast<double>(bits)}});
+        if (!body.water || !body.water->flows(body.number)) return;
+        const auto here = static_cast<std::size_t>(node);
+        const Water::Pores pores = body.water->pores(body.number, here);
+        const Vector2 &now = pores.seepage, &before = pores.seepage_before;
+        const std::ptrdiff_t number = z * whole.grid.nodes_r() + r;
+        items.push_back(
+            {key_of(6 + which, number),
+             {pores.mass, pores.drag, pores.porosity, static_cast<double>(pores.fixed)}});
+        items.push_back({key_of(8 + which, number), {now[0], now[1], before[0], before[1]}});
     });
 }
 
@@ -89,10 +106,12 @@ void ContactZone::sort() {
     start[parts] = static_cast<std::ptrdiff_t>(items.size());
     held.clear();
     for (const int body : {0, 1})
-        for (const KeyedNumbers& node : nodes(body)) {
-            const int bits = static_cast<int>(node.value[near_node::fixed]);
-            held.push_back((bits & fixed::r ? 1 : 0) | (bits & fixed::z ? 2 : 0));
-        }
+        for (const KeyedNumbers& node : nodes(body))
+            held.push_back(mask_of(node.value[near_node::fixed]));
+    water_held.clear();
+    for (const int body : {0, 1})
+        for (const KeyedNumbers& node : pores(body))
+            water_held.push_back(mask_of(node.value[near_pores::fixed]));
 }
 
 int ContactZone::id_of(const KeyedNumbers& domain) { return static_cast<int>(number_of(domain)); }
@@ -104,14 +123,26 @@ std::ptrdiff_t ContactZone::place_of(int body, std::ptrdiff_t node) const {
     return found != all.end() && found->key == key ? found - all.begin() : -1;
 }
 
+std::ptrdiff_t ContactZone::node_here(const KeyedNumbers& item) const {
+    const std::ptrdiff_t r = number_of(item) % whole.grid.nodes_r() - whole.first_r;
+    const std::ptrdiff_t z = number_of(item) / whole.grid.nodes_r() - whole.first_z;
+    const bool is_here = r >= 0 && r <= grid.r.cells && z >= 0 && z <= grid.z.cells;
+    return is_here ? z * grid.nodes_r() + r : -1;
+}
+
 void ContactZone::write(int body, const SurfaceBody& to) const {
-    for (const KeyedNumbers& item : of(2 + body)) {
-        const std::ptrdiff_t r = number_of(item) % whole.grid.nodes_r() - whole.first_r;
-        const std::ptrdiff_t z = number_of(item) / whole.grid.nodes_r() - whole.first_z;
-        if (r < 0 || r > grid.r.cells || z < 0 || z > grid.z.cells) continue;
-        const std::ptrdiff_t node = z * grid.nodes_r() + r;
-        to.motions[node][motion::v_r] = item.value[near_node::v_r];
-        to.motions[node][motion::v_z] = item.value[near_node::v_z];
+    const std::span<const KeyedNumbers> flow = of(8 + body);
+    for (std::size_t i = 0; i < of(2 + body).size(); ++i) {
+        const KeyedNumbers& item = of(2 + body)[i];
+        const std::ptrdiff_t node = node_here(item);
+        if (node < 0) continue;
+        const Vector2 v{item.value[near_node::v_r], item.value[near_node::v_z]};
+        if (!flow.empty())
+            to.water->follow(
+                to.number, static_cast<std::size_t>(node), v,
+                {flow[i].value[near_seepage::now_r], flow[i].value[near_seepage::now_z]});
+        to.motions[node][motion::v_r] = v[0];
+        to.motions[node][motion::v_z] = v[1];
     }
 }
 

@@ -12,6 +12,8 @@
 
 namespace grit::mpm {
 
+class Water;
+
 struct SurfaceBody {
     const NodeRecord* records;
     NodeMotion* motions;
@@ -20,7 +22,9 @@ struct SurfaceBody {
     std::ptrdiff_t count;
     double least_mass;  // nodes with less take no impulse [kg]
     bool rigid;
-    Vector2 velocity;  // of a rigid body in this step [m/s]
+    Vector2 velocity;        // of a rigid body in this step [m/s]
+    Water* water = nullptr;  // in its pores; null: none
+    std::size_t number = 0;  // of the body
 };
 
 namespace near_domain {
@@ -30,6 +34,14 @@ enum : int { r, z, r1r, r1z, r2r, r2z };
 namespace near_node {
 enum : int { m, v_r, v_z, other_r, other_z, fixed };
 }  // namespace near_node
+
+// Of water that flows, in the order of the nodes: what it has there, and its velocity against the grains.
+namespace near_pores {
+enum : int { m, drag, porosity, fixed };
+}  // namespace near_pores
+namespace near_seepage {
+enum : int { now_r, now_z, before_r, before_z };
+}  // namespace near_seepage
 
 class ContactZone {
   public:
@@ -46,15 +58,25 @@ class ContactZone {
     // are none.
     std::span<const KeyedNumbers> domains(int body) const { return of(body); }
     std::span<KeyedNumbers> nodes(int body) { return of(2 + body); }
-    // [nodes(body)] bits of components that are held.
+    // Mean pore pressures of the cells that domains are in, in their order; empty: no water.
+    std::span<const KeyedNumbers> pressures(int body) const { return of(4 + body); }
+    // Of water that flows, in the order of nodes; empty: none.
+    std::span<const KeyedNumbers> pores(int body) const { return of(6 + body); }
+    std::span<KeyedNumbers> seepage(int body) { return of(8 + body); }
+    // [nodes(body)] bits of components that are held; of its water.
     const int* fixed(int body) const { return held.data() + (body == 0 ? 0 : of(2).size()); }
+    const int* water_fixed(int body) const {
+        return water_held.data() + (body == 0 ? 0 : of(6).size());
+    }
     // The particle of a domain.
     static int id_of(const KeyedNumbers& domain);
     // Of a node of the whole grid among those of a body; -1: it has no mass there.
     std::ptrdiff_t place_of(int body, std::ptrdiff_t node) const;
     const GridView& whole_grid() const { return whole.grid; }
+    // Its number in the grid of this process; -1: another one has it.
+    std::ptrdiff_t node_here(const KeyedNumbers& item) const;
 
-    // The velocities of its nodes, to those that are here.
+    // The velocities of its nodes and of the water there, to those that are here.
     void write(int body, const SurfaceBody& to) const;
 
   private:
@@ -73,10 +95,11 @@ class ContactZone {
     bool axisymmetric;
     const std::vector<std::uint8_t>& fixed_nodes;
     NearCells near;
-    static constexpr int parts = 4;  // domains of both bodies, nodes of both
+    // Domains of both bodies, nodes of both, pressures, pores and seepage.
+    static constexpr int parts = 10;
     std::vector<KeyedNumbers> items;
     std::ptrdiff_t start[parts + 1] = {};
-    std::vector<int> held;
+    std::vector<int> held, water_held;
 };
 
 }  // namespace grit::mpm

@@ -10,6 +10,7 @@
 namespace grit::mpm {
 
 void Answers::operator()(std::vector<Vector2>& at) const {
+    if (held) held->read(at);
     std::vector<double> tied(ties.size());
     for (std::size_t t = 0; t < ties.size(); ++t)
         for (const std::size_t node : ties[t].nodes.nodes)
@@ -18,6 +19,7 @@ void Answers::operator()(std::vector<Vector2>& at) const {
     for (std::size_t t = 0; t < ties.size(); ++t)
         for (const std::size_t node : ties[t].nodes.nodes)
             at[node][ties[t].nodes.direction] = ties[t].per_mass * tied[t];
+    if (held) held->hold(at);
 }
 
 ImplicitPressure::ImplicitPressure(const GridView& grid, Exchange& processes, bool in_fixed_point,
@@ -195,13 +197,13 @@ double ImplicitPressure::dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
     return sum[0].value();
 }
 
-// What the last two steps lead to, as solve has it.
-Eigen::VectorXd ImplicitPressure::guess(double dt) const {
+// What the last two steps lead to, or what is known of this one, as solve has it.
+Eigen::VectorXd ImplicitPressure::guess(double dt, bool again) const {
     Eigen::VectorXd out(static_cast<Eigen::Index>(cells.size()));
     for (std::size_t c = 0; c < cells.size(); ++c) {
         const Vector2& rate = rates[first_node(patched[c])];
-        out[static_cast<Eigen::Index>(c)] =
-            cells[c].compliance > 0.0 ? dt * (2.0 * rate[0] - rate[1]) / cells[c].scale : 0.0;
+        const double now = again ? found[c] : dt * (2.0 * rate[0] - rate[1]);
+        out[static_cast<Eigen::Index>(c)] = cells[c].compliance > 0.0 ? now / cells[c].scale : 0.0;
     }
     return out;
 }
@@ -259,8 +261,9 @@ Eigen::VectorXd ImplicitPressure::solve(const System& system, Eigen::VectorXd b,
 
 void ImplicitPressure::solve(const PoreWater& water, const GridView& grid, Particles& particles,
                              double dt, const std::vector<Vector2>& u, const Answers& answers,
-                             std::vector<Vector2>& impulses) {
+                             bool again, std::vector<Vector2>& impulses) {
     constexpr int most_changes = 10;
+    if (again) found = values;
     find_particles(water, grid, particles);
     find_cells(water);
     std::fill(swelling.begin(), swelling.end(), 0.0);
@@ -296,14 +299,13 @@ void ImplicitPressure::solve(const PoreWater& water, const GridView& grid, Parti
                           (cell.compliance * (cell.reached - cell.pressure) - dt * swelling[c])
                     : 0.0;
         }
-        const Eigen::VectorXd x = solve(system, b, guess(dt));
+        const Eigen::VectorXd x = solve(system, b, guess(dt, again));
         for (std::size_t c = 0; c < cells.size(); ++c)
             if (cells[c].compliance > 0.0)
                 values[c] = cells[c].scale * x[static_cast<Eigen::Index>(c)];
         move();
         if (!find_laws(water, dt)) break;
     }
-    remember(dt);
     push(values.data(), impulses);
     for (Vector2& J : impulses) J = {dt * J[0], dt * J[1]};
 }

@@ -8,6 +8,7 @@
 
 #include "adapters/mpm/kernel/exchange.hpp"
 #include "adapters/mpm/kernel/pore_water.hpp"
+#include "adapters/mpm/step/held_rows.hpp"
 #include "adapters/mpm/step/integer_records.hpp"
 
 namespace grit::mpm {
@@ -27,7 +28,7 @@ struct TiedNodes {
 };
 
 // The answers of all nodes, and of those that are tied: these take their sum along the direction, for one over the mass
-// of all.
+// of all; and what surfaces in contact take of it.
 struct Answers {
     struct Tie {
         TiedNodes nodes;
@@ -35,6 +36,7 @@ struct Answers {
     };
     std::vector<NodeAnswer> nodes = {};
     std::vector<Tie> ties = {};
+    const HeldRows* held = nullptr;  // null: none
     // Impulses become velocities.
     void operator()(std::vector<Vector2>& at) const;
 };
@@ -57,10 +59,12 @@ class ImplicitPressure {
     // The change x of the mean pressures of cells [Pa] with
     //     p + x = mean over particles of max(p - K_w/n dt G^T (u + dt A G x)/V, -largest_tension),
     // u the volume velocity without it, A the answers of nodes; and its impulses dt G x [N s]. Every process must
-    // call it. Throws std::runtime_error without a solution.
+    // call it. again: in the same step, with other answers. Throws std::runtime_error without a solution.
     void solve(const PoreWater& water, const GridView& grid, Particles& particles, double dt,
-               const std::vector<Vector2>& u, const Answers& answers,
+               const std::vector<Vector2>& u, const Answers& answers, bool again,
                std::vector<Vector2>& impulses);
+    // Once it is solved for good.
+    void remember(double dt);
 
     template <class Self, class Archive> static void visit(Self& of, Archive& archive) {
         IntegerRecords::visit(of.rows_of_patches, archive);
@@ -87,8 +91,7 @@ class ImplicitPressure {
     };
     void apply(const System& system, const double* x, double* y);
     Eigen::VectorXd solve(const System& system, Eigen::VectorXd b, const Eigen::VectorXd& guess);
-    Eigen::VectorXd guess(double dt) const;
-    void remember(double dt);
+    Eigen::VectorXd guess(double dt, bool again) const;
     // Of the grid, the first of the cell itself.
     std::size_t first_node(const PatchedCell& cell) const {
         const auto n = static_cast<std::size_t>(cells_r);
@@ -117,7 +120,7 @@ class ImplicitPressure {
     std::vector<double> sums;  // two of each cell of the grid
     Rounding of_volume, of_stiffness, of_pressure;  // of addends of these
     std::vector<Vector2> at_nodes, moved, shared;   // shared: of the grid
-    std::vector<double> values, swelling, scaled, pushing;
+    std::vector<double> values, found, swelling, scaled, pushing;
     // Of cells, at the first of their nodes: how fast values changed in the last two steps [Pa/s].
     std::vector<Vector2> rates;
 };

@@ -32,7 +32,7 @@ void NodalContacts::part(const ContactPair& contact) {
                 [&](std::size_t node, const Vector2& normal) { water.part(i, node, normal); });
 }
 
-void NodalContacts::change_pressures() {
+void NodalContacts::change_pressures(SurfaceContacts& surfaces) {
     const std::uint8_t* mine = model.exchange.counted();
     for (std::size_t body = 0; body < model.parts.size(); ++body) {
         if (!water.is_implicit(body)) continue;
@@ -46,7 +46,7 @@ void NodalContacts::change_pressures() {
                 of.push_back(i);
             });
         }
-        water.change(body, pressed);
+        water.change(body, pressed, surfaces.rows_of(body));
         std::vector<FaceSums> sums(contacts.size(), FaceSums(model.settings.fixed_point));
         for (std::size_t k = 0; k < pressed.size(); ++k) {
             const Water::Pressed& p = pressed[k];

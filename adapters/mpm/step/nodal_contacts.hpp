@@ -6,6 +6,7 @@
 
 #include "adapters/mpm/step/contact_pair.hpp"
 #include "adapters/mpm/step/model.hpp"
+#include "adapters/mpm/step/surface_contacts.hpp"
 #include "adapters/mpm/step/water.hpp"
 
 namespace grit::mpm {
@@ -20,7 +21,7 @@ class NodalContacts {
     // Velocities after the momentum update become those after contact; adds what it took and what rigid bodies did.
     void correct(Energy& sums);
     // After all contacts: implicit pore pressures change, borne by the bodies that press.
-    void change_pressures();
+    void change_pressures(SurfaceContacts& surfaces);
 
     const ContactPair& operator[](std::size_t i) const { return contacts[i]; }
     // Of implicit pore pressures on b beyond those of the start of the step, in the last one.

@@ -49,11 +49,13 @@ RiddenLine::RiddenLine(const BoundaryLine& line, double longest, const Particles
 }
 
 void RiddenLine::place(std::span<const KeyedNumbers> domains, std::vector<double>& position,
-                       std::vector<std::ptrdiff_t>& facet) const {
+                       std::vector<std::ptrdiff_t>& facet,
+                       std::vector<std::ptrdiff_t>& owner) const {
     position.clear();
     facet.clear();
+    owner.clear();
     constexpr std::ptrdiff_t lost = -1;
-    std::ptrdiff_t first = lost, before = lost, count = 0;
+    std::ptrdiff_t first = lost, before = lost, count = 0, first_domain = lost;
     for (std::size_t i = 0; i < riders.size(); ++i) {
         const Rider& rider = riders[i];
         const auto found = std::lower_bound(
@@ -67,12 +69,21 @@ void RiddenLine::place(std::span<const KeyedNumbers> domains, std::vector<double
         using namespace near_domain;
         position.push_back(d[r] + rider.along_1 * d[r1r] + rider.along_2 * d[r2r]);
         position.push_back(d[z] + rider.along_1 * d[r1z] + rider.along_2 * d[r2z]);
-        if (before != lost) facet.insert(facet.end(), {before, count});
-        if (i == 0) first = count;
+        const std::ptrdiff_t domain = found - domains.begin();
+        if (before != lost) {
+            facet.insert(facet.end(), {before, count});
+            owner.push_back(domain);
+        }
+        if (i == 0) {
+            first = count;
+            first_domain = domain;
+        }
         before = count++;
     }
-    if (closed && first != lost && before != lost && before != first)
+    if (closed && first != lost && before != lost && before != first) {
         facet.insert(facet.end(), {before, first});
+        owner.push_back(first_domain);
+    }
 }
 
 }  // namespace grit::mpm

@@ -18,9 +18,9 @@ class RiddenLine {
 
     bool empty() const { return riders.empty(); }
     // Where it is, by the domains of particles by ids (near_domain): vertices, two coordinates each, and facets,
-    // two vertices each; without those whose particles are not among them.
+    // two vertices each, with the domain that one of these rides on; without those whose particles are not among them.
     void place(std::span<const KeyedNumbers> domains, std::vector<double>& position,
-               std::vector<std::ptrdiff_t>& facet) const;
+               std::vector<std::ptrdiff_t>& facet, std::vector<std::ptrdiff_t>& owner) const;
 
   private:
     struct Rider {

@@ -36,7 +36,8 @@ void Simulation::step() {
     sides.find_work(model, momentum);
     momentum.damp(water, platens.any());
     if (model.settings.local_damping > 0.0) platens.tie(account.sums());
-    contacts.change_pressures();
+    contacts.change_pressures(surfaces);
+    surfaces.take_changes(account.sums());
     platens.move();
     momentum.close();
     loads.find_work();

@@ -151,7 +151,7 @@ class Simulation {
     AbsorbingSides sides;
     NodalContacts contacts{model, water};
     PenaltyContacts penalties{model, scatter};
-    SurfaceContacts surfaces{model};
+    SurfaceContacts surfaces{model, water};
     Gather gather{model, means};
     StepSize step_size{model, penalties, water};
     Account account{model};

@@ -18,8 +18,16 @@ SurfaceBody SurfaceContacts::body(std::size_t i) {
     Body& of = part.body;
     const Vector2 velocity =
         of.rigid() ? of.prescribed_velocity(model.t + model.dt) : Vector2{0.0, 0.0};
-    return {part.records.data(), part.motions.data(), of.particles.view(), of.particles.ids(),
-            of.particles.size(), part.least_mass,     of.rigid(),          velocity};
+    return {part.records.data(),
+            part.motions.data(),
+            of.particles.view(),
+            of.particles.ids(),
+            of.particles.size(),
+            part.least_mass,
+            of.rigid(),
+            velocity,
+            &water,
+            i};
 }
 
 void SurfaceContacts::correct(Energy& sums) {
@@ -32,9 +40,41 @@ void SurfaceContacts::correct(Energy& sums) {
         if (are_near[i] > 0.0) correct(pairs[i], sums);
 }
 
+bool SurfaceContacts::is_implicit() const {
+    for (std::size_t i = 0; i < model.parts.size(); ++i)
+        if (water.is_implicit(i)) return true;
+    return false;
+}
+
+std::vector<SurfaceRows*> SurfaceContacts::rows_of(std::size_t body) {
+    std::vector<SurfaceRows*> out;
+    for (SurfacePair& pair : pairs)
+        if (pair.law().a == body || pair.law().b == body) out.push_back(&pair.rows());
+    return out;
+}
+
+// Work of impulses is that on the mean of the velocities before the step and at its end.
+void SurfaceContacts::take_changes(Energy& sums) {
+    if (!is_implicit()) return;
+    for (SurfacePair& pair : pairs) {
+        const SurfaceRows& of = pair.rows();
+        double taken = 0.0;
+        for (const SurfaceRow& row : of.rows) {
+            const std::array<double, 4> end = water.values(of, row, true);
+            const std::array<double, 4> start = water.values(of, row, false);
+            const double impulse[] = {row.impulse[0], row.impulse[1], row.water_impulse[0],
+                                      row.water_impulse[1]};
+            for (std::size_t k = 0; k < 4; ++k) taken += 0.5 * impulse[k] * (start[k] + end[k]);
+            sums.rigid_work += (row.impulse[0] - row.impulse_of_contact) * row.rigid[0];
+        }
+        sums.contact += taken - of.dissipation;
+        pair.take_rows(model.dt);
+    }
+}
+
 void SurfaceContacts::correct(SurfacePair& pair, Energy& sums) {
     const SurfaceBody a = body(pair.law().a), b = body(pair.law().b);
-    pair.correct(a, b, model.dt, model.exchange);
+    pair.correct(a, b, model.dt, model.exchange, is_implicit());
     const grit_surface_totals& totals = pair.totals();
     sums.contact += totals.dissipation_normal + totals.dissipation_tangential;
     // What moves a rigid body works against the force that the body feels.

@@ -6,15 +6,20 @@
 
 #include "adapters/mpm/step/model.hpp"
 #include "adapters/mpm/step/surface_pair.hpp"
+#include "adapters/mpm/step/water.hpp"
 
 namespace grit::mpm {
 
 class SurfaceContacts {
   public:
-    explicit SurfaceContacts(Model& of) : model(of) {}
+    SurfaceContacts(Model& of, Water& in_pores) : model(of), water(in_pores) {}
     void add(const SurfaceLaw& law);
     // Velocities after the momentum update become those after contact; adds what it took and what rigid bodies did.
     void correct(Energy& sums);
+    // Of a body with implicit pressure, between correct and take_changes.
+    std::vector<SurfaceRows*> rows_of(std::size_t body);
+    // After implicit pressures have changed what bears: what contact took and rigid bodies did once more.
+    void take_changes(Energy& sums);
 
     const SurfacePair& operator[](std::size_t i) const { return pairs[i]; }
     std::size_t count() const { return pairs.size(); }
@@ -24,9 +29,11 @@ class SurfaceContacts {
 
   private:
     SurfaceBody body(std::size_t i);
+    bool is_implicit() const;
     void correct(SurfacePair& pair, Energy& sums);
 
     Model& model;
+    Water& water;
     std::vector<SurfacePair> pairs;
     std::vector<double> are_near;  // 1: of any process
 };

@@ -36,6 +36,8 @@ SurfacePair::SurfacePair(const SurfaceLaw& law, double shortest_cell, ContactZon
                          bool axisymmetric, const Particles& a)
     : pair_law(law), zone(std::move(of_both)), line_a(law.line_a, 0.5 * shortest_cell, a) {
     pair_law.options.axisymmetric = axisymmetric;
+    step_rows.a = law.a;
+    step_rows.b = law.b;
     forget();
 }
 
@@ -44,6 +46,9 @@ void SurfacePair::forget() {
     step_totals.struct_size = sizeof step_totals;
     step_totals.smallest_gap = std::numeric_limits<double>::infinity();
     step_faces = {};
+    step_rows.rows.clear();
+    step_rows.terms.clear();
+    step_rows.dissipation = 0.0;
 }
 
 bool SurfacePair::find(const SurfaceBody& a, const SurfaceBody& b) {
@@ -55,7 +60,7 @@ void SurfacePair::find_edges(int body, Skin& skin) {
     skin.vertices = skin.facets = 0;
     const std::span<const KeyedNumbers> domains = zone.domains(body);
     if (body == 0 && !line_a.empty()) {
-        line_a.place(domains, skin.position, skin.facet);
+        line_a.place(domains, skin.position, skin.facet, skin.owner);
         skin.vertices = static_cast<std::ptrdiff_t>(skin.position.size() / 2);
         skin.facets = static_cast<std::ptrdiff_t>(skin.facet.size() / 2);
     } else if (!domains.empty()) {
@@ -67,6 +72,7 @@ void SurfacePair::find_free_edges(std::span<const KeyedNumbers> of_zone, Skin& s
     const std::size_t n = of_zone.size();
     skin.position.resize(8 * n);
     skin.facet.resize(8 * n);
+    skin.owner.resize(4 * n);
     grit_surface_domains domains{};
     domains.struct_size = sizeof domains;
     domains.n = static_cast<std::ptrdiff_t>(n);
@@ -77,8 +83,8 @@ void SurfacePair::find_free_edges(std::span<const KeyedNumbers> of_zone, Skin& s
     resize(workspace, bytes);
     grit_error error;
     require(grit_surface_find_free(&domains, workspace.data(), bytes, skin.position.data(),
-                                   skin.facet.data(), nullptr, &skin.vertices, &skin.facets,
-                                   &error),
+                                   skin.facet.data(), skin.owner.data(), &skin.vertices,
+                                   &skin.facets, &error),
             error, "surface contact");
 }
 
@@ -146,9 +152,20 @@ void SurfacePair::keep_facets(Skin& skin) {
         const std::ptrdiff_t* ends = &skin.facet[2 * static_cast<std::size_t>(f)];
         const auto lost = [&](int k) { return skin.is_lost[static_cast<std::size_t>(ends[k])]; };
         if (lost(0) || lost(1)) continue;
+        skin.owner[static_cast<std::size_t>(kept)] = skin.owner[static_cast<std::size_t>(f)];
         std::copy_n(ends, 2, skin.facet.begin() + 2 * kept++);
     }
     skin.facets = kept;
+}
+
+// Of the cells that the domains along the surface are in.
+void SurfacePair::find_pressures(int body, Skin& skin) {
+    skin.pressure.clear();
+    const std::span<const KeyedNumbers> of_domains = zone.pressures(body);
+    for (std::ptrdiff_t f = 0; !of_domains.empty() && f < skin.facets; ++f) {
+        const auto domain = static_cast<std::size_t>(skin.owner[static_cast<std::size_t>(f)]);
+        skin.pressure.push_back(of_domains[domain].value[0]);
+    }
 }
 
 grit_surface SurfacePair::surface(int body, const SurfaceBody& of) {
@@ -172,10 +189,18 @@ grit_surface SurfacePair::surface(int body, const SurfaceBody& of) {
     s.fixed = zone.fixed(body);
     s.velocity = grit_mutable_view_of(&nodes[0].value[near_node::v_r], stride, 1);
     s.previous_velocity = grit_view_of(&nodes[0].value[near_node::other_r], stride, 1);
+    if (!skin.pressure.empty()) s.pore_pressure = skin.pressure.data();
+    const std::span<const KeyedNumbers> pores = zone.pores(body);
+    if (pores.empty()) return s;
+    const std::span<KeyedNumbers> seepage = zone.seepage(body);
+    s.pores = grit_view_of(&pores[0].value[near_pores::m], stride, 1);
+    s.water_fixed = zone.water_fixed(body);
+    s.seepage = grit_mutable_view_of(&seepage[0].value[near_seepage::now_r], stride, 1);
+    s.previous_seepage = grit_view_of(&seepage[0].value[near_seepage::before_r], stride, 1);
     return s;
 }
 
-void SurfacePair::solve(const grit_surface& a, const grit_surface& b) {
+void SurfacePair::solve(const grit_surface& a, const grit_surface& b, bool keep) {
     reports.resize(static_cast<std::size_t>(a.facets));
     std::size_t needed = grit_surface_workspace_size(&a, &b);
     grit_error error;
@@ -187,19 +212,78 @@ void SurfacePair::solve(const grit_surface& a, const grit_surface& b) {
                                       reports.data(), &step_totals, &error);
     } while (needed > 0);
     require(status, error, "surface contact");
+    if (keep) keep_rows();
+    step_totals.row = nullptr;
+    step_totals.term = nullptr;
+    step_totals.rows = 0;
 }
 
-void SurfacePair::correct(const SurfaceBody& a, const SurfaceBody& b, double dt,
-                          Exchange& exchange) {
+void SurfacePair::keep_rows() {
+    std::size_t terms = 0;
+    for (std::ptrdiff_t r = 0; r < step_totals.rows; ++r) {
+        const grit_surface_row& row = step_totals.row[r];
+        const auto count = static_cast<std::size_t>(row.terms);
+        step_rows.rows.push_back({terms,
+                                  terms + count,
+                                  row.bound,
+                                  {row.rigid[0], row.rigid[1]},
+                                  {row.impulse[0], row.impulse[1]},
+                                  {row.water_impulse[0], row.water_impulse[1]},
+                                  row.impulse[0]});
+        terms += count;
+        for (std::ptrdiff_t t = row.first_term; t < row.first_term + row.terms; ++t) {
+            const grit_surface_term& term = step_totals.term[t];
+            const auto& d = term.direction;
+            step_rows.terms.push_back({term.of_b ? pair_law.b : pair_law.a,
+                                       static_cast<std::size_t>(zone.node_here(zone.nodes(
+                                           term.of_b)[static_cast<std::size_t>(term.node)])),
+                                       term.of_b,
+                                       {Vector2{d[0][0], d[0][1]}, Vector2{d[1][0], d[1][1]}}});
+        }
+    }
+    step_rows.dissipation = step_totals.dissipation_normal + step_totals.dissipation_tangential;
+}
+
+void SurfacePair::take_rows(double dt) {
+    for (const SurfaceRow& row : step_rows.rows) {
+        const double more = row.impulse[0] - row.impulse_of_contact;
+        // The mean normal out of a, by the terms of one side.
+        Vector2 normal[2] = {{0.0, 0.0}, {0.0, 0.0}};
+        bool any[2] = {false, false};
+        for (std::size_t t = row.begin; t < row.end; ++t) {
+            const SurfaceTerm& term = step_rows.terms[t];
+            normal[term.side] = normal[term.side] + term.direction[0];
+            any[term.side] = true;
+        }
+        const Vector2 n = any[0] ? normal[0] : -1.0 * normal[1];
+        for (int c = 0; c < 2; ++c) {
+            step_totals.impulse_on_a[c] -= more * n[c];
+            step_totals.impulse_on_b[c] += more * n[c];
+        }
+        step_totals.normal_impulse += more;
+        const Vector2 force = (more / dt) * n;  // on b
+        Faces& faces = step_faces;
+        if (Faces::is_along_z(n[0], n[1])) {
+            faces.along_z = faces.along_z + force;
+        } else {
+            faces.along_z[1] += force[1];
+            faces.along_r[0] += force[0];
+        }
+    }
+}
+
+void SurfacePair::correct(const SurfaceBody& a, const SurfaceBody& b, double dt, Exchange& exchange,
+                          bool keep) {
     zone.gather(a, b, exchange);
     for (const int k : {0, 1}) {
         find_edges(k, skins[k]);
         find_nodes(k, k == 0 ? a : b, skins[k]);
+        find_pressures(k, skins[k]);
         if (skins[k].facets == 0) return;
     }
     find_spacing();
     pair_law.options.time_step = dt;
-    solve(surface(0, a), surface(1, b));
+    solve(surface(0, a), surface(1, b), keep);
     zone.write(0, a);
     zone.write(1, b);
     sum_faces();

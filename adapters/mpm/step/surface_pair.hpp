@@ -9,6 +9,7 @@
 
 #include "adapters/mpm/step/contact_zone.hpp"
 #include "adapters/mpm/step/faces.hpp"
+#include "adapters/mpm/step/held_rows.hpp"
 #include "adapters/mpm/step/ridden_line.hpp"
 #include "adapters/mpm/step/settings.hpp"
 
@@ -31,7 +32,12 @@ class SurfacePair {
     bool find(const SurfaceBody& a, const SurfaceBody& b);
     // After find, by all processes if one of them has found something: velocities after the momentum update become
     // those after contact.
-    void correct(const SurfaceBody& a, const SurfaceBody& b, double dt, Exchange& exchange);
+    // keep: its rows, for what goes on with them.
+    void correct(const SurfaceBody& a, const SurfaceBody& b, double dt, Exchange& exchange,
+                 bool keep);
+    SurfaceRows& rows() { return step_rows; }
+    // Normal impulses are those of the rows now: forces are theirs, too.
+    void take_rows(double dt);
 
     const SurfaceLaw& law() const { return pair_law; }
     // Of the last step, of all processes.
@@ -49,7 +55,9 @@ class SurfacePair {
     struct Skin {
         std::vector<double> position, weight, velocity;
         std::vector<std::ptrdiff_t> facet, node;
-        std::vector<char> is_lost;  // vertices that no node moves
+        std::vector<std::ptrdiff_t> owner;  // domain of each facet
+        std::vector<double> pressure;       // of water in the body at each facet [Pa]
+        std::vector<char> is_lost;          // vertices that no node moves
         std::ptrdiff_t vertices = 0, facets = 0;
 
         const double* end(std::ptrdiff_t f, int k) const {
@@ -62,9 +70,11 @@ class SurfacePair {
     void find_nodes(int body, const SurfaceBody& of, Skin& skin);
     void find_spacing();
     grit_surface surface(int body, const SurfaceBody& of);
-    void solve(const grit_surface& a, const grit_surface& b);
+    void solve(const grit_surface& a, const grit_surface& b, bool keep);
+    void keep_rows();
     void sum_faces();
     static void keep_facets(Skin& skin);
+    void find_pressures(int body, Skin& skin);
     void forget();
 
     SurfaceLaw pair_law;
@@ -76,6 +86,7 @@ class SurfacePair {
     std::vector<grit_surface_report> reports;
     grit_surface_totals step_totals{};
     Faces step_faces;
+    SurfaceRows step_rows;
 };
 
 }  // namespace grit::mpm

@@ -258,6 +258,36 @@ void Water::part(std::size_t i, std::size_t node, const Vector2& n) {
         impulses_took.contact.add(-0.5 * m_w * along(rubbed, slid), model.settings.fixed_point);
 }
 
+Water::Pores Water::pores(std::size_t i, std::size_t node) const {
+    if (!has_pores(i, node)) return {};
+    const NodeMotion &grains = model.parts[i].motions[node], &water = bodies[i].flowing[node];
+    return {water_mass(i, node),      model.dt * bodies[i].records[node][water_record::drag],
+            porosity(i, node),        fixed_bits(node),
+            now(water) - now(grains), before(water) - before(grains)};
+}
+
+void Water::follow(std::size_t i, std::size_t node, const Vector2& grains, const Vector2& seepage) {
+    if (!has_pores(i, node)) return;
+    const NodeMotion& grains_before = model.parts[i].motions[node];
+    NodeMotion &water = bodies[i].flowing[node], &volume = bodies[i].volume[node];
+    const double drag = model.dt * bodies[i].records[node][water_record::drag];
+    for (int k = 0; k < 2; ++k) {
+        const int now = motion::v_r + k;
+        const double against = water[now] - grains_before[now];
+        if (seepage[k] == against && grains[k] == grains_before[now]) continue;
+        volume[motion::other_r + k] += drag * (seepage[k] - against);
+        water[now] = grains[k] + seepage[k];
+    }
+}
+
+double Water::pressure_at(std::size_t i, std::ptrdiff_t p) const {
+    const ParticleView q = model.parts[i].body.particles.view();
+    const PoreWater& water = *model.parts[i].body.water;
+    const CellIntegers& cell = bodies[i].cells[static_cast<std::size_t>(
+        model.grid().cell_of(q[column::r][p], q[column::z][p]))];
+    return cell.volume > 0 ? cell.mean() * water.bulk_modulus : water.pressure(q, p);
+}
+
 // Work of impulses is that on the mean of the velocities before and after; what it lacks to nothing is the contact's.
 void Water::account_for(const Wall& wall) {
     if (!counts(wall.node)) return;
@@ -463,14 +493,153 @@ void Water::push_platens(std::size_t i) {
     }
 }
 
-void Water::change(std::size_t i, std::vector<Pressed>& pressed) {
+Mobility Water::mobility(std::size_t i, std::size_t node, int k) const {
+    const int bit = k == 0 ? fixed::r : fixed::z;
+    const bool grains_free = !(model.fixed_nodes[node] & bit);
+    const double m = model.parts[i].records[node][record::m];
+    if (!flows(i) || !has_pores(i, node)) return {grains_free ? 1.0 / m : 0.0, 0.0, 0.0};
+    const NodeRecord& w = bodies[i].records[node];
+    const double m_w = w[water_record::m], C = model.dt * w[water_record::drag];
+    if (grains_free) {
+        const double all = m * m_w + C * (m + m_w);
+        return {(m_w + C) / all, -m_w / all, (m + m_w) / all};
+    }
+    return {0.0, 0.0, fixed_bits(node) & bit ? 0.0 : 1.0 / (m_w + C)};
+}
+
+void Water::move(std::size_t i, std::size_t node, int k, double grains, double against) {
+    model.parts[i].motions[node][motion::v_r + k] += grains;
+    if (!flows(i) || !has_pores(i, node)) return;
+    bodies[i].flowing[node][motion::v_r + k] += grains + against;
+    bodies[i].volume[node][motion::other_r + k] +=
+        model.dt * bodies[i].records[node][water_record::drag] * against;
+}
+
+std::array<double, 4> Water::values(const SurfaceRows& of, const SurfaceRow& row,
+                                    bool is_now) const {
+    std::array<double, 4> out{row.rigid[0], row.rigid[1], 0.0, 0.0};
+    const auto at = [is_now](const NodeMotion& v) { return is_now ? now(v) : before(v); };
+    for (std::size_t t = row.begin; t < row.end; ++t) {
+        const SurfaceTerm& term = of.terms[t];
+        const Vector2 v = at(model.parts[term.body].motions[term.node]);
+        for (std::size_t k = 0; k < 2; ++k) out[k] += along(term.direction[k], v);
+        if (flows(term.body) && has_pores(term.body, term.node))
+            out[2 + static_cast<std::size_t>(term.side)] +=
+                porosity(term.body, term.node) *
+                along(term.direction[0], at(bodies[term.body].flowing[term.node]) - v);
+    }
+    return out;
+}
+
+// Rows let go of what they hold: they will hold it by other impulses.
+void Water::give_back(const std::vector<SurfaceRows*>& surfaces) {
+    for (const SurfaceRows* of : surfaces)
+        for (const SurfaceRow& row : of->rows)
+            for (std::size_t t = row.begin; t < row.end; ++t) {
+                const SurfaceTerm& term = of->terms[t];
+                const double n =
+                    has_pores(term.body, term.node) ? porosity(term.body, term.node) : 0.0;
+                const double of_water = n * row.water_impulse[term.side];
+                for (int k = 0; k < 2; ++k) {
+                    const Mobility m = mobility(term.body, term.node, k);
+                    const double d = term.direction[0][k];
+                    move(term.body, term.node, k,
+                         d * (row.impulse[0] * m.grains + of_water * m.against_by_grains),
+                         d * (row.impulse[0] * m.against_by_grains + of_water * m.against));
+                }
+            }
+}
+
+void Water::hold_surfaces(std::size_t i, const std::vector<SurfaceRows*>& surfaces) {
     OfBody& body = bodies[i];
+    HeldRows& held = body.held;
+    held.holds.clear();
+    held.entries.clear();
+    held.pushes.clear();
+    const auto add = [&](SurfaceRows& of, SurfaceRow& row, int water) {
+        HeldRows::Hold hold{&row,
+                            water,
+                            held.entries.size(),
+                            0,
+                            held.pushes.size(),
+                            0,
+                            0.0,
+                            water >= 0 || row.impulse[0] > 0.0,
+                            0.0};
+        const std::array<double, 4> value = values(of, row, true);
+        hold.free = water < 0 ? value[0] - row.bound : value[2 + static_cast<std::size_t>(water)];
+        for (std::size_t t = row.begin; t < row.end; ++t) {
+            const SurfaceTerm& term = of.terms[t];
+            if (water >= 0 && term.side != water) continue;
+            const bool pores = has_pores(term.body, term.node);
+            const double n = pores ? porosity(term.body, term.node) : 0.0;
+            HeldRows::Entry entry{term.body, term.node, {}, {}, {}, {}};
+            HeldRows::Push push{0, {}};
+            for (int k = 0; k < 2; ++k) {
+                const Mobility m = mobility(term.body, term.node, k);
+                const double d = (water < 0 ? 1.0 : n) * term.direction[0][k];
+                (water < 0 ? entry.of_grains : entry.of_water)[k] = d;
+                entry.takes_grains[k] = d * (water < 0 ? m.grains : m.against_by_grains);
+                entry.takes_water[k] = d * (water < 0 ? m.against_by_grains : m.against);
+                push.answer[k] = entry.takes_grains[k] + n * entry.takes_water[k];
+            }
+            held.entries.push_back(entry);
+            if (term.body != i || !pores) continue;
+            push.at = body.implicit->node(term.node);
+            held.pushes.push_back(push);
+        }
+        hold.end = held.entries.size();
+        hold.last = held.pushes.size();
+        held.holds.push_back(hold);
+    };
+    for (SurfaceRows* of : surfaces)
+        for (SurfaceRow& row : of->rows) {
+            add(*of, row, -1);
+            if (flows(of->a)) add(*of, row, 0);
+            if (flows(of->b)) add(*of, row, 1);
+        }
+    body.all_answers.held = held.empty() ? nullptr : &held;
+    if (!held.empty()) held.couple();
+}
+
+void Water::push_surfaces(const HeldRows& held) {
+    for (const HeldRows::Hold& hold : held.holds) {
+        if (hold.water < 0) hold.row->impulse[0] = hold.impulse;
+        else hold.row->water_impulse[hold.water] = hold.impulse;
+        for (std::size_t e = hold.begin; e < hold.end; ++e) {
+            const HeldRows::Entry& at = held.entries[e];
+            for (int k = 0; k < 2; ++k)
+                move(at.body, at.node, k, -hold.impulse * at.takes_grains[k],
+                     -hold.impulse * at.takes_water[k]);
+        }
+    }
+}
+
+void Water::change(std::size_t i, std::vector<Pressed>& pressed,
+                   const std::vector<SurfaceRows*>& surfaces) {
+    constexpr int most_changes = 10;  // of what bears along surfaces
+    OfBody& body = bodies[i];
+    give_back(surfaces);
     find_answers(i);
     const std::vector<Together> together = hold_together(i, pressed);
     hold_platens(i);
+    hold_surfaces(i, surfaces);
     Part& part = model.parts[i];
-    body.implicit->solve(*part.body.water, model.grid(), part.body.particles, model.dt,
-                         body.volume_velocity, body.all_answers, body.impulse);
+    bool again = false;
+    for (int change = 0; change < most_changes; ++change) {
+        if (!body.held.empty()) body.held.factor();
+        std::vector<Vector2>& u = body.held.empty() ? body.volume_velocity : body.held_velocity;
+        if (!body.held.empty()) {
+            u = body.volume_velocity;
+            body.held.hold_free(u);
+        }
+        body.implicit->solve(*part.body.water, model.grid(), part.body.particles, model.dt, u,
+                             body.all_answers, again, body.impulse);
+        again = true;
+        if (body.held.empty() || !body.held.find_impulses(body.impulse)) break;
+    }
+    body.implicit->remember(model.dt);
+    push_surfaces(body.held);
     push_platens(i);
     auto next = together.begin();
     std::vector<Wall> borne;

@@ -69,6 +69,18 @@ class Water {
     NodeMotion* met_motions(std::size_t body) { return bodies[body].met_motions.data(); }
     // After it, where that body presses: what it changed them by; along the normal they move alike.
     void part(std::size_t body, std::size_t node, const Vector2& normal);
+    // Of water that flows at a node, as surfaces meet it: mass, 0: there is none; what drag of this step gives for a
+    // velocity against the grains [kg]; porosity; bits of what is held; that velocity, and the one before the step.
+    struct Pores {
+        double mass = 0.0, drag = 0.0, porosity = 0.0;
+        std::uint8_t fixed = 0;
+        Vector2 seepage{0.0, 0.0}, seepage_before{0.0, 0.0};
+    };
+    Pores pores(std::size_t body, std::size_t node) const;
+    // After it: its velocity against the grains, which get theirs now and have been dragged the while.
+    void follow(std::size_t body, std::size_t node, const Vector2& grains, const Vector2& seepage);
+    // What bears in the cell of a particle, its mean, between push and update [Pa].
+    double pressure_at(std::size_t body, std::ptrdiff_t particle) const;
     // A node of a body where another one presses on it now: across, they have one velocity.
     struct Pressed {
         std::size_t node, other;
@@ -80,7 +92,12 @@ class Water {
         return has(body) && model.parts[body].body.water->implicit;
     }
     // After contact, of a body with implicit pressure: it gets what the pressure changes by in the step.
-    void change(std::size_t body, std::vector<Pressed>& pressed);
+    // surfaces: of its contacts at these, whose rows get the impulses of the end.
+    void change(std::size_t body, std::vector<Pressed>& pressed,
+                const std::vector<SurfaceRows*>& surfaces);
+    // Values of a row: normal and tangential approach, flow of the water of a and of b; of the velocities now (or before
+    // the step) [m/s].
+    std::array<double, 4> values(const SurfaceRows& of, const SurfaceRow& row, bool now) const;
     // After contact, before the particles move: pressures and velocities of water.
     void update();
     // Speeds of particles as they are, before the first step.
@@ -134,9 +151,10 @@ class Water {
         std::vector<WaterSums> sums = {};  // of each strip
         std::vector<double> speed2 = {};
         std::optional<ImplicitPressure> implicit = {};
-        std::vector<Vector2> volume_velocity = {}, impulse = {};
+        std::vector<Vector2> volume_velocity = {}, held_velocity = {}, impulse = {};
         std::vector<std::array<Answer, 2>> answers = {};  // of a node along r, z
         Answers all_answers = {};                         // as the pressure's equation has them
+        HeldRows held = {};
     };
     // Impulses of the pressure along a normal [N s]; those on the other body make their sum zero.
     struct Wall {
@@ -157,6 +175,12 @@ class Water {
         double per_mass;  // [1/kg]
     };
     void find_answers(std::size_t body);
+    Mobility mobility(std::size_t body, std::size_t node, int direction) const;
+    void give_back(const std::vector<SurfaceRows*>& surfaces);
+    void hold_surfaces(std::size_t body, const std::vector<SurfaceRows*>& surfaces);
+    void push_surfaces(const HeldRows& held);
+    // grains: change of their velocity; against: of the water's against them [m/s].
+    void move(std::size_t body, std::size_t node, int direction, double grains, double against);
     std::vector<Together> hold_together(std::size_t body, std::vector<Pressed>& pressed);
     void push_by(std::size_t body, std::size_t node, const Vector2& impulse);
     std::uint8_t fixed_bits(std::size_t node) const;

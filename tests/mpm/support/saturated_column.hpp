@@ -26,6 +26,7 @@ struct SaturatedColumn {
     bool closed = false;          // its top is a wall
     bool drained_bottom = false;  // flow may leave there as well
     bool implicit = false;        // its pore pressure
+    bool under_plate = false;     // the load is on a plate on it, which no water passes
     double load = 0.0;            // on its top [Pa] ...
     double ramp = 0.0;            // ... within this time [s]
     double gravity = 0.0;
@@ -43,7 +44,8 @@ struct SaturatedColumn {
         out.settings.local_damping = damping;
         out.gravity = gravity;
         out.r = {0.0, {{cell(), 1, 1.0}}};
-        out.z = {0.0, {{closed ? height : height + 2.0 * cell(), closed ? cells : cells + 2, 1.0}}};
+        const int above = closed ? 0 : under_plate ? 4 : 2;
+        out.z = {0.0, {{closed ? height : height + above * cell(), cells + above, 1.0}}};
         for (const Side side : {Side::left, Side::right, Side::bottom})
             out.boundary[static_cast<int>(side)] = Boundary::roller;
         if (closed) out.boundary[static_cast<int>(Side::top)] = Boundary::roller;
@@ -65,14 +67,29 @@ struct SaturatedColumn {
         }
         body.water = water;
         out.bodies = {body};
+        if (under_plate) add_plate(out);
         if (load > 0.0)
-            out.tractions = {{.body = "sand",
+            out.tractions = {{.body = under_plate ? "plate" : "sand",
                               .edge = Edge::top,
                               .stress = ramp > 0.0 ? TimeTable{{0.0, ramp}, {0.0, load}}
                                                    : TimeTable{{0.0}, {load}}}};
         out.stages = {StagePlan{.name = "stage", .end = {.time = 1.0}}};
         out.history.body = "sand";
         return out;
+    }
+    void add_plate(Case& to) const {
+        BodyPlan plate{};
+        plate.name = "plate";
+        const double top = height + 2.0 * cell();
+        plate.outlines = {Outline{{{0.0, height}, {cell(), height}, {cell(), top}, {0.0, top}}}};
+        plate.density = 2000.0;
+        plate.material = ElasticPlan{10.0 * E, 0.0};
+        to.bodies.push_back(plate);
+        ContactPlan contact;
+        contact.stiff = "plate";
+        contact.soft = "sand";
+        contact.at_surfaces = true;
+        to.contacts = {contact};
     }
     double body_density() const { return flows() ? rho_d : rho; }
 
@@ -268,9 +285,12 @@ struct Consolidation {
 inline std::vector<Consolidation> consolidate(SaturatedColumn column,
                                               const std::vector<double>& times) {
     constexpr double load = 1e4;
-    const double L = column.height, way = column.drained_bottom ? 0.5 * L : L;
+    const bool from_both = column.drained_bottom && !column.under_plate;
+    const double L = column.height, way = from_both ? 0.5 * L : L;
     const double unit = way * way / column.c_v();
-    const auto cell = static_cast<std::size_t>(column.drained_bottom ? column.cells / 2 : 0);
+    const auto cell = static_cast<std::size_t>(from_both            ? column.cells / 2
+                                               : column.under_plate ? column.cells - 1
+                                                                    : 0);
     column.load = load;
     column.ramp = 0.02 * unit;
     BuiltCase built = build_case(column.plan());

@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""alternating.py [--grit FILE] [--out DIR] [--picture FILE]: what of the pore pressures around a driven pile changes sign
+from cell to cell, with contact at nodes and at surfaces: the cases blows_*.toml of this folder and the table of
+docs/saturated.md; a picture of the cells (gnuplot).
+
+Means of cells, their excess over the pressure at rest; within three radii of the axis, three below the tip and six above it.
+Fourth differences along r and along z over 16, of two neighbours with different signs the smaller one. What has ended
+in DIR (results/saturated) is not run again."""
+import argparse
+import pathlib
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "pile"))
+from figures import gnuplot  # noqa: E402
+from results import Frame, History  # noqa: E402
+from piles import EMBEDMENT, RADIUS, frames, has_ended, run  # noqa: E402
+
+CELL_R, CELL_Z, FAR = 0.06825, 0.09, 100.0  # of the grid near the pile; below all of it [m]
+SHOWN = 1.05  # [s]
+
+
+def cells(frame):
+    """Mean excess pore pressure [kPa] by the numbers of a cell."""
+    sums = {}
+    for (r, z), area, p in zip(frame.centres(), frame.areas(), frame["pore_pressure"]):
+        of = sums.setdefault((int(r / CELL_R), int((z + FAR) / CELL_Z)), [0.0, 0.0])
+        of[0] += area * (p - 9.81 * max(0.0, -z))
+        of[1] += area
+    return {cell: p / area for cell, (p, area) in sums.items()}
+
+
+def fourth(values, cell, direction):
+    near = [values.get((cell[0] + i * direction[0], cell[1] + i * direction[1])) for i in range(-2, 3)]
+    if None in near:
+        return None
+    return (near[0] - 4 * near[1] + 6 * near[2] - 4 * near[3] + near[4]) / 16
+
+
+def alternating(values, tip):
+    out = []
+    for cell in values:
+        r, z = (cell[0] + 0.5) * CELL_R, (cell[1] + 0.5) * CELL_Z - FAR
+        if not (r < 3 * RADIUS and tip - 3 * RADIUS < z < min(tip + 6 * RADIUS, -0.2)):
+            continue
+        for direction in ((1, 0), (0, 1)):
+            a = fourth(values, cell, direction)
+            b = fourth(values, (cell[0] + direction[0], cell[1] + direction[1]), direction)
+            if a is not None and b is not None:
+                out.append(min(abs(a), abs(b)) if a * b < 0 else 0.0)
+    return out
+
+
+def row(out, case):
+    history = History(out / f"{case}.csv")
+    drive, t, depth = history.drive(), history["t"], history["depth"]
+    all_parts, largest = [], 0.0
+    for time, file in frames(out, case):
+        if time < t[drive]:
+            continue
+        at = min(range(len(history)), key=lambda i: abs(t[i] - time))
+        values = cells(Frame(file))
+        all_parts += alternating(values, -EMBEDMENT - depth[at])
+    largest = max(all_parts)
+    rms = (sum(x * x for x in all_parts) / len(all_parts)) ** 0.5
+    driven = ", ".join(f"{1e3 * (depth[last] - depth[drive]):.0f}" for _, last in history.blows())
+    kind = f"k = 1e-{case.removeprefix('blows_flow_1e')[0]} m/s"
+    law = "surface" if case.endswith("_surface") else "geo"
+    return (f"| {kind} | {law} | {1e3 * depth[drive]:.0f} | {driven} | {largest:.0f} | {rms:.1f} | "
+            f"{max(history['residual_share']):.0e} |")
+
+
+def draw(out, cases, target):
+    data, script = "", ""
+    for n, case in enumerate(cases):
+        time, file = min(frames(out, case), key=lambda f: abs(f[0] - SHOWN))
+        history = History(out / f"{case}.csv")
+        at = min(range(len(history)), key=lambda i: abs(history["t"][i] - time))
+        tip = -EMBEDMENT - history["depth"][at]
+        data += f"${case} << EOD\n" + "".join(
+            f"{(i + 0.5) * CELL_R:.4f} {(j + 0.5) * CELL_Z - FAR:.4f} {p:.2f}\n" for (i, j), p in cells(Frame(file)).items()
+            if i < 10) + "EOD\n"
+        name = case.removeprefix("blows_flow_").replace("1e", "k = 1e-").replace("_surface", ", surface")
+        script += (f"set object 1 rectangle from 0,{tip} to {RADIUS},0 fillcolor rgb '#b8b8b8' fillstyle solid noborder behind\n"
+                   f"set title '{name}' offset 0,-0.7\nplot [0:0.68] [-1.5:0] ${case} using 1:2:({CELL_R}/2):({CELL_Z}/2):3 "
+                   "with boxxyerror fillstyle solid noborder linecolor palette\n")
+        if n == len(cases) - 1:
+            script += "unset multiplot\n"
+    gnuplot(data + "unset key\nset tics font ',7'\nset palette defined (-1 '#2166ac', -0.4 '#92c5de', 0 '#f7f7f7', 0.4 '#f4a582', "
+            "1 '#b2182b')\nset cbrange [-100:100]\nset multiplot layout 2,2\n" + script, target, 620, 620)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--grit", default=str(HERE.parents[1] / "build/run/cli/grit"))
+    parser.add_argument("--out", type=pathlib.Path, default=HERE.parents[1] / "results/saturated")
+    parser.add_argument("--picture", type=pathlib.Path)
+    args = parser.parse_args()
+    args.out.mkdir(parents=True, exist_ok=True)
+    cases = sorted(p.stem for p in HERE.glob("blows_*.toml"))
+    for case in cases:
+        if not has_ended(args.out, case):
+            run(args.grit, case, args.out)
+    print("| k | contact | by its weight [mm] | by each blow [mm] | alternating, most [kPa] | RMS [kPa] | energy residual, most |\n"
+          + "|---" * 7 + "|")
+    for case in cases:
+        print(row(args.out, case), flush=True)
+    if args.picture:
+        draw(args.out, cases, args.picture)
+
+
+if __name__ == "__main__":
+    main()
