@@ -147,6 +147,13 @@ void punch() {
     for (const double fine : {1.0, 2.0, 4.0})
         std::printf("| elements, %g times as fine | | %.3f | |\n", fine,
                     1e-6 * (exact = punch_by_elements(fine)));
+    for (const bool holds : {true, false})
+        for (const int cells : {4, 8, 16}) {
+            const double found = punch_by_equal_elements(cells, holds);
+            std::printf("| elements as wide as cells, corner %s | %d | %.3f | %+.1f |\n",
+                        holds ? "held" : "free", cells, 1e-6 * found,
+                        100.0 * (found / exact - 1.0));
+        }
     for (const ContactKind kind :
          {ContactKind::surface, ContactKind::geo, ContactKind::geo_ungated, ContactKind::geo_spring,
           ContactKind::geo_spring_10, ContactKind::frictional, ContactKind::penalty})
