@@ -15,6 +15,9 @@ class SurfaceContacts {
     void add(const SurfaceLaw& law);
     // Velocities after the momentum update become those after contact; adds what it took and what rigid bodies did.
     void correct(Energy& sums);
+    // The same for those of them that act on what local damping leaves.
+    void correct_damped(Energy& sums);
+    bool any_after_damping() const;
 
     const SurfacePair& operator[](std::size_t i) const { return pairs[i]; }
     std::size_t count() const { return pairs.size(); }
@@ -24,7 +27,7 @@ class SurfaceContacts {
 
   private:
     SurfaceBody body(std::size_t i);
-    void correct(SurfacePair& pair, Energy& sums);
+    void correct(SurfacePair& pair, bool again, Energy& sums);
 
     Model& model;
     std::vector<SurfacePair> pairs;

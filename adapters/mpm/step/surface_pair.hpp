@@ -17,7 +17,8 @@ namespace grit::mpm {
 struct SurfaceLaw {
     std::size_t a = 0, b = 1;  // bodies; a's surface gives the normals and carries the pressure
     grit_surface_options options{};
-    BoundaryLine line_a;  // at the start, in the place of a's free edges; empty: these
+    BoundaryLine line_a;         // at the start, in the place of a's free edges; empty: these
+    bool after_damping = false;  // once more, on velocities that local damping has changed
 };
 
 SurfaceLaw surface_law(double friction_coefficient);
@@ -32,6 +33,8 @@ class SurfacePair {
     // After find, by all processes if one of them has found something: velocities after the momentum update become
     // those after contact.
     void correct(const SurfaceBody& a, const SurfaceBody& b, double dt, Exchange& exchange);
+    // Once more in the same step: totals and faces are those of both.
+    void correct_again(const SurfaceBody& a, const SurfaceBody& b, double dt, Exchange& exchange);
 
     const SurfaceLaw& law() const { return pair_law; }
     // Of the last step, of all processes.
