@@ -57,8 +57,8 @@ void SurfaceContacts::correct(SurfacePair& pair, bool again, Energy& sums) {
     for (const auto& [of, J, J_before] : {std::tuple{&a, totals.impulse_on_a, before.impulse_on_a},
                                           std::tuple{&b, totals.impulse_on_b, before.impulse_on_b}})
         if (of->rigid)
-            for (int c = 0; c < 2; ++c)
-                sums.rigid_work -= (J[c] - J_before[c]) * of->velocity[static_cast<std::size_t>(c)];
+            sums.rigid_work -=
+                (J[0] - J_before[0]) * of->velocity[0] + (J[1] - J_before[1]) * of->velocity[1];
 }
 
 }  // namespace grit::mpm

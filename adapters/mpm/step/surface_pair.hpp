@@ -33,7 +33,7 @@ class SurfacePair {
     // After find, by all processes if one of them has found something: velocities after the momentum update become
     // those after contact.
     void correct(const SurfaceBody& a, const SurfaceBody& b, double dt, Exchange& exchange);
-    // Once more in the same step: totals and faces are those of both.
+    // Once more in the same step: impulses and dissipation of the totals, and faces, are those of both.
     void correct_again(const SurfaceBody& a, const SurfaceBody& b, double dt, Exchange& exchange);
 
     const SurfaceLaw& law() const { return pair_law; }
