@@ -49,11 +49,10 @@ void MpmFieldFiles::write() {
         list->add(entries_of(written.size() - 1));
         return;
     }
-    std::vector<PvdEntry> entries;
-    for (std::size_t i = 0; i < written.size(); ++i)
-        for (PvdEntry& entry : entries_of(i)) entries.push_back(std::move(entry));
+    std::vector<std::vector<PvdEntry>> frames;
+    for (std::size_t i = 0; i < written.size(); ++i) frames.push_back(entries_of(i));
     std::filesystem::path place = stem;
-    list.emplace(place += ".pvd", entries);
+    list.emplace(place += ".pvd", frames);
 }
 
 std::vector<PvdEntry> MpmFieldFiles::entries_of(std::size_t frame) const {

@@ -4,10 +4,12 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <bit>
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
+#include <string>
 #include <string_view>
 #include <system_error>
 
@@ -90,17 +92,47 @@ std::string opening(std::string_view type) {
 
 constexpr std::string_view pvd_closing = "</Collection>\n</VTKFile>\n";
 
-std::string lines_of(const std::vector<PvdEntry>& entries) {
-    std::string out;
+constexpr std::size_t page = 4096;  // the least of any system
+
+std::vector<std::string> lines_of(const std::vector<PvdEntry>& entries) {
+    std::vector<std::string> out;
     for (const PvdEntry& entry : entries)
-        out += fmt::format("<DataSet timestep=\"{:.17g}\" part=\"{}\" file=\"{}\"/>\n", entry.time,
-                           entry.part, escaped(entry.file));
+        out.push_back(fmt::format("<DataSet timestep=\"{:.17g}\" part=\"{}\" file=\"{}\"/>\n",
+                                  entry.time, entry.part, escaped(entry.file)));
     return out;
+}
+
+// Behind the text, each entry within a page while there is room; otherwise without gaps, and as much room again.
+void append(std::string& text, const std::vector<PvdEntry>& frame, std::size_t& room) {
+    const std::vector<std::string> lines = lines_of(frame);
+    std::string within = text;
+    for (const std::string& line : lines) {
+        if (within.size() / page != (within.size() + line.size() - 1) / page)
+            within.resize(within.size() + page - within.size() % page, ' ');
+        within += line;
+    }
+    if (within.size() <= room) {
+        text = std::move(within);
+        return;
+    }
+    for (const std::string& line : lines) text += line;
+    room = text.size() + std::max(page, text.size());
 }
 
 [[noreturn]] void cannot_write(const std::filesystem::path& place, int error) {
     throw element::CannotWrite(fmt::format("{}: cannot write this file: {}", place.string(),
                                            std::generic_category().message(error)));
+}
+
+std::string read_begin(int file, const std::filesystem::path& place, std::size_t size) {
+    std::string out(size, '\0');
+    for (std::size_t done = 0; done < size;) {
+        const ssize_t got = pread(file, out.data() + done, size - done, static_cast<off_t>(done));
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) cannot_write(place, got < 0 ? errno : EIO);
+        done += static_cast<std::size_t>(got);
+    }
+    return out;
 }
 
 }  // namespace
@@ -129,15 +161,24 @@ void write_vtu(const std::filesystem::path& place, const VtuSheet& sheet) {
     file.complete();
 }
 
-PvdFile::PvdFile(const std::filesystem::path& place, const std::vector<PvdEntry>& entries)
+PvdFile::PvdFile(const std::filesystem::path& place,
+                 const std::vector<std::vector<PvdEntry>>& frames)
     : name(place) {
-    const std::string text = opening("Collection") + "<Collection>\n" + lines_of(entries);
-    element::AtomicFile whole(place);
+    std::string text = opening("Collection") + "<Collection>\n";
+    room = text.size();
+    for (const std::vector<PvdEntry>& frame : frames) append(text, frame, room);
+    write_whole(text);
+}
+
+void PvdFile::write_whole(const std::string& text) {
+    element::AtomicFile whole(name);
     whole.write(text);
+    whole.write(std::string(room - text.size(), ' '));
     whole.write(pvd_closing);
     whole.complete();
-    file = open(place.c_str(), O_WRONLY | O_CLOEXEC);
-    if (file < 0) cannot_write(place, errno);
+    if (file >= 0) close(file);
+    file = open(name.c_str(), O_RDWR | O_CLOEXEC);
+    if (file < 0) cannot_write(name, errno);
     end = text.size();
 }
 
@@ -145,17 +186,36 @@ PvdFile::~PvdFile() {
     if (file >= 0) close(file);
 }
 
-void PvdFile::add(const std::vector<PvdEntry>& entries) {
-    const std::string text = lines_of(entries);
+void PvdFile::add(const std::vector<PvdEntry>& frame) {
+    std::string added(end % page, ' ');  // as far as pages tell
+    const std::size_t before = added.size();
+    const std::size_t room_now = room - (end - before);
+    std::size_t room_then = room_now;
+    append(added, frame, room_then);
+    if (room_then != room_now) {
+        std::string text = read_begin(file, name, end);
+        std::size_t wider = room;
+        append(text, frame, wider);
+        std::swap(room, wider);
+        try {
+            write_whole(text);
+        } catch (const element::CannotWrite&) {
+            room = wider;
+            throw;
+        }
+        return;
+    }
     try {
-        put(text + std::string(pvd_closing), end);
+        for (std::size_t from = before; from < added.size();) {
+            const std::size_t next = std::min(added.size(), from + page - from % page);
+            put(added.substr(from, next - from), end - before + from);
+            from = next;
+        }
     } catch (const element::CannotWrite&) {
-        put(std::string(pvd_closing), end);
-        if (ftruncate(file, static_cast<off_t>(end + pvd_closing.size())) != 0)
-            cannot_write(name, errno);
+        put(std::string(added.size() - before, ' '), end);
         throw;
     }
-    end += text.size();
+    end += added.size() - before;
 }
 
 // A second call is for the signals and disks that end a first one early.

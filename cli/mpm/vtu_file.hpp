@@ -30,25 +30,29 @@ struct PvdEntry {
     std::string file;  // beside the list
 };
 
-// The list grows in place: entries go where the closing tags stand, together with new ones and in one
-// call of the system, so that what a killed program leaves is a list of all frames it finished.
+// The list grows in place, in room that is kept before the closing tags: each entry within a page of memory, which a system
+// that kills a program writes whole or not at all, so that what is left is a list of all frames that were finished. Where the
+// room ends the list is written anew, with twice as much.
 class PvdFile {
   public:
-    // Written beside and renamed. All throw element::CannotWrite.
-    PvdFile(const std::filesystem::path& place, const std::vector<PvdEntry>& entries);
+    // With the bytes of a list to which the frames were added one by one; written beside and renamed. All throw
+    // element::CannotWrite.
+    PvdFile(const std::filesystem::path& place, const std::vector<std::vector<PvdEntry>>& frames);
     PvdFile(const PvdFile&) = delete;
     PvdFile& operator=(const PvdFile&) = delete;
     ~PvdFile();
 
     // What does not fit on the disk leaves the list as it is.
-    void add(const std::vector<PvdEntry>& entries);
+    void add(const std::vector<PvdEntry>& frame);
 
   private:
+    void write_whole(const std::string& text);
     void put(const std::string& text, std::size_t at);
 
     std::filesystem::path name;
     int file = -1;
-    std::size_t end = 0;  // of the entries: the place of the closing tags
+    std::size_t end = 0;   // of the entries
+    std::size_t room = 0;  // where the closing tags stand
 };
 
 }  // namespace cli

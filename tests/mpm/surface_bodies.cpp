@@ -167,4 +167,51 @@ TEST(SurfaceContactOfBodies, RestsOnTheLineOfABodyAndNotOnItsParticles) {
     EXPECT_NEAR(lowest, level, 1e-4);
 }
 
+// A rigid plate presses a damped block onto the floor: how deep it gets into it, and whether energies add up.
+struct DampedPress {
+    double overlap;   // largest [m]
+    double residual;  // of energy by the plate's work [-]
+};
+
+DampedPress damped_press(bool after_damping) {
+    constexpr double floor = 0.7, top = 1.5, speed = 0.05;
+    Simulation simulation(Axis::uniform(0.0, 0.4, 4), Axis::uniform(0.0, 2.0, 20),
+                          {.axisymmetric = false, .cfl = 0.4, .local_damping = 0.5});
+    Body plate = make_box({0.0, 0.4, top, top + 0.2, 8, 4, 2000.0}, false, nullptr);
+    plate.prescribed_velocity = [](double t) {
+        return grit::Vector2{0.0, -speed * std::min(1.0, t / 0.02)};
+    };
+    simulation.add_body(std::move(plate));
+    simulation.add_body(make_box({0.0, 0.4, floor, top, 8, 16, 2000.0}, false,
+                                 std::make_unique<LinearElastic>(2e6, 0.2)));
+    simulation.fix_below(0, 0.0);
+    simulation.fix_above(0, 0.4);
+    simulation.fix_below(1, floor);
+    SurfaceLaw law = surface_law(0.0);
+    law.after_damping = after_damping;
+    simulation.add_contact(law);
+    DampedPress out{0.0, 0.0};
+    while (simulation.time() < 0.2) {
+        simulation.step();
+        double highest = 0.0, lowest = 2.0;
+        const Particles &a = simulation.body(0).particles, &b = simulation.body(1).particles;
+        for (std::ptrdiff_t p = 0; p < a.size(); ++p)
+            lowest = std::min(lowest, a(column::z, p) - a(column::l_z, p));
+        for (std::ptrdiff_t p = 0; p < b.size(); ++p)
+            highest = std::max(highest, b(column::z, p) + b(column::F_zz, p) * b(column::l_z, p));
+        out.overlap = std::max(out.overlap, highest - lowest);
+    }
+    const Energy energy = simulation.energy();
+    out.residual = energy.residual() / energy.rigid_work;
+    return out;
+}
+
+TEST(SurfaceContactOfBodies, HoldsWhatDampingHasChangedIfAsked) {
+    const DampedPress once = damped_press(false), again = damped_press(true);
+    EXPECT_GT(once.overlap, 1e-5);
+    EXPECT_LT(again.overlap, 1e-8);
+    EXPECT_NEAR(again.residual, once.residual, 5e-4);
+    EXPECT_NEAR(once.residual, 0.0, 5e-3);
+}
+
 }  // namespace

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Sparse>
+#include <cmath>
 #include <vector>
 
 #include <tests/mpm/support/punch.hpp>
@@ -21,13 +22,9 @@ inline std::vector<double> lines_from_corner(double least, double share, double 
     return out;
 }
 
-// Finest at the corner, where stresses have no limit: fine: how many times finer than R/1000 there, and how much
-// slower cells grow.
-inline double punch_by_elements(double fine) {
+// lines(to): those from the corner to a distance. The punch moves the soil's corner down along with it, or lets it go.
+template <class Lines> double punch_by_elements_between(const Lines& lines, bool holds_corner) {
     using P = Punch;
-    const auto lines = [fine](double to) {
-        return lines_from_corner(1e-3 * P::R / fine, 0.3 / fine, 0.25 * P::R / fine, to);
-    };
     std::vector<double> r, z;
     const std::vector<double> inwards = lines(P::R), outwards = lines(P::width - P::R);
     const std::vector<double> up = lines(P::embedded), down = lines(P::depth - P::embedded);
@@ -93,7 +90,7 @@ inline double punch_by_elements(double fine) {
             if (!used[static_cast<std::size_t>(node(i, j))]) u_r = u_z = 1;
             if (i == 0 || i == n_r - 1 || (i == i_corner && j < j_corner)) u_r = 1;
             if (j == n_z - 1) u_z = 1;
-            if (j == j_corner && i <= i_corner) u_z = 2;
+            if (j == j_corner && (i < i_corner || (holds_corner && i == i_corner))) u_z = 2;
         }
     Eigen::VectorXd u = Eigen::VectorXd::Zero(unknowns);
     for (int k = 0; k < unknowns; ++k)
@@ -125,6 +122,29 @@ inline double punch_by_elements(double fine) {
     for (int k = 0; k < unknowns; ++k)
         if (held[static_cast<std::size_t>(k)] == 2) sum -= force[k];
     return 2.0 * 3.141592653589793 * sum;
+}
+
+// Finest at the corner, where stresses have no limit: fine: how many times finer than R/1000 there, and how much
+// slower cells grow.
+inline double punch_by_elements(double fine) {
+    using P = Punch;
+    return punch_by_elements_between(
+        [fine](double to) {
+            return lines_from_corner(1e-3 * P::R / fine, 0.3 / fine, 0.25 * P::R / fine, to);
+        },
+        true);
+}
+
+// All cells R / cells: what a grid with a line at either face can know.
+inline double punch_by_equal_elements(int cells, bool holds_corner) {
+    const double h = Punch::R / cells;
+    return punch_by_elements_between(
+        [h](double to) {
+            std::vector<double> out;
+            for (int i = 0; i <= std::lround(to / h); ++i) out.push_back(i * h);
+            return out;
+        },
+        holds_corner);
 }
 
 }  // namespace mpm_test

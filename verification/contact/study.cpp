@@ -82,6 +82,32 @@ void cavity_row(const char* what, const CavityByPoints& points, const CavityCurv
     std::fflush(stdout);
 }
 
+// Innermost points of elements as long as cells, which move with them: without contact and without a grid.
+void cavity_by_long_elements(const CavityByElements& problem, const CavityCurve& exact) {
+    for (const int cells : {6, 12})
+        for (const int points : {1, 2})
+            for (const bool mean : {false, true}) {
+                if (points == 1 && mean) continue;
+                CavityByElements elements = problem;
+                elements.per_radius = cells;
+                elements.points = points;
+                elements.mean = mean;
+                elements.end = elements.turn() + elements.ramp;
+                const CavityCurve found = elements.run();
+                std::printf("| elements, %d point%s%s | | a/%d | | | | |", points,
+                            points > 1 ? "s" : "", mean ? ", mean volumetric strain" : "", cells);
+                double worst = 0.0;
+                for (std::size_t i = 0; i < found.r0.size(); ++i) {
+                    const double error = found.sigma_rr[i] / exact.stress_at(found.r0[i]) - 1.0;
+                    if (found.r0[i] < 2.0 * CavityProblem::a)
+                        worst = std::max(worst, std::fabs(error));
+                    if (i < 6) std::printf(" %+.1f", 100.0 * error);
+                }
+                std::printf(" | %.1f |\n", 100.0 * worst);
+                std::fflush(stdout);
+            }
+}
+
 void cavity() {
     std::printf(
         "Cavity in Lausitz sand, 0.15 -> 0.225 m and back by 1.6 mm at 0.01 m/s; phase: of the "
@@ -104,6 +130,7 @@ void cavity() {
                 "| e %.2f, damping %.1f | elements: %.1f, back %.1f ... %.1f kPa | | | | | | |"
                 "\n",
                 e, damping, kPa(elements.turn() - 0.001), kPa(turned), kPa(elements.end));
+            if (e < 0.6 && damping == 0.0) cavity_by_long_elements(elements, exact);
             struct Variant {
                 const char* name;
                 int per_cell;
@@ -147,6 +174,13 @@ void punch() {
     for (const double fine : {1.0, 2.0, 4.0})
         std::printf("| elements, %g times as fine | | %.3f | |\n", fine,
                     1e-6 * (exact = punch_by_elements(fine)));
+    for (const bool holds : {true, false})
+        for (const int cells : {4, 8, 16}) {
+            const double found = punch_by_equal_elements(cells, holds);
+            std::printf("| elements as wide as cells, corner %s | %d | %.3f | %+.1f |\n",
+                        holds ? "held" : "free", cells, 1e-6 * found,
+                        100.0 * (found / exact - 1.0));
+        }
     for (const ContactKind kind :
          {ContactKind::surface, ContactKind::geo, ContactKind::geo_ungated, ContactKind::geo_spring,
           ContactKind::geo_spring_10, ContactKind::frictional, ContactKind::penalty})

@@ -134,6 +134,7 @@ struct ContactPlan {
     std::optional<PenaltyPlan> penalty = {};  // in place of a nodal law
     bool at_surfaces = false;                 // in place of a nodal law ...
     BoundaryLine surface_line = {};  // ... along this line of the stiff body; empty: its free edges
+    bool after_damping = false;      // of that: once more, on what local damping has changed
 };
 
 // What ends a stage: whichever comes first.

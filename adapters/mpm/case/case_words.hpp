@@ -258,6 +258,8 @@ inline constexpr CaseWord all[] = {
     number("contact", "contact_stiffness_multiple", {0.0, 1e6}, none,
            "of geo, gated: a spring of that multiple of modulus / shortest cell against overlap, "
            "with f_p as its dashpot; 0: none"),
+    yes_or_no("contact", "after_damping",
+              "of surface: once more in each step, on velocities that local damping has changed"),
     number("contact", "modulus_kPa", above_zero, kilopascal, "P-wave modulus of the softer body",
            "needed by penalty and `contact_stiffness_multiple`"),
     number("contact", "stiffness_multiple", {1e-6, 1e6}, none,

@@ -157,6 +157,9 @@ Objections objection_to_contact(const Case& plan, std::size_t contact, const Key
         if (what && c.penalty)
             return Objection{"law", std::string(": ") + what + ", in \"" + body +
                                         "\", knows no penalty contact"};
+        if (what && c.after_damping)
+            return Objection{"after_damping", std::string(": ") + what + ", in \"" + body +
+                                                  "\", knows surface contact before damping alone"};
         if (!water->implicit) continue;
         if (c.at_surfaces && plan.has_side(Boundary::platen))
             return Objection{"law", ": implicit pore pressure, in \"" + body +
@@ -186,6 +189,7 @@ Objections objection_to(const ContactPlan& contact, const IsGiven& given) {
                 return Objection{key, " belongs to laws at nodes, not to the surface one"};
         return {};
     }
+    if (given("after_damping")) return Objection{"after_damping", " belongs to the surface law"};
     if (contact.penalty) return {};
     if (contact.contact_stiffness_multiple > 0.0 && contact.law == GRIT_CONTACT_GEO) {
         if (!contact.gated)

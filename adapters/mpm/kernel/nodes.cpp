@@ -102,6 +102,9 @@ void damp_nodes(const NodeCall& call, NodeSums& sums) {
         for (int k = 0; k < 2; ++k) {
             damped[k] = v[k];
             damped[motion::other_r + k] = m * (v[k] - undamped[k]);
+            if (call.meets)
+                damped[motion::other_r + k] +=
+                    m * (undamped[k] - undamped[motion::other_r + k]) - without_contact(k);
         }
     }
 }

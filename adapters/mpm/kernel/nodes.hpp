@@ -44,6 +44,7 @@ struct NodeCall {
     const std::uint8_t* tied;
     // Out: velocities after damping, and its impulses [N s]; null: nothing comes after it.
     NodeMotion* damped;
+    bool meets;        // contact comes after it: those of contact too
     bool fixed_point;  // of the sums
     // [nodes] 1: in the sums; where processes share a node, one of them counts it. null: all
     const std::uint8_t* counted;

@@ -33,6 +33,7 @@ NodeCall Momentum::call(std::size_t body, int strip) {
             nullptr,
             nullptr,
             bodies[body].damped.empty() ? nullptr : bodies[body].damped.data(),
+            false,
             settings.fixed_point,
             model.exchange.counted()};
 }
@@ -65,15 +66,17 @@ void Momentum::advance() {
     });
 }
 
-void Momentum::damp(const Water& water, bool tied) {
+void Momentum::damp(const Water& water, bool tied, bool meets) {
     if (!(model.settings.local_damping > 0.0)) return;
     for (std::size_t body = 0; body < bodies.size(); ++body)
-        if (tied || water.is_implicit(body)) bodies[body].damped.resize(model.fixed_nodes.size());
+        if (tied || meets || water.is_implicit(body))
+            bodies[body].damped.resize(model.fixed_nodes.size());
     model.for_strips([&, this](std::size_t body, int strip) {
         if (is_rigid(body)) return;
         NodeCall nodes = call(body, strip);
         nodes.drag = water.drag_impulses(body);
         if (tied) nodes.tied = water.tied_nodes().data();
+        nodes.meets = meets;
         damp_nodes(nodes, sums_of(body, strip));
     });
 }

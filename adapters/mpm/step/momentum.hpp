@@ -21,8 +21,8 @@ class Momentum {
     void keep_internal_forces();
     // v = v_old + dt (f/m + g); rigid bodies have the velocity of the end of the step.
     void advance();
-    // After contact: local damping, if there is any. tied: velocities change once more.
-    void damp(const Water& water, bool tied);
+    // After contact: local damping, if there is any. tied: velocities change once more; meets: by contact.
+    void damp(const Water& water, bool tied, bool meets);
     // Once velocities are what the step leaves.
     void close();
     // Before and after momenta are scattered again (MUSL).

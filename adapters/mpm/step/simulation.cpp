@@ -34,8 +34,11 @@ void Simulation::step() {
     platens.tie(account.sums());
     watch.lap(spent.contact);
     sides.find_work(model, momentum);
-    momentum.damp(water, platens.any());
-    if (model.settings.local_damping > 0.0) platens.tie(account.sums());
+    momentum.damp(water, platens.any(), surfaces.any_after_damping());
+    if (model.settings.local_damping > 0.0) {
+        platens.tie(account.sums());
+        surfaces.correct_damped(account.sums());
+    }
     contacts.change_pressures(surfaces);
     surfaces.take_changes(account.sums());
     platens.move();

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/mpm/step/surface_contacts.hpp"
 
+#include <algorithm>
+#include <tuple>
+
 namespace grit::mpm {
 
 void SurfaceContacts::add(const SurfaceLaw& law) {
@@ -37,7 +40,7 @@ void SurfaceContacts::correct(Energy& sums) {
         are_near[i] = pairs[i].find(body(pairs[i].law().a), body(pairs[i].law().b)) ? 1.0 : 0.0;
     model.exchange.max(are_near.data(), static_cast<int>(are_near.size()));
     for (std::size_t i = 0; i < pairs.size(); ++i)
-        if (are_near[i] > 0.0) correct(pairs[i], sums);
+        if (are_near[i] > 0.0) correct(pairs[i], false, sums);
 }
 
 bool SurfaceContacts::is_implicit() const {
@@ -72,15 +75,30 @@ void SurfaceContacts::take_changes(Energy& sums) {
     }
 }
 
-void SurfaceContacts::correct(SurfacePair& pair, Energy& sums) {
+void SurfaceContacts::correct_damped(Energy& sums) {
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        if (pairs[i].law().after_damping && are_near[i] > 0.0) correct(pairs[i], true, sums);
+}
+
+bool SurfaceContacts::any_after_damping() const {
+    return std::any_of(pairs.begin(), pairs.end(),
+                       [](const SurfacePair& pair) { return pair.law().after_damping; });
+}
+
+void SurfaceContacts::correct(SurfacePair& pair, bool again, Energy& sums) {
     const SurfaceBody a = body(pair.law().a), b = body(pair.law().b);
-    pair.correct(a, b, model.dt, model.exchange, is_implicit());
+    const grit_surface_totals before = again ? pair.totals() : grit_surface_totals{};
+    if (again) pair.correct_again(a, b, model.dt, model.exchange);
+    else pair.correct(a, b, model.dt, model.exchange, is_implicit());
     const grit_surface_totals& totals = pair.totals();
-    sums.contact += totals.dissipation_normal + totals.dissipation_tangential;
+    sums.contact += totals.dissipation_normal - before.dissipation_normal +
+                    totals.dissipation_tangential - before.dissipation_tangential;
     // What moves a rigid body works against the force that the body feels.
-    for (const auto& [of, J] :
-         {std::pair{&a, totals.impulse_on_a}, std::pair{&b, totals.impulse_on_b}})
-        if (of->rigid) sums.rigid_work -= J[0] * of->velocity[0] + J[1] * of->velocity[1];
+    for (const auto& [of, J, J_before] : {std::tuple{&a, totals.impulse_on_a, before.impulse_on_a},
+                                          std::tuple{&b, totals.impulse_on_b, before.impulse_on_b}})
+        if (of->rigid)
+            sums.rigid_work -=
+                (J[0] - J_before[0]) * of->velocity[0] + (J[1] - J_before[1]) * of->velocity[1];
 }
 
 }  // namespace grit::mpm

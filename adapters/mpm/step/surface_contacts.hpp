@@ -20,6 +20,9 @@ class SurfaceContacts {
     std::vector<SurfaceRows*> rows_of(std::size_t body);
     // After implicit pressures have changed what bears: what contact took and rigid bodies did once more.
     void take_changes(Energy& sums);
+    // The same for those of them that act on what local damping leaves.
+    void correct_damped(Energy& sums);
+    bool any_after_damping() const;
 
     const SurfacePair& operator[](std::size_t i) const { return pairs[i]; }
     std::size_t count() const { return pairs.size(); }
@@ -30,7 +33,7 @@ class SurfaceContacts {
   private:
     SurfaceBody body(std::size_t i);
     bool is_implicit() const;
-    void correct(SurfacePair& pair, Energy& sums);
+    void correct(SurfacePair& pair, bool again, Energy& sums);
 
     Model& model;
     Water& water;

@@ -289,6 +289,22 @@ void SurfacePair::correct(const SurfaceBody& a, const SurfaceBody& b, double dt,
     sum_faces();
 }
 
+void SurfacePair::correct_again(const SurfaceBody& a, const SurfaceBody& b, double dt,
+                                Exchange& exchange) {
+    const grit_surface_totals before = step_totals;
+    const Faces faces_before = step_faces;
+    forget();
+    step_faces = faces_before;
+    correct(a, b, dt, exchange, false);
+    for (int c = 0; c < 3; ++c) {
+        step_totals.impulse_on_a[c] += before.impulse_on_a[c];
+        step_totals.impulse_on_b[c] += before.impulse_on_b[c];
+    }
+    step_totals.normal_impulse += before.normal_impulse;
+    step_totals.dissipation_normal += before.dissipation_normal;
+    step_totals.dissipation_tangential += before.dissipation_tangential;
+}
+
 // The normal force of a facet bears at the tip as far as it acts along z, wherever the facet is.
 void SurfacePair::sum_faces() {
     const Skin& skin = skins[0];

@@ -18,7 +18,8 @@ namespace grit::mpm {
 struct SurfaceLaw {
     std::size_t a = 0, b = 1;  // bodies; a's surface gives the normals and carries the pressure
     grit_surface_options options{};
-    BoundaryLine line_a;  // at the start, in the place of a's free edges; empty: these
+    BoundaryLine line_a;         // at the start, in the place of a's free edges; empty: these
+    bool after_damping = false;  // once more, on velocities that local damping has changed
 };
 
 SurfaceLaw surface_law(double friction_coefficient);
@@ -38,6 +39,8 @@ class SurfacePair {
     SurfaceRows& rows() { return step_rows; }
     // Normal impulses are those of the rows now: forces are theirs, too.
     void take_rows(double dt);
+    // Once more in the same step: impulses and dissipation of the totals, and faces, are those of both.
+    void correct_again(const SurfaceBody& a, const SurfaceBody& b, double dt, Exchange& exchange);
 
     const SurfaceLaw& law() const { return pair_law; }
     // Of the last step, of all processes.

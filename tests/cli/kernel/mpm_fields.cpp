@@ -264,17 +264,65 @@ TEST_F(Fields, OfAKilledRunAreAllInAListThatIsWellFormed) {
 }
 
 TEST_F(Fields, ThatFindNoRoomInTheListLeaveItWellFormed) {
-    cli::PvdFile list(here.path("push.pvd"), {{0.0, 0, "a.vtu"}});
-    for (int i = 1; i < 100; ++i) list.add({{0.1 * i, 0, "a.vtu"}});
-    const std::string before = here.text("push.pvd");
-    for (rlim_t more = 0; more < 60; ++more) {
-        const NoRoom full(before.size() + more);
-        EXPECT_THROW(list.add({{1.0, 0, "a_file_with_a_long_name_that_does_not_fit.vtu"}}),
-                     element::CannotWrite);
+    cli::PvdFile list(here.path("push.pvd"), {{{0.0, 0, "a.vtu"}}});
+    const std::size_t size = here.text("push.pvd").size();
+    const cli::PvdEntry one = {1.0, 0, "a_file_with_a_long_name_that_does_not_fit.vtu"};
+    std::size_t entries = 1;
+    std::string before;
+    for (std::size_t more = 0; more + 300 < size; more += 97) {
+        const NoRoom full(size + more);
+        for (bool fits = true; fits && entries < 1000;) {
+            before = here.text("push.pvd");
+            try {
+                list.add({one});
+                ++entries;
+            } catch (const element::CannotWrite&) {
+                fits = false;
+            }
+        }
         EXPECT_EQ(here.text("push.pvd"), before);
+        EXPECT_EQ(read_xml(before).all("DataSet").size(), entries);
+        EXPECT_EQ(before.size(), size);
     }
-    list.add({{1.0, 0, "b.vtu"}});
-    EXPECT_EQ(read_xml(here.text("push.pvd")).all("DataSet").size(), 101u);
+    EXPECT_GT(entries, 30u);
+    list.add({one});
+    EXPECT_EQ(read_xml(here.text("push.pvd")).all("DataSet").size(), entries + 1);
+    EXPECT_GT(here.text("push.pvd").size(), size);
+}
+
+// A system that kills a program writes what is within a page whole or not at all.
+TEST_F(Fields, HaveNoEntryOfTheListInTwoPages) {
+    cli::PvdFile list(here.path("push.pvd"), {{{0.0, 0, "a.vtu"}}});
+    std::size_t size = 0;
+    for (int i = 1; i < 2000; ++i) {
+        const std::string before = here.text("push.pvd");
+        list.add({{0.1 * i, 0, "soil.vtu"}, {0.1 * i, 1, "pile.vtu"}});
+        const std::string after = here.text("push.pvd");
+        if (after.size() != size) {  // written anew, beside
+            size = after.size();
+            continue;
+        }
+        std::vector<std::size_t> changed;
+        for (std::size_t at = 0; at < size; ++at)
+            if (before[at] != after[at]) changed.push_back(at);
+        for (std::size_t k = 0; k < 2; ++k) {
+            const std::size_t from =
+                after.find("<DataSet", k == 0 ? changed.front() : after.rfind("<DataSet"));
+            EXPECT_EQ(from / 4096, after.find('>', from) / 4096) << i;
+        }
+        EXPECT_EQ(after.find("<DataSet"), before.find("<DataSet"));
+    }
+    EXPECT_EQ(read_xml(here.text("push.pvd")).all("DataSet").size(), 3999u);
+}
+
+TEST_F(Fields, HaveTheSameListWhetherItGrewOrWasMadeOfAllOfThem) {
+    std::vector<std::vector<cli::PvdEntry>> frames;
+    for (int i = 0; i < 500; ++i)
+        frames.push_back({{0.1 * i, 0, "soil.vtu"}, {0.1 * i, 1, "pile.vtu"}});
+    cli::PvdFile grown(here.path("grown.pvd"), {frames.front()});
+    for (std::size_t i = 1; i < frames.size(); ++i) grown.add(frames[i]);
+    const cli::PvdFile made(here.path("made.pvd"), frames);
+    EXPECT_EQ(here.text("grown.pvd"), here.text("made.pvd"));
 }
 
 }  // namespace

@@ -100,6 +100,8 @@ class WallRecord {
 // Linear elements along the radius, lumped mass, stresses by the sand's update.
 struct CavityByElements : CavityProblem {
     int per_radius = 40;  // elements in a; they grow outwards from 2 a on
+    int points = 1;       // of integration in an element
+    bool mean = false;    // volumetric strain and mean stress of an element for all of its points
     double window = 1e-3;
 
     CavityCurve run() const {
@@ -110,36 +112,33 @@ struct CavityByElements : CavityProblem {
         const std::size_t n = r.size();
         const std::vector<double> r0 = r;
         Sand material(lausitz(), options_with_tolerance(1e-4));
-        Particles elements(material.own_columns());
+        Particles all(material.own_columns());
         std::vector<double> mass(n), v(n), f(n);
         for (std::size_t e = 0; e + 1 < n; ++e) {
             const double l = r[e + 1] - r[e], middle = 0.5 * (r[e] + r[e + 1]);
-            elements.add({middle, 0.5, 0.5 * l, 0.5, density()}, true);
-            start(elements.view(), static_cast<std::ptrdiff_t>(e));
+            for (int k = 0; k < points; ++k)
+                all.add({place(r, e, k), 0.5, 0.5 * l / points, 0.5, density()}, true);
             mass[e] += density() * 0.5 * l * middle;
             mass[e + 1] += density() * 0.5 * l * middle;
         }
+        const std::ptrdiff_t count = all.size();
+        for (std::ptrdiff_t p = 0; p < count; ++p) start(all.view(), p);
         CavityCurve curve;
         WallRecord record(window);
         // Radial, hoop; against the middle of the step.
-        std::vector<double> strain[2] = {std::vector<double>(n - 1), std::vector<double>(n - 1)};
-        std::vector<double> moduli(n - 1);
+        std::vector<double> strain[2], moduli(static_cast<std::size_t>(count));
+        for (std::vector<double>& each : strain) each.resize(static_cast<std::size_t>(count));
         double t = 0.0;
-        const auto count = static_cast<std::ptrdiff_t>(n - 1);
         while (t < end) {
-            const ParticleView q = elements.view();
+            const ParticleView q = all.view();
             material.wave_moduli({q, 0, count}, moduli.data());
             double dt = 1e-4;
             for (std::size_t e = 0; e + 1 < n; ++e)
-                dt = std::min(dt, 0.3 * (r[e + 1] - r[e]) / std::sqrt(moduli[e] / density()));
+                for (int k = 0; k < points; ++k)
+                    dt = std::min(dt, 0.3 * (r[e + 1] - r[e]) /
+                                          std::sqrt(moduli[at(e, k)] / density()));
             std::fill(f.begin(), f.end(), 0.0);
-            for (std::size_t e = 0; e + 1 < n; ++e) {
-                const double l = r[e + 1] - r[e], middle = 0.5 * (r[e] + r[e + 1]);
-                const double radial = q[column::S_rr][e] * middle,
-                             hoop = 0.5 * q[column::S_tt][e] * l;
-                f[e] += radial - hoop;
-                f[e + 1] -= radial + hoop;
-            }
+            for (std::size_t e = 0; e + 1 < n; ++e) add_forces(q, r, e, f);
             // The wall holds its node, which has mass of its own.
             const double next = velocity(t + dt);
             const double wall = mass[0] * (next - v[0]) / dt - f[0];
@@ -153,27 +152,65 @@ struct CavityByElements : CavityProblem {
             }
             v[0] = next;
             v[n - 1] = 0.0;
-            for (std::size_t e = 0; e + 1 < n; ++e) {
-                const double l = r[e + 1] - r[e], middle = 0.5 * (r[e] + r[e + 1]);
-                const double longer = dt * (v[e + 1] - v[e]),
-                             outwards = 0.5 * dt * (v[e + 1] + v[e]);
-                strain[0][e] = longer / (l + 0.5 * longer);
-                strain[1][e] = outwards / (middle + 0.5 * outwards);
-            }
+            for (std::size_t e = 0; e + 1 < n; ++e) add_strains(r, v, dt, e, strain);
             update(material, q, count, strain);
             for (std::size_t i = 0; i < n; ++i) r[i] += dt * v[i];
             t += dt;
             if (curve.r0.empty() && r[0] - a >= 0.075)
-                for (std::size_t e = 0; e + 1 < n; ++e) {
-                    curve.r0.push_back(0.5 * (r0[e] + r0[e + 1]));
-                    curve.sigma_rr.push_back(q[column::S_rr][e]);
-                    curve.sigma_tt.push_back(q[column::S_tt][e]);
-                }
+                for (std::size_t e = 0; e + 1 < n; ++e)
+                    for (int k = 0; k < points; ++k) {
+                        curve.r0.push_back(place(r0, e, k));
+                        curve.sigma_rr.push_back(q[column::S_rr][at(e, k)]);
+                        curve.sigma_tt.push_back(q[column::S_tt][at(e, k)]);
+                    }
         }
         return curve;
     }
 
   private:
+    std::size_t at(std::size_t e, int k) const {
+        return e * static_cast<std::size_t>(points) + static_cast<std::size_t>(k);
+    }
+    double share(int k) const { return (k + 0.5) / points; }  // of an element's length
+    double place(const std::vector<double>& r, std::size_t e, int k) const {
+        return (1.0 - share(k)) * r[e] + share(k) * r[e + 1];
+    }
+    void add_forces(const ParticleView& q, const std::vector<double>& r, std::size_t e,
+                    std::vector<double>& f) const {
+        const double l = r[e + 1] - r[e], of_point = l / points;
+        double pressure = 0.0, area = 0.0;
+        for (int k = 0; k < points; ++k) {
+            area += place(r, e, k);
+            pressure += place(r, e, k) * of_both(q, e, k);
+        }
+        for (int k = 0; k < points; ++k) {
+            const double more = mean ? pressure / area - of_both(q, e, k) : 0.0;
+            const double radial = (q[column::S_rr][at(e, k)] + more) * place(r, e, k) / l;
+            const double hoop = q[column::S_tt][at(e, k)] + more;
+            f[e] += of_point * (radial - (1.0 - share(k)) * hoop);
+            f[e + 1] -= of_point * (radial + share(k) * hoop);
+        }
+    }
+    double of_both(const ParticleView& q, std::size_t e, int k) const {
+        return 0.5 * (q[column::S_rr][at(e, k)] + q[column::S_tt][at(e, k)]);
+    }
+    void add_strains(const std::vector<double>& r, const std::vector<double>& v, double dt,
+                     std::size_t e, std::vector<double>* strain) const {
+        const double l = r[e + 1] - r[e], longer = dt * (v[e + 1] - v[e]);
+        double volume = 0.0, area = 0.0;
+        for (int k = 0; k < points; ++k) {
+            const double outwards = dt * ((1.0 - share(k)) * v[e] + share(k) * v[e + 1]);
+            strain[0][at(e, k)] = longer / (l + 0.5 * longer);
+            strain[1][at(e, k)] = outwards / (place(r, e, k) + 0.5 * outwards);
+            area += place(r, e, k);
+            volume += place(r, e, k) * (strain[0][at(e, k)] + strain[1][at(e, k)]);
+        }
+        if (!mean) return;
+        for (int k = 0; k < points; ++k) {
+            const double more = 0.5 * (volume / area - strain[0][at(e, k)] - strain[1][at(e, k)]);
+            for (const int c : {0, 1}) strain[c][at(e, k)] += more;
+        }
+    }
     static void update(Sand& material, const ParticleView& q, std::ptrdiff_t n,
                        const std::vector<double>* strain) {
         for (std::ptrdiff_t begin = 0; begin < n; begin += Increments::capacity) {
