@@ -135,6 +135,11 @@ void say_fit(const CalibrationCase& file, const CalibrationResult& result) {
     say("\nbest fit: {} of {} starts end there, {} iterations, {:.1f} s ({:.1f} s of processors)\n",
         fit.agreeing, fit.descents.size(), iterations, result.fit_seconds,
         result.fit_processor_seconds);
+    if (!result.laplace.overdetermined) {
+        say("misfit: {:.3g} independent readings do not tell {} parameters and their own errors\n",
+            result.independent, file.space.size());
+        return;
+    }
     say("misfit: chi^2/({:.0f} - {}) = {:.4g}{}\n", result.independent, file.space.size(),
         result.laplace.misfit,
         result.laplace.inflation > 1.0
@@ -158,8 +163,15 @@ void say_posterior(const CalibrationCase& file, const CalibrationResult& result)
         file.seed, result.posterior_seconds, result.posterior_processor_seconds,
         posterior.acceptance, posterior.computed, posterior.r_hat.maxCoeff(),
         posterior.effective.minCoeff());
-    if (!(posterior.r_hat.maxCoeff() < 1.05))
+    if (!(posterior.r_hat.array() < 1.05).all())
         say("note: R-hat above 1.05: the ensembles disagree yet, take more samples\n");
+    const double walkers = posterior.walkers * posterior.ensembles;
+    const double times = posterior.effective.minCoeff() / walkers;  // of autocorrelation
+    if (!(times > 8.0))
+        say("note: walkers have gone {:.1f} times as far as they remember: the number of "
+            "independent samples is a "
+            "guess yet, take more\n",
+            times);
 }
 
 void say_misfits(const CalibrationCase& file, const CalibrationResult& result) {
@@ -257,11 +269,16 @@ ExitCode run_calibration(const CalibrateRequest& request) {
             return !RunGuard::interrupted();
         };
         const Watch watch;
-        result.posterior = calibration::sample(problem, result.fit.x, result.laplace, options);
+        try {
+            result.posterior = calibration::sample(problem, result.fit.x, result.laplace, options);
+        } catch (const element::BadCase& error) {
+            file.doubts.push_back(fmt::format(
+                "no samples, intervals are those of a normal distribution: {}", error.what()));
+        }
         progress.finish();
         result.posterior_seconds = watch.seconds();
         result.posterior_processor_seconds = watch.processor_seconds();
-        if (result.posterior->stopped) {
+        if (result.posterior && result.posterior->stopped) {
             warn("grit: {}: sampling was stopped on request: intervals are those of a normal "
                  "distribution at the best fit\n",
                  file.name);

@@ -41,7 +41,9 @@ class Frame {
 
     double right_of(double value) const {
         const auto place = [this](double v) { return logarithmic ? std::log(v) : v; };
-        const double share = (place(value) - place(x.low)) / (place(x.high) - place(x.low));
+        const double width_of_all = place(x.high) - place(x.low);
+        const double share =
+            width_of_all > 0.0 ? (place(value) - place(x.low)) / width_of_all : 0.5;
         return left + share * (width - left - right);
     }
     double down_of(double value) const {

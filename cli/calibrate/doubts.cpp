@@ -63,6 +63,8 @@ std::string tests_far_off(const CalibrationCase& file, const CalibrationResult& 
     std::string out;
     for (std::size_t i = 0; i < file.experiments.size(); ++i) {
         const TestMisfit& each = result.misfits.by_test[i];
+        if (file.experiments[i].void_ratio_error > 0.0)
+            continue;  // all readings may be off together
         if (!(each.root_mean_square > std::max(far_off, much_farther * usual))) continue;
         out += fmt::format("{}{} ({}: {:.2g} errors)", out.empty() ? "" : ", ",
                            file.experiments[i].name, each.quantity, each.worst);
@@ -73,6 +75,29 @@ std::string tests_far_off(const CalibrationCase& file, const CalibrationResult& 
                      "far from the tests, where others have {:.2g} errors: {}: look at units, "
                      "signs and starts",
                      usual, out);
+}
+
+// Of tests whose readings count as one each.
+std::string readings_together(const CalibrationCase& file, const CalibrationResult& result) {
+    double product = 0.0, square = 0.0;
+    std::size_t readings = 0, tests = 0;
+    for (std::size_t i = 0; i < file.experiments.size(); ++i) {
+        const Experiment& test = file.experiments[i];
+        if (!test.fitted || test.independent > 0.0) continue;
+        product += result.misfits.by_test[i].neighbours;
+        square += result.misfits.by_test[i].squares;
+        readings += test.readings.size();
+        ++tests;
+    }
+    constexpr double much = 0.6;
+    constexpr std::size_t many = 40;
+    const double correlation = product / square;
+    if (!(correlation > much) || readings < many) return "";
+    const double each = static_cast<double>(readings) / static_cast<double>(tests);
+    return fmt::format(
+        "neighbouring readings err together (correlation {:.2f}), and intervals are too narrow: "
+        "independent_readings = {:.0f} or so of a test",
+        correlation, std::max(1.0, each * (1.0 - correlation) / (1.0 + correlation)));
 }
 
 }  // namespace
@@ -101,16 +126,22 @@ std::vector<std::string> doubts(const CalibrationCase& file, const CalibrationRe
             "only {} of {} starts end at the best fit, the others at worse places: there may be "
             "a better one yet",
             result.fit.agreeing, starts));
-    if (result.laplace.misfit > far_off * far_off)
+    if (!result.fit.descents[result.fit.best].converged)
+        out.push_back(fmt::format("the best fit had not come to its end after {} iterations",
+                                  result.fit.descents[result.fit.best].iterations));
+    const bool judged = result.laplace.overdetermined;
+    if (judged && result.laplace.misfit > far_off * far_off)
         out.push_back(fmt::format(
             "residuals are {:.3g} times the stated errors: a unit, a sign or a start is wrong, or "
             "the errors are far too small",
             std::sqrt(result.laplace.misfit)));
-    if (result.laplace.misfit < 0.4)
+    if (judged && result.laplace.misfit < 0.4)
         out.push_back(fmt::format(
             "residuals are {:.2g} of the stated errors: these are too large, and intervals wider "
             "than need be",
             std::sqrt(result.laplace.misfit)));
+    if (const std::string together = readings_together(file, result); !together.empty())
+        out.push_back(together);
     if (const std::string far = tests_far_off(file, result); !far.empty()) out.push_back(far);
     const auto at = [&](Eigen::Index k) { return static_cast<std::size_t>(k); };
     std::string at_bounds, open;

@@ -147,6 +147,10 @@ std::optional<double> LaboratoryColumn::value(double theirs) const {
     return std::log1p(value);
 }
 
+double LaboratoryColumn::theirs(double value) const {
+    return (engineering ? std::expm1(value) : value) / factor;
+}
+
 bool LaboratoryColumn::is_change() const {
     return quantity == "pore_pressure" || (unit == "-" && quantity != "void_ratio");
 }

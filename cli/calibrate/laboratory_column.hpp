@@ -27,6 +27,7 @@ struct LaboratoryColumn {
     bool compared() const { return error > 0.0 || relative_error > 0.0; }
     // Of Grit, or nothing where an engineering strain is -1 or less.
     std::optional<double> value(double theirs) const;
+    double theirs(double value) const;     // of a value of Grit, as the sheet has it
     double deviation(double value) const;  // of a value of Grit
 };
 

@@ -72,16 +72,20 @@ TestMisfit of_test(const calibration::Experiment& test, const calibration::Predi
         return out;
     }
     std::vector<double> squares(test.channels.size(), 0.0), counts(test.channels.size(), 0.0);
-    double all = 0.0;
+    double before = 0.0;
+    int channel = -1;
     for (std::size_t i = 0; i < test.readings.size(); ++i) {
         const calibration::Reading& each = test.readings[i];
         const double off =
             (computed.values[static_cast<Eigen::Index>(i)] - each.value) / each.error;
         squares[static_cast<std::size_t>(each.channel)] += off * off;
         counts[static_cast<std::size_t>(each.channel)] += 1.0;
-        all += off * off;
+        out.squares += off * off;
+        if (each.channel == channel) out.neighbours += off * before;
+        channel = each.channel;
+        before = off;
     }
-    out.root_mean_square = std::sqrt(all / static_cast<double>(test.readings.size()));
+    out.root_mean_square = std::sqrt(out.squares / static_cast<double>(test.readings.size()));
     for (std::size_t c = 0; c < squares.size(); ++c) {
         const double off = std::sqrt(squares[c] / std::max(counts[c], 1.0));
         if (off < out.worst) continue;

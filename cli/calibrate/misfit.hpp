@@ -19,9 +19,10 @@ struct Misfit {
 
 // Of one test: each reading over its error.
 struct TestMisfit {
-    double root_mean_square = 0.0;  // NaN: it cannot be computed with this sand
-    double worst = 0.0;             // of one quantity
-    std::string quantity;           // that it is
+    double root_mean_square = 0.0;           // NaN: it cannot be computed with this sand
+    double worst = 0.0;                      // of one quantity
+    std::string quantity;                    // that it is
+    double squares = 0.0, neighbours = 0.0;  // sums of r_i^2 and, along a quantity, of r_i r_(i+1)
 };
 
 struct Misfits {

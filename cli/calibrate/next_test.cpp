@@ -160,8 +160,8 @@ std::vector<NextTest> next_tests(const CalibrationCase& file, const CalibrationR
             0.5 * std::log(result.laplace.covariance.determinant() / after.determinant());
         const calibration::FreeParameter& parameter =
             file.space.free[static_cast<std::size_t>(most)];
-        const double size =
-            parameter.logarithmic() ? 1.0 : std::abs(parameter.value(result.fit.x[most]));
+        const double value = std::abs(parameter.value(result.fit.x[most]));
+        const double size = parameter.logarithmic() ? 1.0 : value > 0.0 ? value : parameter.highest;
         out.parameter = calibration::symbol_of(parameter.index);
         out.before = result.laplace.deviation[most] / size;
         out.after = std::sqrt(after(most, most)) / size;

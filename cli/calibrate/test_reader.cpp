@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -133,7 +135,11 @@ double read_cell(const TestTable& test, std::size_t row, const LaboratoryColumn&
         sheet.fail(row, fmt::format("column {} is empty: fill it, or set may_be_empty of {}",
                                     column.name, column.quantity));
     }
-    const std::optional<double> theirs = element::number_of(cell);
+    std::optional<double> theirs = element::number_of(cell);
+    // A percentage of a workbook, as it is shown there.
+    if (!theirs && column.unit == "-" && cell.ends_with(" %"))
+        if ((theirs = element::number_of(cell.substr(0, cell.size() - 2))))
+            *theirs *= 0.01 / std::abs(column.factor);
     if (!theirs)
         sheet.fail(
             row, fmt::format("column {} has \"{}\" where a number is needed{}", column.name, cell,
@@ -169,15 +175,15 @@ std::vector<Rows> split(TestTable& test, const std::string& name) {
         by = static_cast<std::size_t>(std::find(header.begin(), header.end(), word) -
                                       header.begin());
     }
+    std::map<std::string, std::size_t> places;
     for (std::size_t row = 1; row < test.sheet.cells.rows.size(); ++row) {
         const std::string& which = by ? test.sheet.cells.rows[row][*by] : name;
         if (which.empty())
             test.sheet.fail(row,
                             fmt::format("column {} is empty: whose row is this?", header[*by]));
-        auto at = std::find_if(out.begin(), out.end(),
-                               [&](const Rows& each) { return each.name == which; });
-        if (at == out.end()) at = out.insert(out.end(), Rows{which, {}, {}});
-        at->of_sheet.push_back(row);
+        const auto [at, is_new] = places.try_emplace(which, out.size());
+        if (is_new) out.push_back(Rows{which, {}, {}});
+        out[at->second].of_sheet.push_back(row);
     }
     return out;
 }
@@ -211,12 +217,12 @@ struct Selection {
            most = INFINITY;  // of what drives the test, as large as it is in the sheet's unit
     int at_most = 0;
 
-    // A value of what drives the test, unit: of the sheet's in Grit's.
-    bool takes(double value, double unit) const {
-        const double size = std::abs(value / unit);
-        return size >= least && size <= most;
+    // A value of what drives the test.
+    bool takes(double value, const LaboratoryColumn& column) const {
+        const double size = std::abs(column.theirs(value));
+        return size >= least * (1.0 - 1e-12) && size <= most * (1.0 + 1e-12);
     }
-    void apply(Rows& rows, std::size_t driver, double unit) const;
+    void apply(Rows& rows, std::size_t driver, const LaboratoryColumn& column) const;
 };
 
 Selection read_selection(TomlTable& table) {
@@ -237,19 +243,20 @@ void keep(Rows& rows, const std::vector<std::size_t>& which) {
     rows = std::move(out);
 }
 
-void Selection::apply(Rows& rows, std::size_t driver, double unit) const {
+void Selection::apply(Rows& rows, std::size_t driver, const LaboratoryColumn& column) const {
     std::vector<std::size_t> which;
-    double direction = 0.0;
+    double direction = 0.0, before = NAN;
     for (std::size_t i = 0; i < rows.values.size(); ++i) {
         const double value = rows.values[i][driver];
         if (std::isnan(value)) continue;
-        if (first_loading && i > 0) {
-            const double change = value - rows.values[i - 1][driver];
+        const double last = std::exchange(before, value);
+        if (first_loading && !std::isnan(last)) {
+            const double change = value - last;
             if (direction == 0.0) direction = change;
             if (change * direction < 0.0) break;
             if (change == 0.0) continue;  // at rest, as where the load turns
         }
-        if (takes(value, unit)) which.push_back(i);
+        if (takes(value, column)) which.push_back(i);
     }
     if (at_most > 0 && which.size() > static_cast<std::size_t>(at_most)) {
         std::vector<std::size_t> fewer;
@@ -276,7 +283,7 @@ std::vector<std::string> doubts_about(const TestTable& test, const Rows& all, co
     const auto after = static_cast<std::size_t>(last - all.of_sheet.begin()) + 1;
     for (std::size_t i = after; selection.first_loading && i < all.values.size(); ++i)
         if (size(all, i) > 1.05 * largest &&
-            selection.takes(size(all, i), test.columns[driver].factor)) {
+            selection.takes(all.values[i][driver], test.columns[driver])) {
             out.push_back(fmt::format(
                 "test {}: first_loading ends where {} turns back after {}, and it is {} later: "
                 "are rows out of order?",
@@ -420,8 +427,17 @@ std::vector<double> driving(const TestTable& test, const Rows& rows, const Exper
 }
 
 std::size_t driving_column(const TestTable& test) {
-    if (const auto at = test.find(test.driver.quantity)) return *at;
-    if (test.driver.quantity == "stress_11")
+    // Machines prescribe total stress, columns of stress are effective: where pore pressure rises, the deviator tells.
+    const bool undrained = test.driver.test->name.ends_with("undrained");
+    const bool axial = test.driver.quantity == "stress_11";
+    if (undrained && axial && !test.find("axial_deviator"))
+        test.table.fail(
+            "columns",
+            fmt::format("{}: an undrained test that is driven by axial stress needs the column of "
+                        "axial_deviator: stress_11 is effective",
+                        test.table.full("columns")));
+    if (const auto at = test.find(test.driver.quantity); at && !(undrained && axial)) return *at;
+    if (axial)
         if (const auto at = test.find("axial_deviator")) return *at;
     test.table.fail("columns", fmt::format("{}: the test is driven by {}: name the column of {}",
                                            test.table.full("columns"), test.driver.way->key,
@@ -484,6 +500,15 @@ element::Step to_first_row(const TestTable& test, double value) {
     return out;
 }
 
+// The start that is said is not the stress of the first row.
+bool starts_elsewhere(const TestTable& test, const Experiment& of, double first) {
+    const Vector6& stress = of.start.stress;
+    const double start = test.driver.quantity == "stress_11" ? stress[0]
+                         : test.driver.quantity == "p"       ? -stress.head<3>().sum() / 3.0
+                                                             : first;
+    return std::abs(start - first) > 1e-9 * std::abs(first);
+}
+
 // What [[test]] says of all its tests.
 struct Treatment {
     Selection selection;
@@ -506,8 +531,13 @@ void make(TestTable& test, Rows rows, bool fitted, Treatment& treatment, Laborat
             values.push_back(read_cell(test, row, column));
     }
     const std::size_t driver = driving_column(test);
+    if (test.columns[driver].zero)
+        test.table.fail(
+            "columns",
+            fmt::format("{}.{}.zero: it drives the test, which counts from its first row",
+                        test.table.full("columns"), test.columns[driver].quantity));
     const Rows all = rows;
-    selection.apply(rows, driver, test.columns[driver].factor);
+    selection.apply(rows, driver, test.columns[driver]);
     if (rows.values.size() < 2)
         test.table.fail("", fmt::format("{}: of test {}, {} row{} left: two are needed",
                                         test.table.full(""), rows.name, rows.values.size(),
@@ -527,7 +557,8 @@ void make(TestTable& test, Rows rows, bool fitted, Treatment& treatment, Laborat
     read_readings(test, rows, driver, out);
     out.driven = values;
     out.program = before;
-    if (!before.empty() && !test.driver.way->strain())
+    if (!test.driver.way->strain() &&
+        (!before.empty() || starts_elsewhere(test, out, values.front())))
         out.program.push_back(to_first_row(test, values.front()));
     Followed followed = follow(*test.driver.way, values, test.defaults.resolution);
     out.program.push_back(std::move(followed.step));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/sand/sand_file.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -43,7 +44,12 @@ grit_sand_parameters read_sand_file(const std::filesystem::path& path) {
 void write_sand_file(const std::filesystem::path& path, const grit_sand_parameters& parameters,
                      const std::vector<std::string>& comments) {
     element::AtomicFile file(path);
-    for (const std::string& text : comments) file.write("# " + text + "\n");
+    for (std::string text : comments) {
+        std::replace_if(
+            text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; },
+            ' ');
+        file.write("# " + text + "\n");
+    }
     file.write("[sand]\n");
     for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i) {
         const grit_sand_parameter_info& info = *grit_sand_parameter_describe(i);

@@ -73,15 +73,26 @@ Row cut_at(const std::string& line, char separator) {
     return out;
 }
 
+// A line break within quotation marks does not end a row, which stands where it begins.
 std::vector<Row> lines_of(const std::filesystem::path& path, char separator) {
     std::vector<Row> out;
     const std::string text = read_whole(path);
     for (std::size_t from = 0; from < text.size();) {
-        const std::size_t end = std::min(text.find('\n', from), text.size());
+        std::size_t end = from, lines = 1;
+        bool quoted = false;
+        for (; end < text.size() && (quoted || text[end] != '\n'); ++end) {
+            if (text[end] == '"') quoted = !quoted;
+            if (text[end] == '\n') ++lines;
+        }
+        if (quoted) {  // an inch, or a mark that is missing
+            end = std::min(text.find('\n', from), text.size());
+            lines = 1;
+        }
         const std::string line = text.substr(from, end - from);
         from = end + 1;
-        out.emplace_back();
-        if (!line.starts_with('#') && !trimmed(line).empty()) out.back() = cut_at(line, separator);
+        const std::size_t place = out.size();
+        out.resize(place + lines);
+        if (!line.starts_with('#') && !trimmed(line).empty()) out[place] = cut_at(line, separator);
     }
     return out;
 }
@@ -117,8 +128,11 @@ std::string single_spaced(const std::string& name) {
 std::string with_point(const std::filesystem::path& path, const SheetFormat& layout, int line,
                        std::string cell) {
     const auto digits = [](char c) { return (c >= '0' && c <= '9') || c == '-' || c == '+'; };
-    if (cell.empty() || !digits(cell.front())) return cell;
-    if (!is_workbook(path) && cell.find('.') != std::string::npos &&
+    if (cell.empty() || !(digits(cell.front()) || cell.front() == ',')) return cell;
+    // 12.03.2020 is a date, nobody's number.
+    const bool number =
+        cell.find(',') != std::string::npos || std::count(cell.begin(), cell.end(), '.') == 1;
+    if (!is_workbook(path) && number && cell.find('.') != std::string::npos &&
         std::all_of(cell.begin(), cell.end(),
                     [&](char c) { return digits(c) || c == '.' || c == ','; }))
         throw BadInput(fmt::format("{}: \"{}\" has a point, and decimal_comma = true: write 1036,2",
@@ -137,6 +151,10 @@ Cells read_sheet(const std::filesystem::path& path, const SheetFormat& layout) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const int line = static_cast<int>(i) + 1;
         Row row = rows[i];
+        for (std::string& cell : row)
+            std::replace_if(
+                cell.begin(), cell.end(),
+                [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
         if (row.empty() || line < layout.header_line) continue;
         if (out.rows.empty()) {
             if (row.size() == 1 && row[0].find(';') != std::string::npos)

@@ -14,12 +14,14 @@
 
 #include "cli/process/exit_code.hpp"
 #include "element/nearest.hpp"
+#include "element/number.hpp"
 
 namespace cli {
 namespace {
 
 constexpr zip_uint64_t largest_part =
-    512U << 20;  // bytes: what unpacks to more is no sheet of a laboratory
+    64U << 20;  // bytes: what unpacks to more is no sheet of a laboratory
+constexpr std::size_t most_cells = 20'000'000;                  // that are kept
 constexpr std::size_t last_column = 16384, last_row = 1048576;  // of the format
 
 class Archive {
@@ -148,28 +150,39 @@ bool shows_date(const std::string& format) {
     return false;
 }
 
-// Of each style of cells, whether it shows a number as a date.
-std::vector<bool> styles_of_dates(const Archive& archive) {
-    std::vector<bool> out;
+enum class Style { number, date, percent };
+
+Style style_of(const std::string& format) {
+    if (shows_date(format)) return Style::date;
+    return format.find('%') != std::string::npos ? Style::percent : Style::number;
+}
+
+// How the styles of cells show a number.
+std::vector<Style> styles_of(const Archive& archive) {
+    std::vector<Style> out;
     const auto part = archive.part("xl/styles.xml");
     if (!part) return out;
-    std::map<int, bool> own;
+    std::map<int, Style> own;
     for (const pugi::xml_node& each : child(part->document_element(), "numFmts"))
-        own[each.attribute("numFmtId").as_int()] = shows_date(each.attribute("formatCode").value());
+        own[each.attribute("numFmtId").as_int()] = style_of(each.attribute("formatCode").value());
     for (const pugi::xml_node& each : child(part->document_element(), "cellXfs")) {
         if (!is(each, "xf")) continue;
         const int format = each.attribute("numFmtId").as_int();
         const auto at = own.find(format);
-        // Built-in ones of dates and times: 14 to 22, 45 to 47.
-        out.push_back(at != own.end()
-                          ? at->second
-                          : (format >= 14 && format <= 22) || (format >= 45 && format <= 47));
+        // Built-in ones of dates and times, and of percentages.
+        const bool date = (format >= 14 && format <= 22) || (format >= 45 && format <= 47);
+        const bool percent = format == 9 || format == 10;
+        out.push_back(at != own.end() ? at->second
+                      : date          ? Style::date
+                      : percent       ? Style::percent
+                                      : Style::number);
     }
     return out;
 }
 
 // Cells that are merged all have what stands in them.
 void spread_merged(const pugi::xml_node& sheet, std::vector<std::vector<std::string>>& rows) {
+    std::size_t budget = 100000;  // cells: what are more are no headings
     for (const pugi::xml_node& each : child(sheet, "mergeCells")) {
         const std::string range = each.attribute("ref").value();
         const std::size_t colon = range.find(':');
@@ -181,11 +194,12 @@ void spread_merged(const pugi::xml_node& sheet, std::vector<std::vector<std::str
             return static_cast<std::size_t>(std::strtoull(cell.c_str() + digits, nullptr, 10));
         };
         const std::size_t first_row = row_of(first), end_row = std::min(row_of(last), rows.size());
-        constexpr std::size_t most = 10000;  // cells: what is larger is no heading
         if (first_row < 1 || first_row > rows.size() || to < from || to >= last_column ||
-            from >= rows[first_row - 1].size() ||
-            (end_row - first_row + 1) * (to - from + 1) > most)
+            from >= rows[first_row - 1].size() || end_row < first_row)
             continue;
+        const std::size_t cells_of_range = (end_row - first_row + 1) * (to - from + 1);
+        if (cells_of_range > std::min<std::size_t>(budget, 10000)) continue;
+        budget -= cells_of_range;
         const std::string text = rows[first_row - 1][from];
         for (std::size_t row = first_row; row <= end_row; ++row) {
             std::vector<std::string>& cells = rows[row - 1];
@@ -196,7 +210,7 @@ void spread_merged(const pugi::xml_node& sheet, std::vector<std::vector<std::str
 }
 
 std::string value_of(const pugi::xml_node& cell, const std::vector<std::string>& strings,
-                     const std::vector<bool>& dates, const Archive& archive) {
+                     const std::vector<Style>& styles, const Archive& archive) {
     const std::string type = cell.attribute("t").value();
     if (type == "inlineStr") {
         std::string out;
@@ -205,9 +219,14 @@ std::string value_of(const pugi::xml_node& cell, const std::vector<std::string>&
     }
     const std::string value = child(cell, "v").child_value();
     if (type == "b") return value == "0" ? "FALSE" : "TRUE";
+    if (value.empty() && child(cell, "f")) return "(a formula without its value)";
     const auto look = static_cast<std::size_t>(cell.attribute("s").as_uint());
-    if ((type.empty() || type == "n") && !value.empty() && look < dates.size() && dates[look])
-        return value + " (a date)";
+    const bool is_number = (type.empty() || type == "n") && !value.empty() && look < styles.size();
+    if (is_number && styles[look] == Style::date) return value + " (a date)";
+    // As it is shown.
+    if (const auto share = element::number_of(value);
+        is_number && share && styles[look] == Style::percent)
+        return fmt::format("{:.15g} %", 100.0 * *share);
     if (type != "s") return value;
     const auto number = static_cast<std::size_t>(std::strtoull(value.c_str(), nullptr, 10));
     if (number >= strings.size())
@@ -226,7 +245,8 @@ WorkbookSheet read_workbook(const std::filesystem::path& path, const std::string
     const auto part = archive.part(part_name);
     if (!part) archive.fail(fmt::format("has no {}", part_name));
     const std::vector<std::string> strings = shared_strings(archive);
-    const std::vector<bool> dates = styles_of_dates(archive);
+    const std::vector<Style> styles = styles_of(archive);
+    std::size_t filled = 0;
     for (const pugi::xml_node& row : child(part->document_element(), "sheetData")) {
         if (!is(row, "row")) continue;
         const std::size_t number =
@@ -235,14 +255,24 @@ WorkbookSheet read_workbook(const std::filesystem::path& path, const std::string
             archive.fail(fmt::format("sheet {} has a row {}", out.name, number));
         if (out.rows.size() < number) out.rows.resize(number);
         std::vector<std::string>& cells = out.rows[number - 1];
+        std::size_t next = 0;
         for (const pugi::xml_node& cell : row) {
             if (!is(cell, "c")) continue;
-            const std::size_t column = column_of(cell.attribute("r").value(), cells.size());
+            const std::size_t column = column_of(cell.attribute("r").value(), next);
+            next = column + 1;
             if (column >= last_column)
                 archive.fail(
                     fmt::format("sheet {} has a cell {}", out.name, cell.attribute("r").value()));
-            if (cells.size() <= column) cells.resize(column + 1);
-            cells[column] = value_of(cell, strings, dates, archive);
+            std::string value = value_of(cell, strings, styles, archive);
+            if (value.empty()) continue;
+            if (cells.size() <= column) {
+                filled += column + 1 - cells.size();
+                if (filled > most_cells)
+                    archive.fail(
+                        fmt::format("sheet {} has more than {} cells", out.name, most_cells));
+                cells.resize(column + 1);
+            }
+            cells[column] = std::move(value);
         }
     }
     spread_merged(part->document_element(), out.rows);

@@ -99,6 +99,17 @@ std::size_t walkers_of(Eigen::Index size) {
     return 2 * static_cast<std::size_t>(std::max<Eigen::Index>(8, size + 2));
 }
 
+// Mirrored at the bounds: a best point in a corner of them has walkers around it, too.
+Vector reflected(const ParameterSpace& space, Vector x) {
+    const Vector low = space.lowest(), high = space.highest();
+    for (Eigen::Index k = 0; k < x.size(); ++k) {
+        if (x[k] < low[k]) x[k] = 2.0 * low[k] - x[k];
+        if (x[k] > high[k]) x[k] = 2.0 * high[k] - x[k];
+        x[k] = std::clamp(x[k], low[k], high[k]);
+    }
+    return x;
+}
+
 }  // namespace
 
 Posterior sample(const Problem& problem, const Vector& x, const Laplace& around,
@@ -134,7 +145,7 @@ Posterior sample(const Problem& problem, const Vector& x, const Laplace& around,
         for (double width = 1.0; width > 1e-3 && !proposals[i].sum; width *= 0.8) {
             Vector step(x.size());
             for (double& each : step) each = width * random.normal();
-            proposals[i].x = x + root * step;
+            proposals[i].x = reflected(space, x + root * step);
             find(proposals[i]);
         }
     });

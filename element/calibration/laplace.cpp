@@ -23,10 +23,14 @@ bool Laplace::determines(Eigen::Index coordinate) const {
 Laplace laplace(const Problem& problem, const Residuals& residuals, bool inflate) {
     Laplace out;
     const Vector range = problem.space().highest() - problem.space().lowest();
-    const double freedom = std::max(1.0, problem.independent() - static_cast<double>(range.size()));
+    const double more = problem.independent() - static_cast<double>(range.size());
+    const double freedom = std::max(1.0, more);
+    out.overdetermined = more > 0.0;
     out.misfit = residuals.values.squaredNorm() / freedom;
-    if (inflate) out.inflation = std::sqrt(std::max(1.0, out.misfit));
-    const Matrix scaled = residuals.slopes * range.asDiagonal();
+    if (inflate && out.overdetermined) out.inflation = std::sqrt(std::max(1.0, out.misfit));
+    // At least as many rows as parameters: what no reading tells of has the singular value 0.
+    Matrix scaled = Matrix::Zero(std::max(residuals.slopes.rows(), range.size()), range.size());
+    scaled.topRows(residuals.slopes.rows()) = residuals.slopes * range.asDiagonal();
     const Eigen::BDCSVD<Matrix> svd(scaled, Eigen::ComputeThinU | Eigen::ComputeThinV);
     Matrix root(range.size(), range.size());
     for (Eigen::Index k = 0; k < range.size(); ++k) {

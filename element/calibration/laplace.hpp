@@ -22,7 +22,9 @@ struct Laplace {
     Vector deviation;
     double inflation =
         1.0;  // of the stated errors: sqrt(chi^2/degrees of freedom), where that exceeds 1
-    double misfit = 0.0;                    // chi^2/degrees of freedom
+    double misfit = 0.0;  // chi^2/degrees of freedom
+    bool overdetermined =
+        true;  // by more independent readings than parameters: residuals tell of errors
     std::vector<Combination> combinations;  // the best determined first
 
     // Has one of the combinations that are not determined this coordinate in it?

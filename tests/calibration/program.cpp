@@ -155,6 +155,82 @@ TEST(Calibrate, ReadsLatin1) {
     EXPECT_EQ(answer.status, 0) << answer.text;
 }
 
+// A date in a column that nobody uses, a header of two lines, a test whose name has a line break.
+TEST(Calibrate, MindsWhatIsUsedAlone) {
+    const Workplace here;
+    const std::string columns =
+        "stress_11 = { column = \"sigma [kPa]\", compression = \"positive\" }\n"
+        "void_ratio = { column = \"e\", error = 0.001 }\n";
+    const Answer answer =
+        calibrate(here,
+                  oedometer_case(
+                      columns, "separator = \";\"\ndecimal_comma = true\nsplit_by = \"Versuch\"\n"),
+                  "Datum;Versuch;\"sigma\n[kPa]\";e\n12.03.2020;\"OE\n1\";20,0;,7480\n12.03.2020;"
+                  "\"OE\n1\";100;0,7368\n"
+                  "13.03.2020;\"OE\n1\";400;0,7198\n");
+    ASSERT_EQ(answer.status, 0) << answer.text;
+    EXPECT_EQ(here.grit("sand show out/x_sand.toml").status, 0) << here.text("out/x_sand.toml");
+}
+
+// More parameters than readings: what they do not tell is said, and nothing is made up.
+TEST(Calibrate, DoesNotJudgeErrorsByFewerReadingsThanParameters) {
+    const Workplace here;
+    std::string text = oedometer_case();
+    text.replace(text.find("[\"h_s\", \"n\"]"), 12, "[\"h_s\", \"n\", \"alpha\", \"phi_c\"]");
+    const Answer answer =
+        calibrate(here, text, "sigma [kPa],e\n20,0.748\n100,0.7368\n400,0.7198\n");
+    ASSERT_EQ(answer.status, 0) << answer.text;
+    EXPECT_TRUE(answer.says("misfit: 2 independent readings do not tell 4 parameters"))
+        << answer.text;
+    EXPECT_TRUE(answer.says("these tests do not determine")) << answer.text;
+    EXPECT_FALSE(answer.says("determine :")) << answer.text;
+    EXPECT_FALSE(answer.says("look: residuals")) << answer.text;
+}
+
+// In the sheet's numbers, whatever strain Grit makes of them; also where a reading is missing.
+TEST(Calibrate, UsesTheRowsThatAreAskedFor) {
+    const Workplace here;
+    const std::string text = "[sand]\nname = \"lausitz\"\n[fit]\nparameters = [\"alpha\"]\nstarts "
+                             "= 1\n[[test]]\nname = \"CD\"\ntest = "
+                             "\"triaxial_drained\"\nfile = \"lab.csv\"\nto = 20\nfirst_loading = "
+                             "true\nstart = { pressure_kPa = 100, void_ratio = "
+                             "0.7 }\n[test.columns]\naxial_strain = { column = \"e [%]\", "
+                             "compression = \"positive\", may_be_empty = true }\n"
+                             "axial_deviator = { column = \"q [kPa]\", error = 5 }\n";
+    const Answer answer =
+        calibrate(here, text, "e [%],q [kPa]\n0,0\n5,180\n,190\n15,210\n20,205\n10,100\n25,200\n");
+    ASSERT_EQ(answer.status, 0) << answer.text;
+    EXPECT_NE(here.text("out/x_report.html").find("4 of 7 rows"), std::string::npos);
+}
+
+// Loaded from the start that is said to where the sheet begins, not from there by as much again.
+TEST(Calibrate, LoadsToTheFirstRowFromAnotherStart) {
+    double hardness[2];
+    for (const bool elsewhere : {false, true}) {
+        const Workplace here;
+        std::string text = oedometer_case(
+            oedometer_columns,
+            elsewhere
+                ? "from = 100\nstart = { axial_stress_at_rest_kPa = 20, void_ratio = 0.748 }\n"
+                : "");
+        const Answer answer = calibrate(here, text, oedometer_sheet());
+        ASSERT_EQ(answer.status, 0) << answer.text;
+        hardness[elsewhere] = value_of(here.text("out/x_sand.toml"), "granulate_hardness_kPa");
+    }
+    EXPECT_NEAR(hardness[1], hardness[0], 0.1 * hardness[0]);
+}
+
+TEST(Calibrate, SamplesFromACornerOfTheBounds) {
+    const Workplace here;
+    std::string text = oedometer_case();
+    text.replace(text.find("starts = 2\n"), 11,
+                 "starts = 2\nbounds = { granulate_hardness_kPa = [1e4, 1e5], stiffness_exponent = "
+                 "[0.6, 0.9] }\n");
+    const Answer answer = calibrate(here, text, oedometer_sheet(), "--samples 1000");
+    EXPECT_EQ(answer.status, 0) << answer.text;
+    EXPECT_TRUE(answer.says("posterior: ")) << answer.text;
+}
+
 // Where the reading at the start is another than the first row's, the fit knows it.
 TEST(Calibrate, CountsPorePressureFromItsZero) {
     std::string sand[2];

@@ -85,6 +85,31 @@ TEST(Column, ThatStandsInAnotherLine) {
                    "header_line = 2");
 }
 
+TEST(Column, OfEffectiveStressDoesNotDriveAnUndrainedTest) {
+    expect_refused(
+        "[sand]\nname = \"lausitz\"\n[fit]\nparameters = [\"alpha\"]\n[[test]]\nname = "
+        "\"CU\"\ntest = "
+        "\"triaxial_undrained\"\ndriven_by = \"axial_stress_kPa\"\nfile = \"lab.csv\"\nstart = { "
+        "pressure_kPa "
+        "= 200, void_ratio = 0.7 }\n[test.columns]\nstress_11 = { column = \"s [kPa]\", "
+        "compression = "
+        "\"positive\" }\npore_pressure = { column = \"u [kPa]\", error = 1 }\n",
+        "s [kPa],u [kPa]\n200,0\n210,20\n",
+        "an undrained test that is driven by axial stress needs the column of axial_deviator");
+}
+
+TEST(Column, ThatDrivesTheTestHasNoZero) {
+    expect_refused(
+        "[sand]\nname = \"lausitz\"\n[fit]\nparameters = [\"alpha\"]\n[[test]]\nname = "
+        "\"CD\"\ntest = "
+        "\"triaxial_drained\"\nfile = \"lab.csv\"\nstart = { pressure_kPa = 200, void_ratio = 0.7 "
+        "}\n[test.columns]\naxial_strain = { column = \"e [%]\", compression = \"positive\", zero "
+        "= 1 "
+        "}\naxial_deviator = { column = \"q [kPa]\", error = 1 }\n",
+        "e [%],q [kPa]\n0,0\n1,200\n",
+        "axial_strain.zero: it drives the test, which counts from its first row");
+}
+
 TEST(Column, ThatIsThereTwice) {
     expect_refused(oedometer_case(), replaced(oedometer_sheet(), "remark", "e"),
                    "the sheet has 2 columns \"e\"");

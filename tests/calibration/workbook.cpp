@@ -105,6 +105,31 @@ TEST(Workbook, IsReadBetweenItsLinesAndWithCommasInItsTexts) {
               (std::vector<std::vector<std::string>>{{"q [kN/m\xC2\xB2]"}, {"1.5"}, {"2.5"}}));
 }
 
+TEST(Workbook, HasPercentagesAsTheyAreShownAndSaysWhereAFormulaHasNoValue) {
+    Parts parts = usual();
+    parts["xl/styles.xml"] =
+        "<styleSheet><numFmts><numFmt numFmtId=\"164\" formatCode=\"0.0%\"/></numFmts><cellXfs><xf "
+        "numFmtId=\"0\"/><xf numFmtId=\"10\"/><xf numFmtId=\"164\"/></cellXfs></styleSheet>";
+    parts["xl/worksheets/sheet2.xml"] =
+        "<worksheet><sheetData><row r=\"1\"><c s=\"1\"><v>0.005</v></c><c/><c "
+        "s=\"2\"><v>1.2E-2</v></c><c><f>A1*2</f></c>"
+        "</row></sheetData></worksheet>";
+    const Book book(parts);
+    EXPECT_EQ(cli::read_workbook(book.path, "TMD 1").rows[0],
+              (std::vector<std::string>{"0.5 %", "", "1.2 %", "(a formula without its value)"}));
+}
+
+TEST(Workbook, OfManyCellsWithoutAnythingTakesNoMemory) {
+    Parts parts = usual();
+    std::string sheet = "<worksheet><sheetData>";
+    for (int row = 1; row <= 20000; ++row)
+        sheet += "<row r=\"" + std::to_string(row) + "\"><c r=\"XFD" + std::to_string(row) +
+                 "\"/></row>";
+    parts["xl/worksheets/sheet2.xml"] = sheet + "</sheetData></worksheet>";
+    const Book book(parts);
+    for (const auto& row : cli::read_workbook(book.path, "TMD 1").rows) EXPECT_TRUE(row.empty());
+}
+
 std::string refusal(const Parts& parts, const std::string& sheet) {
     const Book book(parts);
     try {
@@ -129,6 +154,12 @@ TEST(Workbook, ThatIsWrongIsRefusedWithAReason) {
     parts["xl/worksheets/sheet2.xml"] =
         "<worksheet><sheetData><row r=\"4000000000\"/></sheetData></worksheet>";
     EXPECT_NE(refusal(parts, "TMD 1").find("has a row 4000000000"), std::string::npos);
+    std::string wide = "<worksheet><sheetData>";
+    for (int row = 1; row <= 1300; ++row)
+        wide += "<row r=\"" + std::to_string(row) + "\"><c r=\"XFD" + std::to_string(row) +
+                "\"><v>1</v></c></row>";
+    parts["xl/worksheets/sheet2.xml"] = wide + "</sheetData></worksheet>";
+    EXPECT_NE(refusal(parts, "TMD 1").find("has more than 20000000 cells"), std::string::npos);
     EXPECT_NE(refusal({{"readme", "no"}}, "").find("is no workbook"), std::string::npos);
 }
 
