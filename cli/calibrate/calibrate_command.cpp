@@ -14,13 +14,13 @@
 #include "cli/calibrate/calibration_result.hpp"
 #include "cli/calibrate/doubts.hpp"
 #include "cli/calibrate/misfit.hpp"
+#include "cli/calibrate/parameter_rows.hpp"
 #include "cli/calibrate/report_page.hpp"
 #include "cli/process/abnormal_end.hpp"
 #include "cli/process/outputs.hpp"
 #include "cli/process/progress.hpp"
 #include "cli/process/standard_streams.hpp"
 #include "cli/process/version.hpp"
-#include "cli/sand/parameter_units.hpp"
 #include "cli/sand/sand_file.hpp"
 #include "element/errors.hpp"
 
@@ -97,35 +97,13 @@ void say_tests(const CalibrationCase& file) {
         fitted == 1 ? "" : "s", readings, file.experiments.size() - fitted);
 }
 
-std::string number_in_unit(const grit_sand_parameter_info& info, double value) {
-    return fmt::format("{:.5g}", value / unit_of(info).size);
-}
-
 void say_parameters(const CalibrationCase& file, const CalibrationResult& result) {
     say("\n{:<7} {:<4} {:>10} {:>10} {:>10} {:>10}  {}\n", "", "unit", "start", "best", "2.5 %",
         "97.5 %", "start from");
-    for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i) {
-        const grit_sand_parameter_info& info = *grit_sand_parameter_describe(i);
-        const calibration::Estimate& start = file.start[static_cast<std::size_t>(i)];
-        const auto place = file.space.find(i);
-        const bool tied = std::any_of(file.space.ties.begin(), file.space.ties.end(),
-                                      [i](const calibration::Tie& tie) { return tie.index == i; });
-        if (std::isnan(start.value) || (!place && !tied && info.optional == 1)) continue;
-        const Unit unit = unit_of(info);
-        std::string low, high, note = start.origin;
-        if (place) {
-            const ParameterInterval& interval = result.intervals[static_cast<std::size_t>(*place)];
-            low = number_in_unit(info, interval.lowest);
-            high = number_in_unit(info, interval.highest);
-            if (!result.laplace.determines(*place)) note += "; not determined";
-            else if (interval.ends_at_bound) note += "; open to its bound";
-        } else if (!tied) {
-            note = "fixed";
-        }
-        say("{:<7} {:<4} {:>10} {:>10} {:>10} {:>10}  {}\n", info.symbol, unit.name,
-            number_in_unit(info, start.value),
-            number_in_unit(info, calibration::get(result.best, i)), low, high, note);
-    }
+    for (const ParameterRow& row : parameter_rows(file, result))
+        say("{:<7} {:<4} {:>10} {:>10} {:>10} {:>10}  {}{}\n", row.info->symbol, row.unit,
+            row.start, row.best, row.lowest, row.highest, row.origin,
+            row.doubt.empty() ? "" : "; " + row.doubt);
 }
 
 void say_fit(const CalibrationCase& file, const CalibrationResult& result) {
@@ -212,15 +190,11 @@ std::vector<std::string> provenance(const CalibrationCase& file, const Calibrati
         if (each.fitted) names += (names.empty() ? "" : ", ") + each.name;
     out.push_back("tests fitted: " + names);
     out.push_back(fmt::format("chi^2/freedom {:.4g}; 95 % intervals:", result.laplace.misfit));
-    for (Eigen::Index k = 0; k < file.space.size(); ++k) {
-        const int index = file.space.free[static_cast<std::size_t>(k)].index;
-        const grit_sand_parameter_info& info = *grit_sand_parameter_describe(index);
-        const ParameterInterval& interval = result.intervals[static_cast<std::size_t>(k)];
-        out.push_back(fmt::format("  {} {} ... {} {}{}", info.symbol,
-                                  number_in_unit(info, interval.lowest),
-                                  number_in_unit(info, interval.highest), unit_of(info).name,
-                                  result.laplace.determines(k) ? "" : ", not determined"));
-    }
+    for (const ParameterRow& row : parameter_rows(file, result))
+        if (!row.lowest.empty())
+            out.push_back(fmt::format("  {} {} ... {} {}{}", row.info->symbol, row.lowest,
+                                      row.highest, row.unit,
+                                      row.doubt.empty() ? "" : ", " + row.doubt));
     return out;
 }
 

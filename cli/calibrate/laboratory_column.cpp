@@ -151,7 +151,7 @@ double LaboratoryColumn::theirs(double value) const {
     return (engineering ? std::expm1(value) : value) / factor;
 }
 
-bool LaboratoryColumn::is_change() const {
+bool counts_from_start(const std::string& quantity, const std::string& unit) {
     return quantity == "pore_pressure" || (unit == "-" && quantity != "void_ratio");
 }
 

@@ -11,6 +11,9 @@
 
 namespace cli {
 
+// Strains and pore pressure of a test, unit: Grit's.
+bool counts_from_start(const std::string& quantity, const std::string& unit);
+
 struct LaboratoryColumn {
     std::string quantity, unit;  // Grit's: "axial_strain", "-"
     std::string name;            // theirs, as in the header
@@ -22,8 +25,7 @@ struct LaboratoryColumn {
     bool may_be_empty = false;
     std::optional<double> zero;  // of strains and pore pressure: Grit's, where the test starts
 
-    // Counts from where the test starts.
-    bool is_change() const;
+    bool is_change() const { return counts_from_start(quantity, unit); }
     bool compared() const { return error > 0.0 || relative_error > 0.0; }
     // Of Grit, or nothing where an engineering strain is -1 or less.
     std::optional<double> value(double theirs) const;

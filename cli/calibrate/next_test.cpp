@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "cli/calibrate/followed_steps.hpp"
+#include "cli/calibrate/laboratory_column.hpp"
 #include "cli/table/columns.hpp"
 
 namespace cli {
@@ -95,9 +96,9 @@ Experiment experiment_of(const Plan& plan, const CalibrationCase& file,
         calibration::Channel channel;
         channel.name = name;
         channel.quantity = *linear_quantity(name, shear);
-        channel.unit =
-            channel.name == "void_ratio" || channel.name == "volumetric_strain" ? "-" : "kPa";
-        channel.change = channel.name == "volumetric_strain" || channel.name == "pore_pressure";
+        for (const Column& column : linear_columns())
+            if (column.name == channel.name) channel.unit = column.unit;
+        channel.change = counts_from_start(channel.name, channel.unit);
         for (int row = 1; row <= rows; ++row)
             out.readings.push_back({row, static_cast<int>(out.channels.size()), 0.0, 1.0});
         out.channels.push_back(std::move(channel));

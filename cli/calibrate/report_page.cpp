@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "cli/calibrate/chart.hpp"
+#include "cli/calibrate/parameter_rows.hpp"
 #include "cli/plot/axis.hpp"
 #include "cli/process/version.hpp"
 #include "cli/sand/parameter_units.hpp"
@@ -23,36 +24,16 @@ constexpr const char* style =
     "#ddd;text-align:right}td:first-child,th:first-child,td.l,th.l{text-align:left}svg{font:11px "
     "sans-serif;margin:2px}.bad{color:#b03000}p{max-width:760px;line-height:1.4}";
 
-std::string in_unit(int index, double value) {
-    return fmt::format("{:.4g}", value / unit_of(*grit_sand_parameter_describe(index)).size);
-}
-
 std::string parameter_table(const CalibrationCase& file, const CalibrationResult& result) {
     std::string out = "<table><tr><th>parameter</th><th>unit</th><th>start</th><th>best</th>"
                       "<th>2.5 %</th><th>97.5 %</th><th></th></tr>\n";
-    for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i) {
-        const calibration::Estimate& start = file.start[static_cast<std::size_t>(i)];
-        const grit_sand_parameter_info& info = *grit_sand_parameter_describe(i);
-        const auto place = file.space.find(i);
-        if (std::isnan(start.value) || (!place && info.optional == 1)) continue;
-        std::string low, high;
-        std::string note = escaped(start.origin);
-        if (place) {
-            const ParameterInterval& interval = result.intervals[static_cast<std::size_t>(*place)];
-            low = in_unit(i, interval.lowest);
-            high = in_unit(i, interval.highest);
-            if (!result.laplace.determines(*place))
-                note += " <span class=\"bad\">not determined by these tests</span>";
-            else if (interval.ends_at_bound)
-                note += " <span class=\"bad\">open to its bound</span>";
-        } else if (std::none_of(file.space.ties.begin(), file.space.ties.end(),
-                                [i](const calibration::Tie& tie) { return tie.index == i; })) {
-            note = "fixed";
-        }
+    for (const ParameterRow& row : parameter_rows(file, result)) {
+        const std::string doubt =
+            row.doubt.empty() ? "" : fmt::format(" <span class=\"bad\">{}</span>", row.doubt);
         out += fmt::format("<tr><td>{} ({})</td><td>{}</td><td>{}</td><td><b>{}</b></td><td>{}</td>"
-                           "<td>{}</td><td class=\"l\">{}</td></tr>\n",
-                           info.name, info.symbol, unit_of(info).name, in_unit(i, start.value),
-                           in_unit(i, calibration::get(result.best, i)), low, high, note);
+                           "<td>{}</td><td class=\"l\">{}{}</td></tr>\n",
+                           row.info->name, row.info->symbol, row.unit, row.start, row.best,
+                           row.lowest, row.highest, escaped(row.origin), doubt);
     }
     return out + "</table>\n";
 }
