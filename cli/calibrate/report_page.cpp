@@ -10,7 +10,6 @@
 #include "cli/calibrate/parameter_rows.hpp"
 #include "cli/plot/axis.hpp"
 #include "cli/process/version.hpp"
-#include "cli/sand/parameter_units.hpp"
 #include "element/atomic_file.hpp"
 
 namespace cli {
