@@ -165,11 +165,12 @@ Cells read_sheet(const std::filesystem::path& path, const SheetFormat& layout) {
         } else {
             if (line < layout.first_line) continue;
             if (layout.last_line > 0 && line > layout.last_line) break;
-            const std::size_t width = out.rows.front().size();
-            if (!is_workbook(path) && row.size() != width)
+            const std::size_t cells_of_header = out.rows.front().size();
+            if (!is_workbook(path) && row.size() != cells_of_header)
                 throw BadInput(fmt::format("{}: {} cells where the header has {}",
-                                           place_in(path, layout, line), row.size(), width));
-            row.resize(width);
+                                           place_in(path, layout, line), row.size(),
+                                           cells_of_header));
+            row.resize(cells_of_header);
             if (layout.decimal_comma)
                 for (std::string& cell : row) cell = with_point(path, layout, line, cell);
         }
