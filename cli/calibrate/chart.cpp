@@ -84,21 +84,6 @@ class Frame {
     Extent x, y;
 };
 
-}  // namespace
-
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text)
-        out += c == '&'   ? "&amp;"
-               : c == '<' ? "&lt;"
-               : c == '>' ? "&gt;"
-               : c == '"' ? "&quot;"
-                          : std::string(1, c);
-    return out;
-}
-
-namespace {
-
 // a_r and a_{11} with their subscripts set low.
 std::string marked_up(const std::string& label) {
     const std::string text = escaped(label);
@@ -120,6 +105,17 @@ std::string marked_up(const std::string& label) {
 }
 
 }  // namespace
+
+std::string escaped(const std::string& text) {
+    std::string out;
+    for (const char c : text)
+        out += c == '&'   ? "&amp;"
+               : c == '<' ? "&lt;"
+               : c == '>' ? "&gt;"
+               : c == '"' ? "&quot;"
+                          : std::string(1, c);
+    return out;
+}
 
 std::string Chart::svg() const {
     const Frame frame(*this);

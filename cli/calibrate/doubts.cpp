@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "cli/sand/parameter_units.hpp"
-
 namespace cli {
 namespace {
 

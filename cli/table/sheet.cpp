@@ -53,7 +53,7 @@ std::string read_whole(const std::filesystem::path& path) {
     if (!file || std::filesystem::is_directory(path)) fail("cannot read this file");
     std::string text((std::istreambuf_iterator<char>(file)), {});
     if (text.starts_with("PK\x03\x04")) fail("is a workbook: let its name end with .xlsx");
-    if (text.starts_with("\xD0\xCF\x11\xE0")) fail("is a workbook of old: save it as .xlsx");
+    if (text.starts_with(old_workbook_begin)) fail(old_workbook);
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
         fail("is UTF-16: save it as CSV in UTF-8");
     if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);

@@ -37,8 +37,7 @@ class Archive {
         std::ifstream file(path, std::ios::binary);
         char begin[4] = {};
         file.read(begin, sizeof begin);
-        if (std::memcmp(begin, "\xD0\xCF\x11\xE0", 4) == 0)
-            fail("is a workbook of old: save it as .xlsx");
+        if (std::memcmp(begin, old_workbook_begin, 4) == 0) fail(old_workbook);
         if (file && std::memcmp(begin, "PK", 2) != 0)
             fail("is no workbook: the name of a CSV ends with .csv");
         fail("cannot read this workbook: " + why);

@@ -8,6 +8,10 @@
 
 namespace cli {
 
+// How the files of older programs begin (.xls), and what is to be done with them.
+inline constexpr char old_workbook_begin[] = "\xD0\xCF\x11\xE0";
+inline constexpr char old_workbook[] = "is a workbook of old: save it as .xlsx";
+
 struct WorkbookSheet {
     std::string name;
     std::vector<std::string> sheets;             // of the workbook

@@ -136,20 +136,22 @@ TEST(Unit, ThatIsNone) {
                         "compression = \"positive\", unit = \"kPA\" }", "nearest: kPa");
 }
 
-TEST(Unit, OfAStrainInPercentThatIsNotSaidToBe) {
+// A strain in the place of the void ratio, unit = "-".
+void expect_strain_refused(const std::string& last, const std::string& words) {
     expect_refused(replaced(oedometer_case(), "void_ratio = { column = \"e\",",
                             "axial_strain = { column = \"e\", unit = \"-\", compression = "
                             "\"positive\","),
-                   replaced(oedometer_sheet(), "400,0.7198", "400,3.7198"),
-                   "lab.csv:10: column e: a strain of 3.7198 is beyond 1: unit = \"percent\"?");
+                   replaced(oedometer_sheet(), "400,0.7198", "400," + last), words);
+}
+
+TEST(Unit, OfAStrainInPercentThatIsNotSaidToBe) {
+    expect_strain_refused(
+        "3.7198", "lab.csv:10: column e: a strain of 3.7198 is beyond 1: unit = \"percent\"?");
 }
 
 TEST(Unit, OfAStrainThatIsAllOfTheSample) {
-    expect_refused(replaced(oedometer_case(), "void_ratio = { column = \"e\",",
-                            "axial_strain = { column = \"e\", unit = \"-\", compression = "
-                            "\"positive\","),
-                   replaced(oedometer_sheet(), "400,0.7198", "400,1"),
-                   "lab.csv:10: column e: a strain of 1 is all of the sample: unit = \"percent\"?");
+    expect_strain_refused(
+        "1", "lab.csv:10: column e: a strain of 1 is all of the sample: unit = \"percent\"?");
 }
 
 TEST(Unit, ThatTheHeaderContradicts) {

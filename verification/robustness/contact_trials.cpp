@@ -455,18 +455,11 @@ void try_many(const Call& call, Random& random, Findings& out) {
     const grit_status status = grit_contact_correct_many(
         &bodies, static_cast<int>(pairs.size()), pairs.data(), 1, reports.data(), nullptr, nullptr);
     out.count(of_many);
-    Node pair;
+    Node pair = between.front();
     pair.m_a = mass[0];
     pair.m_b = mass[1];
     pair.v_a = before[0];
     pair.v_b = before[1];
-    const Node& first = between.front();
-    pair.normal = first.normal;
-    pair.distance = first.distance;
-    pair.cell = first.cell;
-    pair.gap = first.gap;
-    pair.area = first.area;
-    pair.pore = first.pore;
     const auto program = [&] {
         std::string text = program_of(call, pair) + "/* bodies:";
         for (std::size_t i = 0; i < mass.size(); ++i)
