@@ -15,6 +15,16 @@ struct Faces {
     Vector2 along_r{0.0, 0.0}, along_z{0.0, 0.0};
 
     static bool is_along_z(double n_r, double n_z) { return std::fabs(n_z) > std::fabs(n_r); }
+
+    // Of a surface with this normal; what bears, its pressure along z, does so at the tip wherever it acts.
+    void add(const Vector2& normal, const Vector2& force, double bearing) {
+        if (is_along_z(normal[0], normal[1])) {
+            along_z = along_z + force;
+            return;
+        }
+        along_z[1] += bearing;
+        along_r = along_r + Vector2{force[0], force[1] - bearing};
+    }
 };
 
 // ... added up over the nodes that each process counts.

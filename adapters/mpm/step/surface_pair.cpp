@@ -262,13 +262,7 @@ void SurfacePair::take_rows(double dt) {
         }
         step_totals.normal_impulse += more;
         const Vector2 force = (more / dt) * n;  // on b
-        Faces& faces = step_faces;
-        if (Faces::is_along_z(n[0], n[1])) {
-            faces.along_z = faces.along_z + force;
-        } else {
-            faces.along_z[1] += force[1];
-            faces.along_r[0] += force[0];
-        }
+        step_faces.add(n, force, force[1]);
     }
 }
 
@@ -315,14 +309,7 @@ void SurfacePair::sum_faces() {
         if (!(length > 0.0)) continue;
         const Vector2 outward{(to[1] - from[1]) / length, (from[0] - to[0]) / length};
         const Vector2 force{-reports[f].force[0], -reports[f].force[1]};  // on b
-        const bool faces_z = Faces::is_along_z(outward[0], outward[1]);
-        if (faces_z) {
-            step_faces.along_z = step_faces.along_z + force;
-            continue;
-        }
-        const double bearing = reports[f].normal_force * outward[1];
-        step_faces.along_z[1] += bearing;
-        step_faces.along_r = step_faces.along_r + Vector2{force[0], force[1] - bearing};
+        step_faces.add(outward, force, reports[f].normal_force * outward[1]);
     }
 }
 
