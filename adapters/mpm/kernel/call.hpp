@@ -80,6 +80,10 @@ struct CellIntegers {
     GRIT_INLINE double mean() const {
         return static_cast<double>(weighted) / static_cast<double>(volume);
     }
+    // per_volume: of the reference, of which cells have an eighth [1/m3].
+    GRIT_INLINE double total(double per_volume) const {
+        return 8.0 * static_cast<double>(volume) / (scale * per_volume);
+    }
 };
 
 // Deformation of a particle that waits for the mean of its cell; cell -1: it wants none.

@@ -81,11 +81,13 @@ void add_pressures(const GridView& grid, const ParticleView& q, std::ptrdiff_t b
 // Of undrained water the strain is that of the pores too, whose middle is taken.
 void update_pressures(const ParticleView& q, std::ptrdiff_t begin, std::ptrdiff_t end,
                       const PoreWater& water, const CellIntegers* cells, const int* cell,
-                      bool fixed_point, WaterSums& sums) {
+                      double per_volume, const double* left, bool fixed_point, WaterSums& sums) {
     for (std::ptrdiff_t p = begin; p < end; ++p) {
         const CellIntegers& mean = cells[cell[p]];
-        const double strain = mean.volume > 0 ? mean.mean() : 0.0, e = water.void_ratio(q, p);
-        const double e_middle = water.flows ? e : e + 0.5 * (1.0 + e) * strain;
+        const double of_cell = mean.volume > 0 ? mean.mean() : 0.0, e = water.void_ratio(q, p);
+        const double gone = left && mean.volume > 0 ? left[cell[p]] / mean.total(per_volume) : 0.0;
+        const double strain = of_cell + gone;
+        const double e_middle = water.flows ? e : e + 0.5 * (1.0 + e) * of_cell;
         if (!(e_middle > 0.0))
             throw std::runtime_error(
                 "pore water: a particle at r = " + std::to_string(q[column::r][p]) +
@@ -100,7 +102,10 @@ void update_pressures(const ParticleView& q, std::ptrdiff_t begin, std::ptrdiff_
         q[water.first][p] -= water.bulk_modulus / PoreWater::porosity_of(e_middle) * strain;
         const double V = q[column::V0][p] * q.J(p), now = water.pressure(q, p);
         sums.work.add(-0.5 * (before + now) * strain * V, fixed_point);
-        sums.half.add(-0.5 * now * strain * V, fixed_point);
+        sums.half.add(-0.5 * now * of_cell * V, fixed_point);
+        if (gone == 0.0) continue;
+        sums.between.add(0.5 * (before + now) * gone * V, fixed_point);
+        if (water.flows) q[water.content_column()][p] -= water.density * gone * V;
     }
 }
 

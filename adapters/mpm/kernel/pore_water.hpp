@@ -149,6 +149,7 @@ struct WaterSums {
     Total work;          // taken by the water's compression [J]
     Total half;          // of that, by the pressure of the end in half a step [J]
     Total drag;          // taken by drag, at nodes and within particles [J]
+    Total between;       // ... by what flows between cells and no node shows [J]
     Total gravity_work;  // [J]
     Total side_work;     // of sides that water comes in by [J]
     Total change;        // as those of NodeSums and GatherSums, of water that flows, and ...
@@ -188,10 +189,11 @@ struct WaterGatherCall {
 void add_pressures(const GridView& grid, const ParticleView& particles, std::ptrdiff_t begin,
                    std::ptrdiff_t end, const PoreWater& water, double per_volume,
                    CellIntegers* cells);
-// (W1), (W2) of a range, each particle with the mean strain of its cell.
+// (W1), (W2) of a range, each particle with the mean strain of its cell and its share of what else left that [m3] (null:
+// nothing did).
 void update_pressures(const ParticleView& particles, std::ptrdiff_t begin, std::ptrdiff_t end,
                       const PoreWater& water, const CellIntegers* cells, const int* cell,
-                      bool fixed_point, WaterSums& sums);
+                      double per_volume, const double* left, bool fixed_point, WaterSums& sums);
 
 struct WaterNodeCall {
     NodeCall grains;      // of the body

@@ -69,6 +69,7 @@ void Account::add_step(const Gather& gather, const Momentum& momentum, const Loa
             step[pore_water] += w.work;
             step[half] += w.half;
             step[drag] += w.drag;
+            step[implicit] += w.between;
         }
     step[on_walls] += water.taken().contact;
     step[rigid_walls] += water.taken().rigid_work;

@@ -29,6 +29,7 @@ ImplicitPressure::ImplicitPressure(const GridView& grid, Exchange& processes, bo
       of_cells(static_cast<std::size_t>(grid.r.cells) * static_cast<std::size_t>(grid.z.cells)),
       end_of(of_cells.size()), sums(2 * of_cells.size()),
       at_nodes(row * (static_cast<std::size_t>(grid.z.cells) + 3)), moved(at_nodes.size()),
+      compact(grid, processes, in_fixed_point), flow_of_grid(of_cells.size()),
       rates((row - 2) * (static_cast<std::size_t>(grid.z.cells) + 1)) {
     if (fixed_point) rows_of_patches.resize(4 * of_cells.size(), strips);
     if (exchange.whole()) shared.resize(rates.size());
@@ -177,11 +178,11 @@ void ImplicitPressure::apply(const System& system, const double* x, double* y) {
     push(scaled.data(), at_nodes);
     system.answers(at_nodes);
     swell(at_nodes, y);
+    for (std::size_t c = 0; c < cells.size(); ++c) y[c] *= system.dt * system.dt;
+    compact.add(&CompactAnswer::to_change, scaled.data(), y);
     for (std::size_t c = 0; c < cells.size(); ++c) {
         const Cell& cell = cells[c];
-        y[c] = cell.compliance > 0.0
-                   ? cell.scale * (cell.compliance * scaled[c] + system.dt * system.dt * y[c])
-                   : x[c];
+        y[c] = cell.compliance > 0.0 ? cell.scale * (cell.compliance * scaled[c] + y[c]) : x[c];
     }
 }
 
@@ -259,6 +260,18 @@ Eigen::VectorXd ImplicitPressure::solve(const System& system, Eigen::VectorXd b,
                              std::to_string(std::sqrt(left2 / load2)) + " of the load");
 }
 
+// Between cells that bear, and by the pressures there were.
+void ImplicitPressure::find_compact_flow(const Answers& answers) {
+    std::vector<CompactFlow::Cell> of_compact;
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        of_compact.push_back({first_node(patched[c]), cells[c].compliance > 0.0, cells[c].counted});
+        scaled[c] = cells[c].pressure;
+    }
+    compact.begin(of_compact, answers.compact);
+    flow_before.assign(cells.size(), 0.0);
+    compact.add(&CompactAnswer::to_pressure, scaled.data(), flow_before.data());
+}
+
 void ImplicitPressure::solve(const PoreWater& water, const GridView& grid, Particles& particles,
                              double dt, const std::vector<Vector2>& u, const Answers& answers,
                              bool again, std::vector<Vector2>& impulses) {
@@ -270,23 +283,28 @@ void ImplicitPressure::solve(const PoreWater& water, const GridView& grid, Parti
     find_laws(water, dt);
     const System system{dt, answers};
     Eigen::VectorXd b(static_cast<Eigen::Index>(cells.size()));
-    // u + dt A G of the values.
+    std::vector<double> flow;
+    // u + dt A G of the values, and the flow beside it.
     const auto move = [&] {
         push(values.data(), moved);
         answers(moved);
         for (std::size_t i = 0; i < moved.size(); ++i)
             moved[i] = {u[i][0] + dt * moved[i][0], u[i][1] + dt * moved[i][1]};
         swell(moved, swelling.data());
+        flow = flow_before;
+        compact.add(&CompactAnswer::to_change, values.data(), flow.data());
+        for (std::size_t c = 0; c < cells.size(); ++c) swelling[c] += flow[c] / dt;
     };
     for (int change = 0; change < most_changes; ++change) {
         // Cells that do not bear go to the largest tension, which the others see as a load.
         for (std::size_t c = 0; c < cells.size(); ++c)
             values[c] = cells[c].compliance > 0.0 ? 0.0 : cells[c].reached - cells[c].pressure;
+        find_compact_flow(answers);
         move();
         for (std::size_t c = 0; c < cells.size(); ++c) {
             Cell& cell = cells[c];
             const double* force = of_cells[patched[c].patch].force;
-            double diagonal = cell.compliance;
+            double diagonal = cell.compliance + compact.own(c);
             for (std::size_t k = 0; k < 16; ++k) {
                 const Vector2 f{force[2 * k], force[2 * k + 1]};
                 const Vector2 v = answers.nodes[patched[c].first + k / 4 * row + k % 4](f);
@@ -306,6 +324,8 @@ void ImplicitPressure::solve(const PoreWater& water, const GridView& grid, Parti
         move();
         if (!find_laws(water, dt)) break;
     }
+    std::fill(flow_of_grid.begin(), flow_of_grid.end(), 0.0);
+    for (std::size_t c = 0; c < cells.size(); ++c) flow_of_grid[patched[c].patch] = flow[c];
     push(values.data(), impulses);
     for (Vector2& J : impulses) J = {dt * J[0], dt * J[1]};
 }

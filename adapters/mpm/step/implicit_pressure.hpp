@@ -8,6 +8,7 @@
 
 #include "adapters/mpm/kernel/exchange.hpp"
 #include "adapters/mpm/kernel/pore_water.hpp"
+#include "adapters/mpm/step/compact_flow.hpp"
 #include "adapters/mpm/step/held_rows.hpp"
 #include "adapters/mpm/step/integer_records.hpp"
 
@@ -28,7 +29,7 @@ struct TiedNodes {
 };
 
 // The answers of all nodes, and of those that are tied: these take their sum along the direction, for one over the mass
-// of all; and what surfaces in contact take of it.
+// of all; and what surfaces in contact take of it. Beside them, the flow between cells that nodes do not show.
 struct Answers {
     struct Tie {
         TiedNodes nodes;
@@ -36,7 +37,8 @@ struct Answers {
     };
     std::vector<NodeAnswer> nodes = {};
     std::vector<Tie> ties = {};
-    const HeldRows* held = nullptr;  // null: none
+    const HeldRows* held = nullptr;           // null: none
+    std::vector<CompactAnswer> compact = {};  // of the nodes of the grid
     // Impulses become velocities.
     void operator()(std::vector<Vector2>& at) const;
 };
@@ -57,12 +59,14 @@ class ImplicitPressure {
     std::size_t nodes() const { return at_nodes.size(); }
 
     // The change x of the mean pressures of cells [Pa] with
-    //     p + x = mean over particles of max(p - K_w/n dt G^T (u + dt A G x)/V, -largest_tension),
-    // u the volume velocity without it, A the answers of nodes; and its impulses dt G x [N s]. Every process must
+    //     p + x = mean over particles of max(p - K_w/n (dt G^T (u + dt A G x) + flow)/V, -largest_tension),
+    // u the volume velocity without it, A the answers of nodes, flow that of CompactFlow; and its impulses dt G x [N s]. Every process must
     // call it. again: in the same step, with other answers. Throws std::runtime_error without a solution.
     void solve(const PoreWater& water, const GridView& grid, Particles& particles, double dt,
                const std::vector<Vector2>& u, const Answers& answers, bool again,
                std::vector<Vector2>& impulses);
+    // What left the cells of the grid beside that [m3].
+    const std::vector<double>& flow() const { return flow_of_grid; }
     // Once it is solved for good.
     void remember(double dt);
 
@@ -105,6 +109,7 @@ class ImplicitPressure {
     void find_particles(const PoreWater& water, const GridView& grid, Particles& particles);
     void find_cells(const PoreWater& water);
     bool find_laws(const PoreWater& water, double dt);
+    void find_compact_flow(const Answers& answers);
 
     std::size_t row;  // nodes of one in the arrays of solve
     int cells_r;
@@ -120,7 +125,10 @@ class ImplicitPressure {
     std::vector<double> sums;  // two of each cell of the grid
     Rounding of_volume, of_stiffness, of_pressure;  // of addends of these
     std::vector<Vector2> at_nodes, moved, shared;   // shared: of the grid
+    CompactFlow compact;
     std::vector<double> values, found, swelling, scaled, pushing;
+    std::vector<double> flow_before,
+        flow_of_grid;  // what leaves cells by the pressures before [m3]
     // Of cells, at the first of their nodes: how fast values changed in the last two steps [Pa/s].
     std::vector<Vector2> rates;
 };

@@ -61,7 +61,7 @@ struct Energy {
     double pore_water = 0.0;     // taken by the compression of pore water
     double half = 0.0;      // ... by pressures that velocities, half a step behind, do not know yet
     double drag = 0.0;      // of pore water against grains
-    double implicit = 0.0;  // what an implicit pore pressure takes of waves
+    double implicit = 0.0;  // what an implicit pore pressure takes, of waves and of checkerboards
 
     double residual() const {
         return kinetic - kinetic_0 + stored - stored_0 + contact + damping + viscosity + absorbed +

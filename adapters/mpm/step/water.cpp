@@ -360,6 +360,7 @@ double Water::volume_velocity(std::size_t i, std::size_t node, int lane, int oth
 
 void Water::find_answers(std::size_t i) {
     OfBody& body = bodies[i];
+    body.all_answers.compact.assign(body.answers.size(), {});
     for (std::size_t node = 0; node < body.answers.size(); ++node) {
         const std::size_t in = body.implicit->node(node);
         body.all_answers.nodes[in] = {};
@@ -378,7 +379,25 @@ void Water::find_answers(std::size_t i) {
                 0.5 * volume_velocity(i, node, motion::v_r + k, motion::v_r + k);
         }
         body.all_answers.nodes[in] = {share[0], 0.0, share[1]};
+        body.all_answers.compact[node] = compact_answers(i, node, {share[0], share[1]});
     }
+}
+
+// Within the grid.
+CompactAnswer Water::compact_answers(std::size_t i, std::size_t node, const Vector2& answer) const {
+    const auto row = static_cast<std::size_t>(model.r.nodes());
+    const auto i_r = static_cast<int>(node % row), i_z = static_cast<int>(node / row);
+    if (i_r == 0 || i_z == 0 || i_r == model.r.cells() || i_z == model.z.cells()) return {};
+    const double h_r = 0.5 * (model.r[i_r + 1] - model.r[i_r - 1]);
+    const double h_z = 0.5 * (model.z[i_z + 1] - model.z[i_z - 1]);
+    const NodeRecord& w = bodies[i].records[node];
+    const double V = w[water_record::volume], dt = model.dt;
+    CompactAnswer out{compact_answer(V, h_r, h_z, answer, dt), 0.0};
+    if (!flows(i)) return out;
+    const double n = porosity(i, node);
+    const double through = n * n / (w[water_record::m] + dt * w[water_record::drag]);
+    out.to_pressure = compact_answer(V, h_r, h_z, {through, through}, dt);
+    return out;
 }
 
 // Where another body presses, all that meets there moves alike across; beside, what is free answers as it did.
@@ -682,10 +701,11 @@ void Water::update() {
     model.for_strips([this](std::size_t i, int strip) {
         if (!has(i)) return;
         Part& part = model.parts[i];
-        update_pressures(part.body.particles.view(), part.strips.begin(strip),
-                         part.strips.begin(strip + 1), *part.body.water, bodies[i].cells.data(),
-                         bodies[i].cell.data(), model.settings.fixed_point,
-                         bodies[i].sums[static_cast<std::size_t>(strip)]);
+        update_pressures(
+            part.body.particles.view(), part.strips.begin(strip), part.strips.begin(strip + 1),
+            *part.body.water, bodies[i].cells.data(), bodies[i].cell.data(),
+            1.0 / part.largest_volume, is_implicit(i) ? bodies[i].implicit->flow().data() : nullptr,
+            model.settings.fixed_point, bodies[i].sums[static_cast<std::size_t>(strip)]);
         measure(i, strip);
     });
 }

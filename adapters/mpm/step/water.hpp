@@ -175,6 +175,8 @@ class Water {
         double per_mass;  // [1/kg]
     };
     void find_answers(std::size_t body);
+    // answer: of the volume velocity to an impulse, along r and z [1/kg].
+    CompactAnswer compact_answers(std::size_t body, std::size_t node, const Vector2& answer) const;
     Mobility mobility(std::size_t body, std::size_t node, int direction) const;
     void give_back(const std::vector<SurfaceRows*>& surfaces);
     void hold_surfaces(std::size_t body, const std::vector<SurfaceRows*>& surfaces);

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What flows between the four cells around a node and the node's velocity does not show: of pressures in a checkerboard the
+// gradient at nodes is nothing, though from cell to cell it is the largest there is. Rhie & Chow (1983), doi 10.2514/3.8284.
+#pragma once
+
+#include <vector>
+
+#include "adapters/mpm/kernel/exchange.hpp"
+#include "adapters/mpm/kernel/pore_water.hpp"
+
+namespace grit::mpm {
+
+// Of a node: the volume that flows in a step for a checkerboard of 1 Pa [m3/Pa], where that is what pressures change by (grains
+// and water start with it), and where it is what they were (water goes through the grains).
+struct CompactAnswer {
+    double to_change = 0.0, to_pressure = 0.0;
+};
+
+class CompactFlow {
+  public:
+    struct Cell {
+        std::size_t first;  // of its nodes in the grid
+        bool bears, counted;
+    };
+    CompactFlow(const GridView& grid, Exchange& exchange, bool fixed_point);
+
+    // Nodes answer where all four cells bear.
+    void begin(const std::vector<Cell>& cells, const std::vector<CompactAnswer>& answers);
+    // Adds to out what leaves each cell in a step [m3] by pressures x: symmetric, and of all cells nothing. Every process must
+    // call it.
+    void add(double CompactAnswer::*answer, const double* x, double* out);
+    // ... of it, by a change of 1 Pa of the cell's own pressure [m3/Pa].
+    double own(std::size_t cell) const {
+        const CompactAnswer* at = nodes.data() + cells[cell].first;
+        return (at[0].to_change + at[1].to_change + at[row].to_change + at[row + 1].to_change) /
+               16.0;
+    }
+
+  private:
+    std::size_t row;  // nodes of one
+    Exchange& exchange;
+    bool fixed_point;
+    std::vector<Cell> cells;
+    std::vector<CompactAnswer> nodes;
+    std::vector<Vector2> mixed;  // in the first lane
+};
+
+// Of a node around which the body has this volume and cells these mean lengths: velocity answers impulses [1/kg] that act for
+// a step along r and z.
+GRIT_INLINE double compact_answer(double volume, double h_r, double h_z, const Vector2& answer,
+                                  double dt) {
+    return 4.0 * dt * dt * volume * volume * (answer[0] / (h_r * h_r) + answer[1] / (h_z * h_z));
+}
+
+}  // namespace grit::mpm
