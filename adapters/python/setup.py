@@ -18,7 +18,8 @@ from setuptools.command.build_ext import build_ext
 
 here = pathlib.Path(__file__).resolve().parent
 root = here.parent.parent
-version = re.search(r"VERSION (\d+\.\d+\.\d+)", (root / "CMakeLists.txt").read_text()).group(1)
+version = ".".join(re.findall(r"#define GRIT_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)",
+                              (root / "include/grit/version.h").read_text()))
 
 
 def folder_to_build_in():

@@ -17,10 +17,10 @@ Errors are exceptions below grit.Error; a call that raises BadCall or BadState h
 from grit._grit import (
     BadCall, BadParameter, BadState, CAVITATED, Error, H_CLAMPED, INACTIVE, InternalError, NotConverged,
     OPEN, OUTSIDE_CONE, SEPARATION, SLIP, STATE_SIZE, STICK, STRESS_FREE, Sand, VOID_CLAMPED, VOID_RATIO,
-    __version__, contact_correct, element_test, penalty_factor, sands, stage)
+    __commit__, __version__, contact_correct, element_test, penalty_factor, sands, stage)
 
 __all__ = [
     "BadCall", "BadParameter", "BadState", "CAVITATED", "Error", "H_CLAMPED", "INACTIVE",
     "InternalError", "NotConverged", "OPEN", "OUTSIDE_CONE", "SEPARATION", "SLIP", "STATE_SIZE", "STICK",
-    "STRESS_FREE", "Sand", "VOID_CLAMPED", "VOID_RATIO", "__version__", "contact_correct",
-    "element_test", "penalty_factor", "sands", "stage"]
+    "STRESS_FREE", "Sand", "VOID_CLAMPED", "VOID_RATIO", "__commit__", "__version__",
+    "contact_correct", "element_test", "penalty_factor", "sands", "stage"]
