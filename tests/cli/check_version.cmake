@@ -35,7 +35,7 @@ file(ARCHIVE_EXTRACT INPUT ${WORK}/1.tar DESTINATION ${WORK}/archive PATTERNS cm
 file(WRITE ${WORK}/in "@GRIT_COMMIT@")
 run(${CMAKE_COMMAND} -DSOURCE=${WORK}/archive -DINPUT=${WORK}/in -DOUTPUT=${WORK}/out -P
     ${WORK}/archive/cmake/GritCommit.cmake)
-file(READ ${WORK}/out told)
+file(STRINGS ${WORK}/out told)
 if(NOT told STREQUAL head)
   message(FATAL_ERROR "an archive of ${head} says ${told}")
 endif()
