@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/element/element_options.hpp"
+#include "cli/guide/guide_options.hpp"
 #include "cli/plot/plot_options.hpp"
 #include "cli/process/abnormal_end.hpp"
 #include "cli/process/misspelt.hpp"
@@ -45,6 +46,7 @@ int follow(int argc, char** argv) {
         };
     });
 #endif
+    cli::add_guide_commands(app, asked);
     try {
         app.parse(argc, argv);
         return asked();

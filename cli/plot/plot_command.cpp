@@ -53,12 +53,15 @@ ExitCode plot(const PlotRequest& request) {
     for (std::size_t i = 0; i < request.data.size(); ++i)
         curves.push_back(curve_of(request.data[i], request.only, true,
                                   i == 0 ? -1 : static_cast<int>(curves.size())));
-    const Picture picture = picture_of_curves(request.kind, request.title, curves);
+    Picture picture = picture_of_curves(request.kind, request.title, curves);
+    picture.pdf = request.pdf;
     if (!says_anything(picture, request, curves))
         throw BadInput(
             fmt::format("none of the files has columns for a picture of {}", request.kind));
     Outputs outputs;
-    for (const char* ending : {".svg", ".png"})
+    std::vector<std::string> endings = {".svg", ".png"};
+    if (request.pdf) endings.emplace_back(".pdf");
+    for (const std::string& ending : endings)
         outputs.add(request.out.string() + ending, "the picture");
     const auto lock = outputs.lock();
     const std::string problem = draw(request.out, picture);
@@ -66,7 +69,7 @@ ExitCode plot(const PlotRequest& request) {
         warn("grit: no picture: {}\n", problem);
         return failed_computation;
     }
-    say("picture: {}.svg and .png\n", request.out.string());
+    say("picture: {}.svg and .png{}\n", request.out.string(), request.pdf ? ", .pdf" : "");
     return ok;
 }
 

@@ -15,6 +15,7 @@ struct PlotRequest {
     std::string only;                         // rows of the data whose first cell it is
     std::string kind = "triaxial";
     std::string title;
+    bool pdf = false;                    // beside .svg and .png
     std::filesystem::path out = "plot";  // stem of the picture's files
 };
 

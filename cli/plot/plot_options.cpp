@@ -19,6 +19,7 @@ void add_plot_command(CLI::App& app, Command& asked) {
                         "Kind of picture, see docs/element-tests.md [triaxial]");
     picture->add_option("--title", request->title, "Above the picture");
     picture->add_option("--out", request->out, "Stem of the files .svg and .png [plot]");
+    picture->add_flag("--pdf", request->pdf, "Also .pdf, for papers");
     picture->callback([&asked, request] {
         if (request->runs.empty() && request->data.empty())
             throw CLI::RequiredError("RUN or --data");

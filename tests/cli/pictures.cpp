@@ -55,6 +55,17 @@ TEST(Picture, IsOfTheLastStageThatDoesAnything) {
     EXPECT_NE(here.text("out/x.svg").find("axial stress"), std::string::npos);
 }
 
+TEST(Picture, IsAlsoAPdfWhereThatIsWanted) {
+    if (!gnuplot()) return;
+    const Workplace here;
+    here.write_case("x", shearing);
+    here.run("x");
+    EXPECT_EQ(here.grit("plot out/x.csv --out without").status, 0);
+    EXPECT_TRUE(here.grit("plot out/x.csv --out with --pdf").says("with.svg and .png, .pdf"));
+    EXPECT_TRUE(here.text("with.pdf").starts_with("%PDF-"));
+    EXPECT_FALSE(here.files().contains("without.pdf"));
+}
+
 TEST(Picture, OfDegradationNeedsCycles) {
     const Workplace here;
     here.write("x.toml", "picture = \"degradation\"\n[sand]\nname = \"lausitz\"\n[start]\n"
