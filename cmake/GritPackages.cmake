@@ -90,10 +90,14 @@ grit_package(tools grit-tools science "hypoplastic sand: element tests, material
              DETAILS "This package has the program grit, and the sand as Abaqus UMAT and VUMAT and\nas behaviour for hosts of MGIS.")
 if(TARGET grit_python)
   math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
+  foreach(script postinst prerm)
+    configure_file(${PROJECT_SOURCE_DIR}/packages/python_${script} ${debian}/python3-grit/${script} COPYONLY)
+  endforeach()
   grit_package(python python3-grit python "hypoplastic sand and contact (Python module)"
                DEPENDS "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR})"
                        "python3 (<< ${Python_VERSION_MAJOR}.${next_minor})" python3-numpy
-               DETAILS "This package has the module grit, which works on NumPy arrays.")
+               DETAILS "This package has the module grit, which works on NumPy arrays."
+               EXTRA ${debian}/python3-grit/postinst ${debian}/python3-grit/prerm)
 endif()
 if(TARGET grit_lammps)
   grit_package(lammps libgrit-lammps science "hypoplastic sand and contact (material points in LAMMPS)"

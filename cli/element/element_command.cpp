@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 std::vector<CaseFile> read_cases(const ElementRequest& request) {
     std::vector<CaseFile> cases;
     for (const fs::path& path : request.cases)
-        for (CaseFile& file : read_case_file(path, request.umat, request.sand))
+        for (CaseFile& file : read_case_file(path, request.umat, request.sand, request.settings))
             cases.push_back(std::move(file));
     return cases;
 }
