@@ -5,11 +5,13 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/element/element_options.hpp"
+#include "cli/guide/guide_options.hpp"
 #include "cli/plot/plot_options.hpp"
 #include "cli/process/abnormal_end.hpp"
 #include "cli/process/misspelt.hpp"
 #include "cli/process/standard_streams.hpp"
 #include "cli/process/version.hpp"
+#include "cli/report/report_options.hpp"
 #include "cli/sand/sand_options.hpp"
 #ifdef GRIT_CLI_HAS_CALIBRATION
 #include "cli/calibrate/calibrate_options.hpp"
@@ -45,6 +47,8 @@ int follow(int argc, char** argv) {
         };
     });
 #endif
+    cli::add_report_command(app, asked);
+    cli::add_guide_commands(app, asked);
     try {
         app.parse(argc, argv);
         return asked();

@@ -4,6 +4,7 @@
 
 #include "adapters/python/errors.hpp"
 #include "adapters/python/parts.hpp"
+#include "support/version/commit.hpp"
 
 PYBIND11_MODULE(_grit, module) {
     module.attr("__doc__") = "The compiled part of grit.";
@@ -11,6 +12,7 @@ PYBIND11_MODULE(_grit, module) {
     module.attr("__version__") = std::to_string(version / 10000) + "." +
                                  std::to_string(version / 100 % 100) + "." +
                                  std::to_string(version % 100);
+    module.attr("__commit__") = grit::commit();
     grit_python::add_errors(module);
     grit_python::add_sand(module);
     grit_python::add_contact(module);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""pip install --no-build-isolation --no-deps ./adapters/python    (in a virtual environment that sees NumPy)
+"""pip install --no-build-isolation --no-deps .    at the top of the tree, in a virtual environment that sees NumPy
 
 CMake builds the module out of the source tree that this folder stands in, in build/python there, or in a
 temporary folder where that cannot be written."""
@@ -15,10 +15,12 @@ import tempfile
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
+from wheel.bdist_wheel import bdist_wheel
 
 here = pathlib.Path(__file__).resolve().parent
 root = here.parent.parent
-version = re.search(r"VERSION (\d+\.\d+\.\d+)", (root / "CMakeLists.txt").read_text()).group(1)
+version = ".".join(re.findall(r"#define GRIT_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)",
+                              (root / "include/grit/version.h").read_text()))
 
 
 def folder_to_build_in():
@@ -43,6 +45,8 @@ class BuildWithCMake(build_ext):
         off = [f"-DGRIT_BUILD_{part}=OFF" for part in ("TESTS", "CLI", "MPM", "FORTRAN")]
         subprocess.check_call(["cmake", "-S", root, "-B", build, *generator, *off,
                                "-DCMAKE_BUILD_TYPE=Release", "-DGRIT_BUILD_PYTHON=ON",
+                               # The C++ library of the compiler goes into the module: the wheel needs that of C only.
+                               "-DCMAKE_MODULE_LINKER_FLAGS=-static-libstdc++ -static-libgcc",
                                "-DGRIT_UNITY=ON", f"-DPython_EXECUTABLE={sys.executable}"])
         jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", str(os.cpu_count() or 1))
         subprocess.check_call(["cmake", "--build", build, "--target", "grit_python",
@@ -52,15 +56,31 @@ class BuildWithCMake(build_ext):
         shutil.copy2(build / "adapters/python/grit" / target.name, target)
 
 
+class TaggedWheel(bdist_wheel):
+    """The tag says which C library the module needs: the highest version among the symbols that it asks for."""
+
+    def get_tag(self):
+        python, abi, platform = super().get_tag()
+        modules = list(pathlib.Path(self.bdist_dir).rglob("_grit*.so"))
+        if platform.startswith("linux_") and modules:
+            needs = subprocess.check_output(["objdump", "-T", modules[0]], text=True)
+            minor = max(int(minor) for minor in re.findall(r"GLIBC_2\.(\d+)", needs))
+            foreign = set(re.findall(r"(?:GLIBCXX|CXXABI|GCC)_[\d.]+", needs))
+            if not foreign:
+                platform = platform.replace("linux_", f"manylinux_2_{minor}_")
+        return python, abi, platform
+
+
 setup(
     name="grit-sand",
     version=version,
     description="Hypoplastic sand and contact at grid nodes",
     license="BSD-3-Clause",
     packages=["grit"],
+    package_data={"grit": ["*.pyi", "py.typed"]},
     python_requires=">=3.9",
     install_requires=["numpy"],
     ext_modules=[Extension("grit._grit", [])],
     options={"build": {"build_base": str(work / "setup")}, "egg_info": {"egg_base": str(work / "info")}},
-    cmdclass={"build_ext": BuildWithCMake},
+    cmdclass={"build_ext": BuildWithCMake, "bdist_wheel": TaggedWheel},
 )

@@ -141,7 +141,8 @@ CaseFile read_case(const std::filesystem::path& path, TomlTable& root, const std
     if (std::optional<TomlTable> umat = root.table_if("umat")) read_umat(std::move(*umat), out);
     if (out.umat && !sand.empty() && !root.has("sand"))
         root.fail("umat", "--sand: this case has the PROPS of a UMAT and no sand");
-    if (!out.umat || root.has("sand")) read_sand(root.table("sand"), out, sand);
+    if (!out.umat && !sand.empty() && !root.has("sand")) take_sand(out, sand);
+    else if (!out.umat || root.has("sand")) read_sand(root.table("sand"), out, sand);
     if (auto numerics = root.table_if("numerics")) {
         read_numerics(*numerics, out.options, out.settings);
         numerics->finish();
@@ -163,9 +164,10 @@ CaseFile read_case(const std::filesystem::path& path, TomlTable& root, const std
 }  // namespace
 
 std::vector<CaseFile> read_case_file(const std::filesystem::path& path, const UmatChoice& umat,
-                                     const std::filesystem::path& sand) {
+                                     const std::filesystem::path& sand,
+                                     const std::vector<std::string>& settings) {
     std::vector<std::filesystem::path> inputs;
-    TomlTable root = TomlTable::of_file(path, &inputs);
+    TomlTable root = TomlTable::of_file(path, &inputs, settings);
     const Samples samples = read_samples(root);
     std::vector<CaseFile> out;
     for (const SampleRow& row : samples.rows) {

@@ -55,8 +55,10 @@ struct CaseFile {
 };
 
 // One case, or one for each row of its table of samples, with the law of this library, if any. Throws BadInput naming file, line and key.
-// sand: a file whose parameters take the place of the case's, empty: none.
+// sand: a name of the catalogue or a file, whose parameters take the place of the case's, empty: none. settings: "KEY=VALUE",
+// see toml_document.hpp.
 std::vector<CaseFile> read_case_file(const std::filesystem::path& path, const UmatChoice& umat,
-                                     const std::filesystem::path& sand = {});
+                                     const std::filesystem::path& sand = {},
+                                     const std::vector<std::string>& settings = {});
 
 }  // namespace cli

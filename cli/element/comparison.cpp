@@ -47,6 +47,13 @@ struct Line {
     std::string computed = "-", reference = "-", ratio = "-", difference = "-", limit = "-";
     const char* remark = "";
 
+    std::vector<std::string> cells(const std::string& verdict) const {
+        std::vector<std::string> out = {name,  what,       computed, reference,
+                                        ratio, difference, limit,    verdict};
+        for (std::string& cell : out)
+            std::replace(cell.begin(), cell.end(), ',', ';');  // a file has them between commas
+        return out;
+    }
     std::string text() const {
         return fmt::format("{:<42} {:<36} {:>10} {:>10} {:>7} {:>10} {:>7}{}\n", name, what,
                            computed, reference, ratio, difference, limit, remark);
@@ -57,6 +64,7 @@ void add(Line line, bool within, Comparison& table) {
     if (!within) line.remark = "  EXCEEDED";
     table.within = table.within && within;
     table.text += line.text();
+    table.rows.push_back(line.cells(!within ? "EXCEEDED" : line.limit == "-" ? "told" : "within"));
 }
 
 std::string limit_text(const std::optional<double>& tolerance) {
@@ -142,6 +150,7 @@ Comparison compare(const std::vector<CaseFile>& cases, const std::vector<CaseRes
     if (out.text.empty()) return out;
     const Line header{"case", "what", "computed", "reference", "ratio", "difference", "limit"};
     out.text = header.text() + out.text;
+    out.rows.insert(out.rows.begin(), header.cells("verdict"));
     return out;
 }
 

@@ -9,7 +9,9 @@
 namespace cli {
 
 struct Comparison {
-    std::string text;    // lines: case | what | computed | reference | difference | limit
+    std::string text;  // lines: case | what | computed | reference | difference | limit
+    std::vector<std::vector<std::string>>
+        rows;            // the same as cells, a head and a verdict: within, EXCEEDED, told
     bool within = true;  // every difference is within the tolerance of its case
 };
 

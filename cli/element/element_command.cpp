@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/element/case_run.hpp"
 #include "cli/element/comparison.hpp"
@@ -14,6 +15,7 @@
 #include "cli/process/outputs.hpp"
 #include "cli/process/standard_streams.hpp"
 #include "cli/table/table_file.hpp"
+#include "element/atomic_file.hpp"
 
 namespace cli {
 namespace {
@@ -23,7 +25,7 @@ namespace fs = std::filesystem;
 std::vector<CaseFile> read_cases(const ElementRequest& request) {
     std::vector<CaseFile> cases;
     for (const fs::path& path : request.cases)
-        for (CaseFile& file : read_case_file(path, request.umat, request.sand))
+        for (CaseFile& file : read_case_file(path, request.umat, request.sand, request.settings))
             cases.push_back(std::move(file));
     return cases;
 }
@@ -34,6 +36,16 @@ fs::path csv_of(const ElementRequest& request, const CaseFile& file) {
 
 fs::path cycles_of(const ElementRequest& request, const CaseFile& file) {
     return request.out / (file.name + "_cycles.csv");
+}
+
+fs::path references_of(const ElementRequest& request) { return request.out / "references.csv"; }
+
+// By runs at one time in one folder the last one's stays: nobody is kept from writing it.
+void write_rows(const fs::path& path, const std::vector<std::vector<std::string>>& rows) {
+    element::AtomicFile file(path);
+    for (const std::vector<std::string>& row : rows)
+        file.write(fmt::format("{}\n", fmt::join(row, ",")));
+    file.complete();
 }
 
 Outputs outputs_of(const ElementRequest& request, const std::vector<CaseFile>& cases) {
@@ -95,7 +107,10 @@ ExitCode run_element_tests(const ElementRequest& request) {
     }
     if (!request.no_plot) draw_cases(request.out, cases, results, request.quiet);
     const Comparison comparison = compare(cases, results);
-    if (!comparison.text.empty()) say("\n{}", comparison.text);
+    if (!comparison.text.empty()) {
+        say("\n{}", comparison.text);
+        write_rows(references_of(request), comparison.rows);
+    }
     if (!comparison.within) warn("grit: a difference exceeds its limit\n");
     return complete && comparison.within ? ok : failed_computation;
 }

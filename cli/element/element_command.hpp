@@ -14,7 +14,8 @@ struct ElementRequest {
     std::vector<std::filesystem::path> cases;
     std::filesystem::path out = ".";
     UmatChoice umat;
-    std::filesystem::path sand;  // instead of the sands of the cases, empty: none
+    std::filesystem::path sand;         // instead of the sands of the cases, empty: none
+    std::vector<std::string> settings;  // "KEY=VALUE" instead of what the cases say
     bool no_plot = false;
     bool quiet = false;      // the table alone
     bool residuals = false;  // of Newton's method, printed

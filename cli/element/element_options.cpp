@@ -21,7 +21,15 @@ void add_element_command(CLI::App& app, Command& asked) {
     element->add_flag("--no-plot", request->no_plot, "Data only");
     element->add_flag("--quiet", request->quiet, "The table of references alone");
     CLI::Option* sand = element->add_option(
-        "--sand", request->sand, "Sand as grit calibrate writes it, instead of the cases' own");
+        "--sand", request->sand,
+        "Name of a sand, or a file as grit calibrate writes it, instead of the cases' own");
+    CLI::Option* set =
+        element
+            ->add_option("--set", request->settings,
+                         "KEY=VALUE instead of a case's, as sand.critical_void_ratio=0.9")
+            ->take_all()
+            ->expected(1)
+            ->allow_extra_args(false);
     CLI::Option* residuals = element->add_flag(
         "--residuals", request->residuals, "Print the residuals of Newton's method for every row");
     const auto driver = std::make_shared<IncrementalDriverRequest>();
@@ -29,7 +37,7 @@ void add_element_command(CLI::App& app, Command& asked) {
         element->add_option("--incremental-driver", driver->folder,
                             "Folder of incrementalDriver's input files, see "
                             "docs/incremental-driver.md; output goes there or to --out");
-    folder->excludes(cases)->excludes(residuals)->excludes(sand);
+    folder->excludes(cases)->excludes(residuals)->excludes(sand)->excludes(set);
     CLI::Option* umat = element->add_option("--umat", request->umat.library,
                                             "Library with a UMAT or VUMAT, instead of Grit's sand");
     element

@@ -14,13 +14,6 @@
 namespace cli {
 namespace {
 
-std::vector<std::string> sand_names() {
-    std::vector<std::string> names;
-    for (int i = 0; i < grit_sand_record_count(); ++i)
-        names.emplace_back(grit_sand_record_at(i)->name);
-    return names;
-}
-
 double start_void_ratio(TomlTable& table, const grit_sand& sand, double p) {
     const std::string key =
         table.one_of({"void_ratio", "void_ratio_at_zero_pressure", "relative_density"});
@@ -66,9 +59,17 @@ NamedSand read_sand_parameters(TomlTable& table) {
     return out;
 }
 
+void take_sand(CaseFile& file, const std::filesystem::path& given) {
+    file.parameters = sand_of(given);
+    file.sand = given.stem().string();
+    if (std::filesystem::exists(given)) file.inputs.push_back(given);
+}
+
 void read_sand(TomlTable table, CaseFile& file, const std::filesystem::path& given) {
     NamedSand named = read_sand_parameters(table);
-    if (!given.empty()) named = {given.stem().string(), read_sand_file(given), given};
+    if (!given.empty())
+        named = {given.stem().string(), sand_of(given),
+                 std::filesystem::exists(given) ? given : ""};
     file.parameters = named.parameters;
     file.sand = named.name;
     if (!named.file.empty()) file.inputs.push_back(named.file);

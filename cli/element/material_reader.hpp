@@ -19,6 +19,8 @@ NamedSand read_sand_parameters(TomlTable& table);
 void read_water(TomlTable& table, element::GritLawOptions& options);
 
 // given: a file whose parameters count instead, empty: none.
+// Of a case without [sand]: a file, or a name of the catalogue. Throws BadInput.
+void take_sand(CaseFile& file, const std::filesystem::path& given);
 void read_sand(TomlTable table, CaseFile& file, const std::filesystem::path& given);
 void read_umat(TomlTable table, CaseFile& file);
 // Parts of a start that may have other keys: pressure_kPa or stress_kPa; what is said of h.

@@ -114,7 +114,7 @@ void read_intergranular_strain(TomlTable& table, SandPlan& plan) {
 SandPlan read_sand_body(TomlTable table, const std::filesystem::path& given) {
     SandPlan out{};
     out.parameters = read_sand_parameters(table).parameters;
-    if (!given.empty()) out.parameters = read_sand_file(given);
+    if (!given.empty()) out.parameters = sand_of(given);
     out.parameters.granulate_hardness *= words::kilopascal.si;
     out.parameters.pressure_shift *= words::kilopascal.si;
     grit_sand_options_init(&out.options, sizeof out.options);

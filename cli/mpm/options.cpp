@@ -23,8 +23,9 @@ void add_mpm_command(CLI::App& app, Command& asked) {
            "or the columns of the history, as in docs/")
         ->check(CLI::IsMember(printed_tables()));
     mpm->add_option("--out", request->out, "Folder for data and pictures, made if missing [.]");
-    mpm->add_option("--sand", request->sand,
-                    "Sand as grit calibrate writes it, for all bodies of sand");
+    mpm->add_option(
+        "--sand", request->sand,
+        "Name of a sand, or a file as grit calibrate writes it, for all bodies of sand");
     mpm->add_option("--threads", request->threads, "Instead of the case's; changes no result")
         ->check(CLI::Range(threads.low, threads.high));
     mpm->add_option("--checkpoint-minutes", request->checkpoint_minutes,

@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <fstream>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -53,12 +54,14 @@ std::string run_gnuplot(const fs::path& script, const fs::path& log) {
     return "";
 }
 
+constexpr double centimetres = 2.54 / 96.0;  // of a pixel of a picture on paper
+
 fs::path with(fs::path stem, const char* ending) { return stem += ending; }
 
 }  // namespace
 
 std::string draw_with_gnuplot(const fs::path& stem, int width, int height, const std::string& data,
-                              const std::string& drawing) {
+                              const std::string& drawing, bool pdf) {
     element::AtomicFile script(with(stem, ".gnuplot"));
     const element::AtomicPath log(with(stem, ".log"));
     element::AtomicPath svg(with(stem, ".svg")), png(with(stem, ".png"));
@@ -69,11 +72,21 @@ std::string draw_with_gnuplot(const fs::path& stem, int width, int height, const
     script.write(fmt::format("set terminal pngcairo size {},{} enhanced font 'Sans,13'\n"
                              "set output {}\n{}unset output\n",
                              width, height, gnuplot_quoted(png.path().string()), drawing));
+    std::optional<element::AtomicPath> document;
+    if (pdf) {
+        document.emplace(with(stem, ".pdf"));
+        script.write(
+            fmt::format("set terminal pdfcairo size {:.4g}cm,{:.4g}cm enhanced font 'Sans,10'\n"
+                        "set output {}\n{}unset output\n",
+                        width * centimetres, height * centimetres,
+                        gnuplot_quoted(document->path().string()), drawing));
+    }
     script.flush();
     std::string problem = run_gnuplot(script.path(), log.path());
     if (!problem.empty()) return problem;
     svg.complete();
     png.complete();
+    if (document) document->complete();
     return "";
 }
 

@@ -6,11 +6,12 @@
 
 namespace cli {
 
-// stem.svg and stem.png of width x height points, and stem.gnuplot, which draws them again: definitions of
+// stem.svg and stem.png of width x height points, stem.pdf if that is wanted, and stem.gnuplot, which draws them again: definitions of
 // data, then the drawing, once for each. Returns what went wrong, empty if nothing; then only the script
 // and stem.log are left.
 std::string draw_with_gnuplot(const std::filesystem::path& stem, int width, int height,
-                              const std::string& data, const std::string& drawing);
+                              const std::string& data, const std::string& drawing,
+                              bool pdf = false);
 
 // 'text' for a script, quotes doubled.
 std::string gnuplot_quoted(const std::string& text);

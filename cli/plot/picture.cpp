@@ -167,7 +167,7 @@ std::string sheet(const Picture& picture, const Layout& layout) {
 std::string draw(const fs::path& stem, const Picture& picture) {
     const Layout layout(picture);
     return draw_with_gnuplot(stem, layout.width, layout.height, data(picture),
-                             sheet(picture, layout));
+                             sheet(picture, layout), picture.pdf);
 }
 
 }  // namespace cli

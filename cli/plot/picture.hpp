@@ -29,6 +29,7 @@ struct Picture {
     bool title_in_markup = false;  // ... if this says so
     int columns = 2;
     int width = 500, height = 400;  // of one panel [px]
+    bool pdf = false;               // also stem.pdf
     bool labels_above = false;      // the title names the axes of all panels
     std::vector<Panel> panels;
 };

@@ -12,9 +12,11 @@ namespace cli {
 struct PlotRequest {
     std::vector<std::filesystem::path> runs;  // lines
     std::vector<std::filesystem::path> data;  // points: laboratory sheets, references
+    std::vector<std::string> columns;         // "OURS=THEIRS": what a column of the data is
     std::string only;                         // rows of the data whose first cell it is
     std::string kind = "triaxial";
     std::string title;
+    bool pdf = false;                    // beside .svg and .png
     std::filesystem::path out = "plot";  // stem of the picture's files
 };
 

@@ -14,11 +14,19 @@ void add_plot_command(CLI::App& app, Command& asked) {
     const auto request = std::make_shared<PlotRequest>();
     picture->add_option("RUN", request->runs, "CSV files of grit element, drawn as lines");
     picture->add_option("--data", request->data, "CSV files of laboratories, drawn as points");
+    picture
+        ->add_option(
+            "--column", request->columns,
+            "What a column of the data is, as in q_kPa=Deviator; names see docs/element-tests.md")
+        ->take_all()
+        ->expected(1)
+        ->allow_extra_args(false);
     picture->add_option("--only", request->only, "Rows of the data with this first cell");
     picture->add_option("--kind", request->kind,
                         "Kind of picture, see docs/element-tests.md [triaxial]");
     picture->add_option("--title", request->title, "Above the picture");
     picture->add_option("--out", request->out, "Stem of the files .svg and .png [plot]");
+    picture->add_flag("--pdf", request->pdf, "Also .pdf, for papers");
     picture->callback([&asked, request] {
         if (request->runs.empty() && request->data.empty())
             throw CLI::RequiredError("RUN or --data");

@@ -4,11 +4,16 @@
 #include <fmt/format.h>
 #include <grit/grit.h>
 
+#include "support/version/commit.hpp"
 #include "support/version_text.hpp"
 
 namespace cli {
 
-std::string version() { return grit::version_text(grit_version()); }
+std::string version() {
+    const std::string commit = grit::commit();
+    return grit::version_text(grit_version()) +
+           (commit.empty() ? "" : fmt::format(" ({})", commit));
+}
 
 std::string version_and_instruction_set() {
     return fmt::format("grit {}, instruction set {}", version(),

@@ -5,10 +5,10 @@
 
 namespace cli {
 
-// Of the library, "0.1.0".
+// Of the library, and the commit of the program: "0.1.0 (0123456789ab)".
 std::string version();
 
-// "grit 0.1.0, instruction set AVX2"
+// "grit 0.1.0 (0123456789ab), instruction set AVX2"
 std::string version_and_instruction_set();
 
 }  // namespace cli

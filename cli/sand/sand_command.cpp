@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/sand/sand_command.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
+#include <grit/radian_layout.h>
 
 #include "cli/process/standard_streams.hpp"
 #include "cli/sand/parameter_units.hpp"
@@ -40,21 +43,43 @@ void say_parameters(const grit_sand_parameters& parameters) {
 
 ExitCode show_sand(const std::string& name) {
     const int index = grit_sand_record_find(name.c_str());
-    if (index < 0 && std::filesystem::is_regular_file(name)) {
-        const grit_sand_parameters parameters = read_sand_file(name);
+    const grit_sand_parameters parameters = sand_of(name);
+    if (index < 0) {
         say("{}\n", name);
         say_parameters(parameters);
         return ok;
     }
-    if (index < 0)
-        throw BadInput(fmt::format("no sand is called \"{}\": see grit sand list", name));
     const grit_sand_record& record = *grit_sand_record_at(index);
-    grit_sand_parameters parameters;
-    grit_sand_parameters_init(&parameters, sizeof parameters);
-    grit_sand_record_parameters(index, 1.0, &parameters);
     say("{}\nstatus  {}\nsource  {}\n", record.title, record.status, record.source);
     if (*record.note) say("note    {}\n", record.note);
     say_parameters(parameters);
+    return ok;
+}
+
+const std::vector<std::string>& props_forms() {
+    static const std::vector<std::string> forms = {"classic", "radian", "calculix",
+                                                   "incremental-driver"};
+    return forms;
+}
+
+ExitCode show_props(const std::string& name, const std::string& form) {
+    const grit_sand_parameters parameters = sand_of(name);
+    double classic[GRIT_CLASSIC_NPROPS], props[GRIT_CLASSIC_NPROPS];
+    grit_classic_props(&parameters, !std::isnan(parameters.reversal_stiffness), classic);
+    std::copy(std::begin(classic), std::end(classic), props);
+    if (form == "radian" && grit_radian_of_classic(classic, props) != GRIT_OK)
+        throw BadInput(fmt::format("{}: the radian layout has no place for p_t = {:g} kPa", name,
+                                   parameters.pressure_shift));
+    if (form == "incremental-driver") {
+        say("{}\n{}\n", std::filesystem::path(name).stem().string(), GRIT_CLASSIC_NPROPS);
+        for (const double value : props) say("{:.15g}\n", value);
+        return ok;
+    }
+    if (form == "calculix") say("*USER MATERIAL, CONSTANTS={}\n", GRIT_CLASSIC_NPROPS);
+    for (int i = 0; i < GRIT_CLASSIC_NPROPS; ++i)
+        say("{:.15g}{}", props[i], i % 8 == 7 ? "\n" : ", ");
+    // Where the constants fill their lines, CalculiX wants one more, with the temperature.
+    if (form == "calculix") say("293.\n");
     return ok;
 }
 

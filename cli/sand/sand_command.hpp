@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cli/process/exit_code.hpp"
 
@@ -10,5 +11,9 @@ namespace cli {
 ExitCode list_sands();
 // Of the catalogue, or a file. Throws BadInput for an unknown name.
 ExitCode show_sand(const std::string& name);
+
+const std::vector<std::string>& props_forms();  // classic, radian, calculix, incremental-driver
+// The sand as PROPS of a UMAT, in the words of a host. Throws BadInput.
+ExitCode show_props(const std::string& name, const std::string& form);
 
 }  // namespace cli

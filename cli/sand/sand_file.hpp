@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A sand of one's own as a file, which every command reads by --sand FILE or [sand] file = "FILE".
+// A sand of one's own as a file, which every command reads by --sand FILE (or the name of a sand) or [sand] file = "FILE".
 #pragma once
 
 #include <filesystem>
@@ -14,6 +14,12 @@ namespace cli {
 
 // A parameter by its key (parameter_key), if the table has it. Throws BadInput beyond its limits.
 void read_sand_parameter(TomlTable& table, int index, grit_sand_parameters& parameters);
+
+// A sand of the catalogue by its name, or a file of one's own. Throws BadInput.
+grit_sand_parameters sand_of(const std::filesystem::path& name_or_file);
+
+// Names of the catalogue.
+std::vector<std::string> sand_names();
 
 // [sand] with all parameters, stresses in kPa. Throws BadInput.
 grit_sand_parameters read_sand_file(const std::filesystem::path& path);

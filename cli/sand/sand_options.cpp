@@ -19,7 +19,14 @@ void add_sand_command(CLI::App& app, Command& asked) {
     show->add_option("NAME", *name,
                      "As grit sand list prints it, or a file as grit calibrate writes it")
         ->required();
-    show->callback([&asked, name] { asked = [name] { return show_sand(*name); }; });
+    const auto form = std::make_shared<std::string>();
+    show->add_option("--props", *form, "As PROPS of a UMAT, see docs/umat.md")
+        ->check(CLI::IsMember(props_forms()));
+    show->callback([&asked, name, form] {
+        asked = [name, form] {
+            return form->empty() ? show_sand(*name) : show_props(*name, *form);
+        };
+    });
 }
 
 }  // namespace cli

@@ -97,4 +97,10 @@ Table standardised(Table table) {
     return table;
 }
 
+std::vector<std::string> foreign_column_names() {
+    std::vector<std::string> out;
+    for (const Name& name : foreign_names) out.emplace_back(name.theirs);
+    return out;
+}
+
 }  // namespace cli

@@ -2,6 +2,9 @@
 // Columns of other people's tables under the names of Grit's results.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "cli/table/table.hpp"
 
 namespace cli {
@@ -10,5 +13,8 @@ namespace cli {
 // positive); tables that incrementalDriver writes; laboratory sheets with eps_a_percent, eps_v_percent, q_kPa, p_kPa, void_ratio,
 // sigma_a_kPa, sigma_r_kPa (compression positive). Other columns stay as they are.
 Table standardised(Table table);
+
+// Names of laboratories and other programs that it understands.
+std::vector<std::string> foreign_column_names();
 
 }  // namespace cli

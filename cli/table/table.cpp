@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/table/table.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -26,6 +27,19 @@ bool of_incremental_driver(const std::string& header) {
     return header.find(',') == std::string::npos && header.find("stran(") != std::string::npos;
 }
 
+// Of a sheet whose cells are parted by semicolons, where a comma may be the decimal one.
+std::vector<std::string> semicolon_cells(const std::string& line, bool numbers) {
+    std::vector<std::string> out;
+    std::istringstream cells(line + ';');
+    for (std::string cell; std::getline(cells, cell, ';');) {
+        cell = grit::csv::trimmed(cell);
+        std::string pointed = cell;
+        std::replace(pointed.begin(), pointed.end(), ',', '.');
+        out.push_back(numbers && element::number_of(pointed) ? pointed : cell);
+    }
+    return out;
+}
+
 }  // namespace
 
 const std::vector<double>* Table::find(const std::string& name) const {
@@ -43,10 +57,12 @@ const std::vector<double>& Table::at(const std::string& name) const {
 }
 
 Cells read_cells(const std::filesystem::path& path) {
-    bool blanks = false;  // separate the cells
+    bool blanks = false, semicolons = false;  // separate the cells
     const auto cut = [&](const std::string& line,
                          std::size_t rows) -> std::optional<std::vector<std::string>> {
         if (rows == 0) blanks = of_incremental_driver(line);
+        if (rows == 0) semicolons = line.find(';') != std::string::npos;
+        if (semicolons) return semicolon_cells(line, rows > 0);
         if (!blanks) return grit::csv::cells_of(line);
         std::vector<std::string> words = words_of(line);
         // Below the names, incrementalDriver repeats the heading of its test.

@@ -125,11 +125,30 @@ toml::table parse_all(const fs::path& path, std::vector<fs::path>* inputs, int d
     return base;
 }
 
+// "KEY=VALUE".
+void set(toml::table& document, const std::string& setting) {
+    static const fs::path here = "--set";
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == setting.size())
+        throw BadInput(fmt::format("--set needs KEY=VALUE, got \"{}\"", setting));
+    const std::string key = setting.substr(0, equals), text = setting.substr(equals + 1);
+    toml::table value;
+    try {
+        value = toml::parse("value = " + text, "--set " + setting);
+    } catch (const toml::parse_error&) {
+        value.insert("value", text);
+    }
+    apply(document, *value.get("value"), {here, *value.get("value"), key});
+}
+
 }  // namespace
 
 std::shared_ptr<const toml::table> parse_document(const fs::path& path,
-                                                  std::vector<fs::path>* inputs) {
-    return std::make_shared<const toml::table>(parse_all(path, inputs, 0));
+                                                  std::vector<fs::path>* inputs,
+                                                  const std::vector<std::string>& settings) {
+    toml::table document = parse_all(path, inputs, 0);
+    for (const std::string& setting : settings) set(document, setting);
+    return std::make_shared<const toml::table>(std::move(document));
 }
 
 }  // namespace cli

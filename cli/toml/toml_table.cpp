@@ -26,8 +26,9 @@ TomlTable::TomlTable(std::shared_ptr<const Content> table_content, std::string f
       columns(row) {}
 
 TomlTable TomlTable::of_file(const std::filesystem::path& path,
-                             std::vector<std::filesystem::path>* inputs) {
-    const std::shared_ptr<const toml::table> document = parse_document(path, inputs);
+                             std::vector<std::filesystem::path>* inputs,
+                             const std::vector<std::string>& settings) {
+    const std::shared_ptr<const toml::table> document = parse_document(path, inputs, settings);
     return {std::make_shared<const Content>(Content{document, document.get()}), path.string(), "",
             nullptr};
 }

@@ -21,10 +21,11 @@ struct SampleRow {
 
 class TomlTable {
   public:
-    // A file and, if it has one, its base (see toml_document.hpp). inputs: files that were read. Throws
+    // A file and, if it has one, its base and settings (see toml_document.hpp). inputs: files that were read. Throws
     // BadInput for a file that cannot be read or is no TOML.
     static TomlTable of_file(const std::filesystem::path& path,
-                             std::vector<std::filesystem::path>* inputs = nullptr);
+                             std::vector<std::filesystem::path>* inputs = nullptr,
+                             const std::vector<std::string>& settings = {});
 
     bool has(const std::string& key);
     double number(const std::string& key);

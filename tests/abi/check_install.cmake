@@ -3,13 +3,35 @@ cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/../run.cmake)
 
 set(prefix ${WORK}/prefix)
-run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix} --config "${CONFIG}")
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/first --config "${CONFIG}")
+file(RENAME ${WORK}/first ${prefix}) # an installed tree may be moved
 
 run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${SOURCE} -B ${WORK}/consumer
     -DCMAKE_C_COMPILER=${CC} -DCMAKE_PREFIX_PATH=${prefix} -DGRIT_VERSION=${VERSION})
 run(${CMAKE_COMMAND} --build ${WORK}/consumer)
 run(${WORK}/consumer/with_shared)
 run(${WORK}/consumer/with_static)
+
+# A component that is not there is refused by name.
+file(WRITE ${WORK}/asks/CMakeLists.txt
+     "cmake_minimum_required(VERSION 3.25)\nproject(Asks LANGUAGES C)\nfind_package(Grit REQUIRED COMPONENTS pascal)\n")
+execute_process(COMMAND ${CMAKE_COMMAND} -G ${GENERATOR} -S ${WORK}/asks -B ${WORK}/asked
+                        -DCMAKE_C_COMPILER=${CC} -DCMAKE_PREFIX_PATH=${prefix}
+                RESULT_VARIABLE result OUTPUT_QUIET ERROR_VARIABLE errors)
+if(result EQUAL 0 OR NOT errors MATCHES "pascal")
+  message(FATAL_ERROR "find_package(Grit COMPONENTS pascal) ended with ${result}:\n${errors}")
+endif()
+# What is installed is found from where it lies, not from where it was built.
+file(GLOB_RECURSE programs ${prefix}/bin/*)
+foreach(program IN LISTS programs)
+  if(program MATCHES "/grit$")
+    run(${program} --version)
+  endif()
+  run(${OBJDUMP} -p ${program})
+  if(output MATCHES "R(UN)?PATH +([^\n]*)" AND NOT CMAKE_MATCH_2 MATCHES "^\\$ORIGIN")
+    message(FATAL_ERROR "${program} looks for libraries in ${CMAKE_MATCH_2}")
+  endif()
+endforeach()
 
 # The loader tells incompatible libraries apart by this name: before 1.0 that is another minor version.
 string(REGEX REPLACE "^(0\\.[0-9]+|[0-9]+).*" "\\1" soversion ${VERSION})

@@ -55,6 +55,41 @@ TEST(Picture, IsOfTheLastStageThatDoesAnything) {
     EXPECT_NE(here.text("out/x.svg").find("axial stress"), std::string::npos);
 }
 
+TEST(Picture, IsAlsoAPdfWhereThatIsWanted) {
+    if (!gnuplot()) return;
+    const Workplace here;
+    here.write_case("x", shearing);
+    here.run("x");
+    EXPECT_EQ(here.grit("plot out/x.csv --out without").status, 0);
+    EXPECT_TRUE(here.grit("plot out/x.csv --out with --pdf").says("with.svg and .png, .pdf"));
+    EXPECT_TRUE(here.text("with.pdf").starts_with("%PDF-"));
+    EXPECT_FALSE(here.files().contains("without.pdf"));
+}
+
+TEST(PictureOfALaboratory, TakesSemicolonsAndNamesThatAreExplained) {
+    if (!gnuplot()) return;
+    const Workplace here;
+    here.write("lab.csv", "Axial;Deviator;Cell\n0,0;0,0;100\n1,5;120,5;100\n3,0;180,0;100\n");
+    const Answer bare = here.grit("plot --data lab.csv --out p");
+    EXPECT_EQ(bare.status, 2);
+    EXPECT_TRUE(bare.says(
+        "lab.csv: not used: Axial, Deviator, Cell; --column OURS=THEIRS says what a column is"))
+        << bare.text;
+    const Answer told = here.grit(
+        "plot --data lab.csv --column q_kPa=Deviator --column eps_a_percent=Axial --out p");
+    EXPECT_EQ(told.status, 0) << told.text;
+    EXPECT_TRUE(told.says("lab.csv: not used: Cell;")) << told.text;
+    EXPECT_NE(here.text("p.svg").find("lab"), std::string::npos);
+    const auto refused = [&](const std::string& column, const std::string& words) {
+        const Answer answer = here.grit("plot --data lab.csv --column " + column);
+        EXPECT_EQ(answer.status, 2) << column;
+        EXPECT_TRUE(answer.says(words)) << answer.text;
+    };
+    refused("q_kPa", "--column needs OURS=THEIRS");
+    refused("q_kP=Deviator", "there is no column \"q_kP\"; nearest: q_kPa");
+    refused("q_kPa=Deviatr", "none of the data has a column Deviatr; nearest: Deviator");
+}
+
 TEST(Picture, OfDegradationNeedsCycles) {
     const Workplace here;
     here.write("x.toml", "picture = \"degradation\"\n[sand]\nname = \"lausitz\"\n[start]\n"

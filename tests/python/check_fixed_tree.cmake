@@ -3,7 +3,7 @@ cmake_minimum_required(VERSION 3.25)
 # behind there or among temporary files.
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK}/tree/adapters ${WORK}/temporary)
-file(COPY ${SOURCE}/CMakeLists.txt DESTINATION ${WORK}/tree)
+file(COPY ${SOURCE}/include DESTINATION ${WORK}/tree)
 file(COPY ${SOURCE}/adapters/python DESTINATION ${WORK}/tree/adapters)
 file(WRITE ${WORK}/tree/build "")
 file(GLOB_RECURSE before ${WORK}/tree/*)

@@ -1,5 +1,5 @@
 cmake_minimum_required(VERSION 3.25)
-# pip installs the package of SOURCE with PYTHON into an environment of its own under WORK; what is
+# pip makes a wheel of SOURCE and installs it with PYTHON into an environment of its own under WORK; what is
 # installed runs the examples: the triaxial test prints what the Fortran host prints (in BUILD, if it
 # has one), and the tour draws its pictures.
 include(${CMAKE_CURRENT_LIST_DIR}/../run.cmake)
@@ -7,8 +7,19 @@ include(${CMAKE_CURRENT_LIST_DIR}/../run.cmake)
 unset(ENV{PYTHONPATH})
 run(${PYTHON} -m venv --system-site-packages ${WORK}/venv)
 set(python ${WORK}/venv/bin/python)
-run(${python} -m pip install --quiet --no-index --disable-pip-version-check --no-build-isolation --no-deps
-    ${SOURCE}/adapters/python)
+set(pip ${python} -m pip --quiet --disable-pip-version-check)
+run(${pip} wheel --no-index --no-build-isolation --no-deps --wheel-dir ${WORK} ${SOURCE})
+file(GLOB wheel ${WORK}/grit_sand-*.whl)
+# The tag promises what the module needs of the machine: libc of a version, nothing of the C++ library.
+if(NOT wheel MATCHES "/grit_sand-[0-9.]+-cp3[0-9]+-cp3[0-9]+-manylinux_2_([0-9]+)_[a-z0-9_]+\\.whl$")
+  message(FATAL_ERROR "the wheel is called ${wheel}")
+endif()
+run(${pip} install --no-index --no-deps ${wheel})
+# What else the system has does not matter here.
+execute_process(COMMAND ${python} -m pip check --disable-pip-version-check OUTPUT_VARIABLE wants ERROR_VARIABLE wants)
+if(wants MATCHES "grit")
+  message(FATAL_ERROR "pip check: ${wants}")
+endif()
 run(${python} -c "print(__import__('grit').__file__)")
 if(NOT output MATCHES "^${WORK}/venv/")
   message(FATAL_ERROR "pip did not install the package into the environment: ${output}")

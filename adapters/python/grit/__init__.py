@@ -5,22 +5,46 @@ Tension and extension are positive; components 11 22 33 12 13 23 with engineerin
 strain; angles in radians; any consistent units, stress in the unit of the sand's granulate hardness
 (kPa for the sands of sands()).
 
-    sand = grit.Sand("lausitz")
-    sand.update(strain_increment, stress, state)     # (n, 6), (n, 6), (n, 8), in place
-    sand.update_undrained(strain_increment, stress, state, pore_pressure, bulk_modulus=2.2e6)
-    grit.contact_correct(mass_a, mass_b, normal, velocity_a, velocity_b, ...)
-    grit.element_test(sand, [grit.stage.triaxial_drained(-0.2)], stress, void_ratio)
+A sand with published parameters, and a sample at 100 kPa that is sheared in a triaxial test:
 
-Errors are exceptions below grit.Error; a call that raises BadCall or BadState has changed nothing.
+>>> import numpy, grit
+>>> sand = grit.Sand("lausitz")
+>>> test = grit.element_test(sand, [grit.stage.triaxial_drained(-0.1)],
+...                          stress=[-100, -100, -100, 0, 0, 0], void_ratio=0.6)
+>>> test["stress"][-1].round(1)          # a row per increment
+array([-406.3, -100. , -100. ,    0. ,    0. ,    0. ])
+
+Points of a host, two of them, over one strain increment each: arrays are changed in place.
+
+>>> stress = numpy.tile([-100.0, -100, -100, 0, 0, 0], (2, 1))
+>>> state = numpy.tile(sand.state(0.6, direction=[-1, -1, -1, 0, 0, 0]), (2, 1))
+>>> strain_increment = numpy.array([[-1e-3, 5e-4, 5e-4, 0, 0, 0], [0.0, 0, 0, 1e-3, 0, 0]])
+>>> reports = sand.update(strain_increment, stress, state)
+>>> stress[0].round(2)
+array([-98.14, -80.37, -80.37,   0.  ,   0.  ,   0.  ])
+>>> reports["status"]
+array([0, 0], dtype=int32)
+
+Further: Sand.update_undrained with water in the pores, Sand.update_differentiated for derivatives by parameters,
+contact_correct for bodies that touch at grid nodes; sands() lists what there is. help() of each gives shapes, units,
+signs and errors. Errors are exceptions below grit.Error, and a call that raises BadCall or BadState has changed nothing:
+
+>>> sand.update(strain_increment[:, :5], stress, state)
+Traceback (most recent call last):
+grit.BadCall: strain_increment must be (n, 6) or (n, 4), without n for one point, got (2, 5)
 """
+
+import sys
 
 from grit._grit import (
     BadCall, BadParameter, BadState, CAVITATED, Error, H_CLAMPED, INACTIVE, InternalError, NotConverged,
     OPEN, OUTSIDE_CONE, SEPARATION, SLIP, STATE_SIZE, STICK, STRESS_FREE, Sand, VOID_CLAMPED, VOID_RATIO,
-    __version__, contact_correct, element_test, penalty_factor, sands, stage)
+    __commit__, __version__, contact_correct, element_test, penalty_factor, sands, stage)
+
+sys.modules["grit.stage"] = stage  # so that "import grit.stage" finds it
 
 __all__ = [
     "BadCall", "BadParameter", "BadState", "CAVITATED", "Error", "H_CLAMPED", "INACTIVE",
     "InternalError", "NotConverged", "OPEN", "OUTSIDE_CONE", "SEPARATION", "SLIP", "STATE_SIZE", "STICK",
-    "STRESS_FREE", "Sand", "VOID_CLAMPED", "VOID_RATIO", "__version__", "contact_correct",
-    "element_test", "penalty_factor", "sands", "stage"]
+    "STRESS_FREE", "Sand", "VOID_CLAMPED", "VOID_RATIO", "__commit__", "__version__",
+    "contact_correct", "element_test", "penalty_factor", "sands", "stage"]

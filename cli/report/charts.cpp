@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/report/charts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include <fmt/format.h>
+
+#ifdef GRIT_CLI_HAS_MPM
+#include "cli/mpm/pictures.hpp"
+#endif
+#include "cli/plot/panels.hpp"
+#include "cli/plot/thinning.hpp"
+#include "cli/process/exit_code.hpp"
+#include "cli/report/json_text.hpp"
+#include "cli/table/foreign_columns.hpp"
+#include "element/number.hpp"
+
+namespace cli {
+namespace {
+
+std::vector<std::string> lines_above(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    std::vector<std::string> out;
+    for (std::string line; std::getline(file, line) && line.starts_with('#');)
+        out.push_back(line.substr(std::min<std::size_t>(line.size(), 2)));
+    return out;
+}
+
+// "Grit 0.1.0, case NAME: TITLE".
+std::string title_in(const std::vector<std::string>& comments) {
+    if (comments.empty() || !comments.front().starts_with("Grit ")) return "";
+    const std::size_t at = comments.front().find(": ");
+    return at == std::string::npos ? "" : comments.front().substr(at + 2);
+}
+
+bool has(const Table& table, std::initializer_list<const char*> names) {
+    return std::all_of(names.begin(), names.end(), [&](const char* name) {
+        return std::any_of(table.columns.begin(), table.columns.end(), [&](const Column& column) {
+            return column.name == name && column.problem.empty();
+        });
+    });
+}
+
+// All columns over the first.
+std::vector<Panel> plain(const Table& table) {
+    const auto label = [](const Column& column) {
+        return column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
+    };
+    Panel out;
+    out.x_label = label(table.columns.front());
+    for (std::size_t i = 1; i < table.columns.size(); ++i) {
+        const Column& column = table.columns[i];
+        Series series{label(column), table.columns.front().values, column.values,
+                      static_cast<int>(i) - 1, false};
+        const auto known = [](double value) { return std::isfinite(value); };
+        if (std::any_of(series.y.begin(), series.y.end(), known))
+            out.series.push_back(thinned(series));
+    }
+    if (out.series.size() == 1) out.y_label = out.series.front().label;
+    return out.series.empty() ? std::vector<Panel>{} : std::vector<Panel>{out};
+}
+
+Curve curve_of(const Finding& finding, const Table& table) {
+    Curve out;
+    out.label = "computed";
+    out.table = standardised(table);
+    if (!finding.cycles.empty()) out.cycles = read_table(finding.cycles);
+    return out;
+}
+
+std::vector<Panel> panels_in(const Finding& finding, const Table& table) {
+    if (has(table, {"stress_11", "strain_11", "gamma_12", "void_ratio", "volumetric_strain", "p",
+                    "axial_deviator"})) {
+        const std::string kind = finding.cycles.empty() ? picture_of_path(table) : "degradation";
+        return picture_of_curves(kind, "", {curve_of(finding, table)}).panels;
+    }
+#ifdef GRIT_CLI_HAS_MPM
+    if (has(table, {"t", "depth", "velocity", "kinetic_energy", "energy_residual"}))
+        return picture_of_history(table, "").panels;
+#endif
+    return plain(table);
+}
+
+bool all_numbers(const Table& table) {
+    return std::all_of(table.columns.begin(), table.columns.end(),
+                       [](const Column& column) { return column.problem.empty(); });
+}
+
+// Gnuplot's marks become characters of their own: a_{11}.
+std::string unmarked(const std::string& label) {
+    static const std::pair<const char*, const char*> marks[] = {
+        {"_{11}", "₁₁"}, {"_{22}", "₂₂"}, {"_v", "ᵥ"}, {"_a", "ₐ"}, {"_r", "ᵣ"}, {"_0", "₀"}};
+    std::string out = label;
+    for (const auto& [mark, character] : marks)
+        for (std::size_t at; (at = out.find(mark)) != std::string::npos;)
+            out.replace(at, std::char_traits<char>::length(mark), character);
+    return out;
+}
+
+}  // namespace
+
+Shown shown_of(const Finding& finding) {
+    Shown out;
+    out.comments = lines_above(finding.table);
+    out.title = title_in(out.comments);
+    const Table table = read_table(finding.table);
+    if (all_numbers(table)) out.panels = panels_in(finding, table);
+    if (out.panels.empty()) out.cells = read_cells(finding.table).rows;
+    return out;
+}
+
+std::string json_of(const std::vector<Panel>& panels) {
+    std::string out = "[";
+    for (const Panel& panel : panels) {
+        const bool marked = !panel.own_key && panel.series.size() <= 2;  // labels of axis.hpp
+        const auto words = [&](const std::string& label) {
+            return json_text(marked ? unmarked(label) : label);
+        };
+        out += fmt::format("{}{{\"x\":{},\"y\":{},\"log\":{},\"zero\":{},\"series\":[",
+                           out.size() > 1 ? "," : "", words(panel.x_label), words(panel.y_label),
+                           panel.log_x, panel.y_from_zero);
+        for (const Series& series : panel.series)
+            out += fmt::format("{}{{\"label\":{},\"points\":{},\"colour\":{},\"x\":{},\"y\":{}}}",
+                               &series == &panel.series.front() ? "" : ",",
+                               json_text(series.label.empty() ? panel.y_label : series.label),
+                               series.points, series.colour, json_numbers(series.x),
+                               json_numbers(series.y));
+        out += "]}";
+    }
+    return out + "]";
+}
+
+}  // namespace cli

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What lies in a folder of results: files of one stem belong together.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+struct Finding {
+    std::string stem;  // below the folder: "contact/bar_impact"
+    std::filesystem::path table, cycles, picture, frames, numbers,
+        words;  // .csv, _cycles.csv, .png or .svg, .pvd, .json, .txt
+    bool shown = false;
+};
+
+// In the order of their names, numbers within names by their value. Throws BadInput where there is none.
+std::vector<Finding> findings_in(const std::filesystem::path& folder);
+
+// All bytes of a file. Throws BadInput.
+std::string content_of(const std::filesystem::path& path);
+
+struct StoryLine {
+    bool heading = false;
+    std::string name;      // of results, * stands for anything; or the heading
+    std::string sentence;  // about them
+};
+
+// Lines "== heading" and "NAME | sentence"; without a file none. Throws BadInput.
+std::vector<StoryLine> read_story(const std::filesystem::path& path);
+
+// Whether the stem, or its last part, is called so.
+bool is_called(const Finding& finding, const std::string& name);
+
+}  // namespace cli

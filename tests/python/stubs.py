@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The stubs say what the module is: every name, and every argument with its default, in the order and of the kind that
+pybind11 tells in the first line of a docstring. And help(grit) teaches what is true: its examples run."""
+
+import ast
+import doctest
+import pathlib
+
+import grit
+
+package = pathlib.Path(grit.__file__).parent
+
+
+def parsed(name):
+    return ast.parse((package / name).read_text()).body
+
+
+def functions(body):
+    return {each.name: each for each in body if isinstance(each, ast.FunctionDef)}
+
+
+def told(function):
+    """Arguments as (name, kind, default or "..."); of self the name alone."""
+    arguments = function.args
+    missing = len(arguments.args) - len(arguments.defaults)
+    positional = [None] * missing + arguments.defaults
+    out = [(each.arg, "positional", default) for each, default in zip(arguments.args, positional)]
+    out += [(each.arg, "keyword", default) for each, default in zip(arguments.kwonlyargs, arguments.kw_defaults)]
+    return [(name, kind, default and ast.unparse(default)) for name, kind, default in out]
+
+
+def same(stub, real, where):
+    assert [each[:2] for each in stub] == [each[:2] for each in real], f"{where}: {stub} is not {real}"
+    for (name, _, said), (_, _, is_) in zip(stub, real):
+        assert (said is None) == (is_ is None), f"{where}: {name}"
+        if said not in (None, "..."):
+            assert ast.literal_eval(said) == ast.literal_eval(is_), f"{where}: {name} = {said}, is {is_}"
+
+
+def compare(stubs, owner, where):
+    count = 0
+    for name, stub in functions(stubs).items():
+        real = getattr(owner, name)
+        if any(ast.unparse(each) == "property" for each in stub.decorator_list):
+            assert isinstance(getattr(owner, name), property), name
+            continue
+        (function,) = ast.parse("def " + real.__doc__.splitlines()[0] + ": ...").body
+        same(told(stub), told(function), f"{where}.{name}")
+        count += 1
+    return count
+
+
+def names_of(body):
+    for each in body:
+        if isinstance(each, ast.AnnAssign):
+            yield each.target.id
+        elif isinstance(each, (ast.FunctionDef, ast.ClassDef)):
+            yield each.name
+
+
+top = parsed("__init__.pyi")
+assert set(names_of(top)) | {"stage"} == set(grit.__all__), set(names_of(top)) ^ set(grit.__all__)
+stage = parsed("stage.pyi")
+public = {name for name in vars(grit.stage) if not name.startswith("_")}
+assert set(names_of(stage)) == public, set(names_of(stage)) ^ public
+(sand,) = [each for each in top if isinstance(each, ast.ClassDef) and each.name == "Sand"]
+public = {name for name in vars(grit.Sand) if not name.startswith("_")} | {"__init__"}
+assert set(names_of(sand.body)) == public, set(names_of(sand.body)) ^ public
+
+count = compare(top, grit, "grit") + compare(stage, grit.stage, "grit.stage") + compare(sand.body, grit.Sand, "grit.Sand")
+assert count > 25, count
+failed, tried = doctest.testmod(grit)
+assert failed == 0 and tried >= 9, (failed, tried)
+print(f"{count} signatures, {tried} examples")

@@ -1,0 +1,62 @@
+# grit report: pictures and tables that its story names or does not, here and in a folder, are inside it once each, in the
+# order of the story, tables with their verdicts, texts as text; a browser has nothing to fetch, and twice is the same page.
+cmake_minimum_required(VERSION 3.25)
+file(REMOVE_RECURSE ${WORK})
+set(stems pile_push_short_p zz_a_case_of_tomorrow contact/bar_impact lausitz_loose comparison
+          karlsruhe_drained_triaxial_sheet10 karlsruhe_drained_triaxial_sheet2)
+foreach(stem IN LISTS stems)
+  configure_file(${PICTURE} ${WORK}/${stem}.svg COPYONLY)
+endforeach()
+file(WRITE ${WORK}/comparison.png "a smaller picture")
+file(WRITE ${WORK}/elements.txt "a < b & c\n")
+file(WRITE ${WORK}/references.csv "case,what,limit,verdict\n\"</script>\",stress,1e-3,within\nb,stress,1e-3,EXCEEDED\n")
+file(WRITE ${WORK}/broken.csv "a,b\n1\n")
+file(WRITE ${WORK}/numbers.json "{\"benchmarks\": [{\"name\": \"</script>\"}]}")
+execute_process(COMMAND ${GRIT} report ${WORK} --story ${STORY} COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)
+file(READ ${WORK}/index.html page)
+execute_process(COMMAND ${GRIT} report ${WORK} --story ${STORY} COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)
+file(READ ${WORK}/index.html again)
+if(NOT page STREQUAL again)
+  message(FATAL_ERROR "a second page is another one")
+endif()
+# Matches come as a list.
+string(REPLACE ";" "," page "${page}")
+string(REGEX REPLACE "<footer>.*" "" page "${page}") # the library and the page's own script follow
+
+set(in_order comparison lausitz_loose karlsruhe_drained_triaxial_sheet2 karlsruhe_drained_triaxial_sheet10
+             contact/bar_impact pile_push_short_p zz_a_case_of_tomorrow)
+set(before 0)
+foreach(name IN LISTS in_order)
+  string(REGEX MATCHALL "<img alt=\"${name}\" src=\"data:image/(png|svg\\+xml),base64,[A-Za-z0-9+/=]+\">" found "${page}")
+  list(LENGTH found count)
+  if(NOT count EQUAL 1)
+    message(FATAL_ERROR "${name} is on the page ${count} times")
+  endif()
+  string(FIND "${page}" "alt=\"${name}\"" place)
+  if(place LESS before)
+    message(FATAL_ERROR "${name} is out of order")
+  endif()
+  set(before ${place})
+endforeach()
+foreach(part "alt=\"comparison\" src=\"data:image/png" "<pre>a &lt, b &amp, c" "<h2>Against the laboratory</h2>"
+             "<h2>Further results</h2>" "<tr class=\"EXCEEDED\"><td>b</td>" "<td>&lt,/script&gt,</td>"
+             "\"name\": \"<\\/script>\"" "broken.csv")
+  string(FIND "${page}" "${part}" at)
+  if(at EQUAL -1)
+    message(FATAL_ERROR "the page has no ${part}")
+  endif()
+endforeach()
+string(REGEX REPLACE "src=\"data:[^\"]*\"" "" rest "${page}")
+if(rest MATCHES "(src=|href|url\\(|http|<link|@import)[^ ]*")
+  message(FATAL_ERROR "the page refers to something else: ${CMAKE_MATCH_0}")
+endif()
+
+# What cannot be a report is said.
+foreach(case "nowhere=is not a folder" "empty=no results")
+  string(REGEX MATCH "(.*)=(.*)" all "${case}")
+  file(MAKE_DIRECTORY ${WORK}/empty)
+  execute_process(COMMAND ${GRIT} report ${WORK}/${CMAKE_MATCH_1} RESULT_VARIABLE result ERROR_VARIABLE errors)
+  if(NOT result EQUAL 2 OR NOT errors MATCHES "${CMAKE_MATCH_2}" OR EXISTS ${WORK}/${CMAKE_MATCH_1}/index.html)
+    message(FATAL_ERROR "${CMAKE_MATCH_1}: ${result} ${errors}")
+  endif()
+endforeach()
