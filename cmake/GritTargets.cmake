@@ -43,9 +43,10 @@ else()
   set(GRIT_SANITIZED_KERNEL_FLAGS --param=asan-instrumentation-with-call-threshold=0 --param=asan-stack=0)
 endif()
 list(APPEND GRIT_SANITIZED_KERNEL_FLAGS -fno-sanitize=null,alignment,object-size)
-# Fuzzers count the ways through what judges a call; those through a kernel are too many to compile.
+# Fuzzers count the ways through what judges a call; those through a kernel are too many to compile, as are checks of
+# its arithmetic, which the other preset has.
 if(GRIT_BUILD_FUZZERS)
-  list(APPEND GRIT_SANITIZED_KERNEL_FLAGS -fno-sanitize=fuzzer-no-link)
+  list(APPEND GRIT_SANITIZED_KERNEL_FLAGS -fno-sanitize=fuzzer-no-link,undefined,float-cast-overflow)
 endif()
 # Structs are copied in whole registers: half of one that was just stored whole, or the reverse, waits for
 # the cache. GCC's default is 16 bytes.
