@@ -48,6 +48,12 @@ class Bytes {
     const std::uint8_t *at, *end;
 };
 
+// A struct of a caller of a later version: there is memory, of zeros or not, as long as any struct_size that is believed.
+template <class Struct> struct Padded {
+    Struct here{};
+    unsigned char behind[4096] = {};
+};
+
 // What must hold whatever the bytes are; a fuzzer ends where it does not.
 inline void demand(bool holds) {
     if (!holds) __builtin_trap();

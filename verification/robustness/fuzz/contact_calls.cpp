@@ -23,8 +23,9 @@ struct Column {
     grit_mutable_view out() { return grit_mutable_view_of(memory.data(), size, 1); }
 };
 
-grit_contact_options any_options(Bytes& in, int components) {
-    grit_contact_options out;
+fuzz::Padded<grit_contact_options> any_options(Bytes& in, int components) {
+    fuzz::Padded<grit_contact_options> later;
+    grit_contact_options& out = later.here;
     grit_contact_options_init(&out, sizeof out);
     out.components = in.one_in(16) ? in.below(components + 1) : components;
     out.law = in.one_in(16) ? in.raw<int>() : in.below(2);
@@ -41,7 +42,7 @@ grit_contact_options any_options(Bytes& in, int components) {
     if (in.one_in(4)) out.relaxation_time = in.number(1e-4);
     if (in.one_in(6)) out.contact_stiffness = in.number(1e9);
     if (in.one_in(16)) out.struct_size = static_cast<std::size_t>(in.byte());
-    return out;
+    return later;
 }
 
 }  // namespace
@@ -50,7 +51,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Bytes in(data, size);
     const int c = in.below(2) + 2;
     const std::ptrdiff_t n = 1 + in.below(9);
-    const grit_contact_options options = any_options(in, c);
+    const fuzz::Padded<grit_contact_options> later_options = any_options(in, c);
+    const grit_contact_options& options = later_options.here;
     Column mass_a(in, n, 1, 2.0), mass_b(in, n, 1, 3.0), normal(in, n, c, 0.1),
         distance(in, n, 1, 0.2), cell(in, n, 1, 1.0), spacing(in, n, c, 1.0), gap(in, n, 1, -1e-3),
         area(in, n, 1, 0.5), v_a(in, n, c, 1.0), v_b(in, n, c, -1.0), a_a(in, n, c, 10.0),
@@ -74,7 +76,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         Column mass_c(in, n, 1, 1.0), v_c(in, n, c, 0.5);
         const grit_view masses[] = {mass_a.in(), mass_b.in(), mass_c.in()};
         const grit_mutable_view velocities[] = {v_a.out(), v_b.out(), v_c.out()};
-        grit_contact_bodies bodies{};
+        fuzz::Padded<grit_contact_bodies> later;
+        grit_contact_bodies& bodies = later.here;
         bodies.struct_size = in.one_in(16) ? static_cast<std::size_t>(in.byte()) : sizeof bodies;
         bodies.components = c;
         bodies.count = in.one_in(16) ? in.raw<int>() % (count + 1) : count;
@@ -105,7 +108,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         demand(status >= GRIT_OK && status <= GRIT_NOT_CONVERGED);
         return 0;
     }
-    grit_contact_nodes nodes{};
+    fuzz::Padded<grit_contact_nodes> later_nodes;
+    grit_contact_nodes& nodes = later_nodes.here;
     nodes.struct_size = in.one_in(16) ? static_cast<std::size_t>(in.byte()) : sizeof nodes;
     if (in.one_in(3)) nodes.index = index.data();
     if (!in.one_in(32)) nodes.mass_a = mass_a.in();
@@ -130,7 +134,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         in.one_in(4) ? nullptr : reports.data(), in.one_in(2) ? sums.data() : nullptr,
         in.one_in(4) ? nullptr : &error);
     demand(status >= GRIT_OK && status <= GRIT_BAD_STATE);
-    grit_contact_totals totals{};
+    fuzz::Padded<grit_contact_totals> later_totals;
+    grit_contact_totals& totals = later_totals.here;
     totals.struct_size = in.one_in(8) ? static_cast<std::size_t>(in.byte()) : sizeof totals;
     grit_contact_sums_add(sums.data() + 1, sums.data());
     grit_contact_sums_read(sums.data() + 1, &totals);

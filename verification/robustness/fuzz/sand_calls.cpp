@@ -65,8 +65,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                std::end(error.message));
         if (!in.one_in(4)) return 0;
     }
-    grit_sand_options options;
+    fuzz::Padded<grit_sand_options> later_options;
+    grit_sand_options& options = later_options.here;
     grit_sand_options_init(&options, sizeof options);
+    if (in.one_in(16)) later_options.behind[in.byte()] = 1;
     options.evaluation_limit = in.one_in(8) ? in.raw<int>() : 400;
     if (options.evaluation_limit > 2000) options.evaluation_limit = 2000;
     if (in.one_in(4)) options.tolerance = in.number(1e-3);
@@ -100,7 +102,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (std::ptrdiff_t i = 0; i < n; ++i)
         index[static_cast<std::size_t>(i)] =
             in.one_in(40) ? in.below(static_cast<int>(n)) : n - 1 - i;
-    grit_sand_points points{};
+    fuzz::Padded<grit_sand_points> later_points;
+    grit_sand_points& points = later_points.here;
+    if (in.one_in(16)) later_points.behind[in.byte()] = 1;
     points.struct_size = in.one_in(8) ? any_size(in, sizeof points) : sizeof points;
     points.components = in.one_in(16) ? in.raw<int>() : components;
     if (points.components != components && points.components != 0)
@@ -129,7 +133,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     grit_error* why = with_error ? &error : nullptr;
     if (how == 0) {
         Column pressure(in, n, 1, true), total(in, n, components, true);
-        grit_sand_water water{};
+        fuzz::Padded<grit_sand_water> later_water;
+        grit_sand_water& water = later_water.here;
         grit_sand_water_init(&water, sizeof water);
         water.bulk_modulus = in.number(2e6);
         if (in.one_in(3)) water.largest_tension = in.number(90.0);
