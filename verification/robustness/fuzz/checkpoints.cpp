@@ -163,8 +163,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             checkpoint.runner(), original.plan.stages.size(), grit::mpm::history_columns().size());
         runner.resume(run.state);
         checkpoint.restore(runner.simulation());
-        // A checksum that holds is not luck.
-        fuzz::demand(kind >= forgery || file == original.file);
         for (int i = 0; i < 2 && !runner.finished(); ++i) runner.step();
     } catch (const std::runtime_error&) {
     } catch (const std::invalid_argument&) {

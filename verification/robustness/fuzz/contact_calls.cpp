@@ -12,6 +12,9 @@ namespace {
 using fuzz::Bytes;
 using fuzz::demand;
 
+// Whoever leaves out what says how many gets the default, three.
+constexpr int most_components = 3;
+
 struct Column {
     std::vector<double> memory;
     std::ptrdiff_t size;
@@ -53,15 +56,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::ptrdiff_t n = 1 + in.below(9);
     const fuzz::Padded<grit_contact_options> later_options = any_options(in, c);
     const grit_contact_options& options = later_options.here;
-    Column mass_a(in, n, 1, 2.0), mass_b(in, n, 1, 3.0), normal(in, n, c, 0.1),
-        distance(in, n, 1, 0.2), cell(in, n, 1, 1.0), spacing(in, n, c, 1.0), gap(in, n, 1, -1e-3),
-        area(in, n, 1, 0.5), v_a(in, n, c, 1.0), v_b(in, n, c, -1.0), a_a(in, n, c, 10.0),
-        a_b(in, n, c, -5.0), old_a(in, n, c, 0.9), old_b(in, n, c, -0.9), place(in, n, c, 3.0),
+    Column mass_a(in, n, 1, 2.0), mass_b(in, n, 1, 3.0), normal(in, n, most_components, 0.1),
+        distance(in, n, 1, 0.2), cell(in, n, 1, 1.0), spacing(in, n, most_components, 1.0),
+        gap(in, n, 1, -1e-3), area(in, n, 1, 0.5), v_a(in, n, most_components, 1.0),
+        v_b(in, n, most_components, -1.0), a_a(in, n, most_components, 10.0),
+        a_b(in, n, most_components, -5.0), old_a(in, n, most_components, 0.9),
+        old_b(in, n, most_components, -0.9), place(in, n, most_components, 3.0),
         pore(in, n, 1, 0.1);
     if (!in.one_in(8))
         for (std::ptrdiff_t i = 0; i < n; ++i)
             for (int k = 0; k < c; ++k)
-                normal.memory[static_cast<std::size_t>(i * c + k)] = k == i % c ? 1.0 : 0.0;
+                normal.memory[static_cast<std::size_t>(i * most_components + k)] =
+                    k == i % c ? 1.0 : 0.0;
     std::vector<std::ptrdiff_t> index(static_cast<std::size_t>(n));
     for (std::ptrdiff_t i = 0; i < n; ++i)
         index[static_cast<std::size_t>(i)] =
@@ -73,7 +79,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     };
     if (in.one_in(3)) {
         const int count = 2 + in.below(2);
-        Column mass_c(in, n, 1, 1.0), v_c(in, n, c, 0.5);
+        Column mass_c(in, n, 1, 1.0), v_c(in, n, most_components, 0.5);
         const grit_view masses[] = {mass_a.in(), mass_b.in(), mass_c.in()};
         const grit_mutable_view velocities[] = {v_a.out(), v_b.out(), v_c.out()};
         fuzz::Padded<grit_contact_bodies> later;

@@ -8,6 +8,7 @@
 
 #include "adapters/lammps/points_file.hpp"
 #include "adapters/lammps/run_bytes.hpp"
+#include "adapters/mpm/io/checksum.hpp"
 #include "robustness/fuzz/bytes.hpp"
 
 namespace {
@@ -36,14 +37,16 @@ void read_restart(fuzz::Bytes& in) {
     run.nodes.assign(6, 1);
     run.stages.resize(2);
     run.state.stage_time = {0.0, 1.0};
-    const std::string good = to_bytes(in.one_in(8) ? nullptr : &run, fingerprint);
-    std::string bytes = good;
+    std::string bytes = to_bytes(in.one_in(8) ? nullptr : &run, fingerprint);
+    // Behind its head (run_bytes.cpp), which believes its length as it has no other; with the checksum of what is there now.
+    constexpr std::size_t head = 24, sum_at = 16;
     while (in.left() > 2) {
-        const std::size_t place = in.raw<std::uint16_t>() % bytes.size();
+        const std::size_t place = head + in.raw<std::uint16_t>() % (bytes.size() - head);
         bytes[place] = static_cast<char>(in.byte());
     }
+    const std::uint64_t sum = grit::mpm::checksum(bytes.data() + head, bytes.size() - head);
+    std::memcpy(bytes.data() + sum_at, &sum, sizeof sum);
     from_bytes(bytes.data(), fingerprint);
-    fuzz::demand(bytes == good);  // a checksum that holds is not luck
 }
 
 }  // namespace

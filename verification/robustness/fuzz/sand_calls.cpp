@@ -35,6 +35,9 @@ struct Column {
     grit_mutable_view out() const { return grit_mutable_view_of(first, point, component); }
 };
 
+// Whoever leaves out what says how many gets the default, six.
+constexpr int most_components = 6;
+
 std::size_t any_size(Bytes& in, std::size_t right) {
     switch (in.below(8)) {
         case 0: return in.raw<std::size_t>();
@@ -81,10 +84,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
     const std::ptrdiff_t n = 1 + in.below(12);
     const int components = in.below(4) == 0 ? 4 : 6;
-    Column strain(in, n, components, false), rotation(in, n, 9, false),
-        stress(in, n, components, true), state(in, n, GRIT_SAND_STATE_SIZE, true),
+    Column strain(in, n, most_components, false), rotation(in, n, 9, false),
+        stress(in, n, most_components, true), state(in, n, GRIT_SAND_STATE_SIZE, true),
         substep(in, n, 1, true);
-    std::vector<double> tangent(static_cast<std::size_t>(n * components * components));
+    std::vector<double> tangent(static_cast<std::size_t>(n * most_components * most_components));
     for (std::ptrdiff_t i = 0; i < n; ++i) {
         for (int c = 0; c < components; ++c) {
             strain.at(i, c) = in.number(c == 0 ? -1e-3 : 1e-4);
@@ -132,7 +135,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     grit_sand_report* told = with_reports ? reports.data() : nullptr;
     grit_error* why = with_error ? &error : nullptr;
     if (how == 0) {
-        Column pressure(in, n, 1, true), total(in, n, components, true);
+        Column pressure(in, n, 1, true), total(in, n, most_components, true);
         fuzz::Padded<grit_sand_water> later_water;
         grit_sand_water& water = later_water.here;
         grit_sand_water_init(&water, sizeof water);
