@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <exception>
+#include <new>
 #include <sstream>
 
 #include <CLI/CLI.hpp>
@@ -63,6 +64,9 @@ int follow(int argc, char** argv) {
     } catch (const cli::BadInput& error) {
         cli::warn("grit: {}\n", error.what());
         return cli::bad_input;
+    } catch (const std::bad_alloc&) {
+        cli::warn("grit: this needs more memory than there is\n");
+        return cli::failed_computation;
     } catch (const std::exception& error) {
         cli::warn("grit: {}\n", error.what());
         return cli::failed_computation;

@@ -37,9 +37,17 @@ grit_flags_of_this_compiler(GRIT_QUICK_FLAGS -fno-tree-pta)
 # Every load of an unrolled kernel would be checked in place, in several ways: the address sanitizer is called
 # instead, and sees what the checks of pointers would see. Its guards around each local pack cost three quarters of
 # the time to compile; the bounds of local arrays are checked without them.
-grit_flags_of_this_compiler(
-  GRIT_SANITIZED_KERNEL_FLAGS --param=asan-instrumentation-with-call-threshold=0 --param=asan-stack=0
-  -fno-sanitize=null,alignment,object-size)
+if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+  set(GRIT_SANITIZED_KERNEL_FLAGS -mllvm -asan-instrumentation-with-call-threshold=0 -mllvm -asan-stack=0)
+else()
+  set(GRIT_SANITIZED_KERNEL_FLAGS --param=asan-instrumentation-with-call-threshold=0 --param=asan-stack=0)
+endif()
+list(APPEND GRIT_SANITIZED_KERNEL_FLAGS -fno-sanitize=null,alignment,object-size)
+# Fuzzers count the ways through what judges a call; those through a kernel are too many to compile, as are checks of
+# its arithmetic, which the other preset has.
+if(GRIT_BUILD_FUZZERS)
+  list(APPEND GRIT_SANITIZED_KERNEL_FLAGS -fno-sanitize=fuzzer-no-link,undefined,float-cast-overflow)
+endif()
 # Structs are copied in whole registers: half of one that was just stored whole, or the reverse, waits for
 # the cache. GCC's default is 16 bytes.
 grit_flags_of_this_compiler(GRIT_AVX2_FLAGS -mmove-max=256 -mstore-max=256)
@@ -53,6 +61,9 @@ function(grit_warnings target)
   if(GRIT_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${GRIT_SANITIZERS} -fno-sanitize-recover=all)
     target_link_options(${target} PRIVATE -fsanitize=address,undefined)
+  endif()
+  if(GRIT_BUILD_FUZZERS)
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
   endif()
 endfunction()
 
@@ -86,9 +97,9 @@ endfunction()
 
 # One source per kernel named and instruction set that this processor family has: kernel_baseline.cpp and so on,
 # in the calling folder, into the list RESULT. Or one for the machine that builds, which takes less than half the
-# time to compile: it counts as the baseline, and there is no other.
+# time to compile: it counts as the baseline, and there is no other. Or the baseline itself alone.
 set(GRIT_X86_KERNELS OFF)
-if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT GRIT_NATIVE)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT GRIT_NATIVE AND NOT GRIT_BASELINE_ONLY)
   set(GRIT_X86_KERNELS ON)
 endif()
 macro(grit_kernels result)

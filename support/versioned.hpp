@@ -9,8 +9,10 @@ namespace grit {
 
 constexpr std::size_t largest_struct = 4096;
 
+// No struct that begins with a size ends within a word, or it would be half of a pointer that is believed.
 inline bool is_possible_size(std::size_t struct_size) {
-    return struct_size >= sizeof(std::size_t) && struct_size <= largest_struct;
+    return struct_size >= sizeof(std::size_t) && struct_size <= largest_struct &&
+           struct_size % alignof(std::size_t) == 0;
 }
 
 // What the first member says. The caller's struct may be shorter than ours: a pointer to it is not followed, nor

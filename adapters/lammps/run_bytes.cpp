@@ -6,28 +6,38 @@
 #include <stdexcept>
 
 #include "adapters/mpm/io/archive.hpp"
+#include "adapters/mpm/io/checksum.hpp"
 
 namespace grit::lammps {
 namespace {
 
-constexpr std::uint64_t format = 0x677269746d706d05;  // "gritmpm", 5
+constexpr std::uint64_t format = 0x677269746d706d06;  // "gritmpm", 6
+
+// In front: LAMMPS hands over no length, so that this one must be believed.
+struct Head {
+    std::uint64_t size, not_size;  // of what follows [bytes], and all its bits turned round
+    std::uint64_t sum;             // of what follows
+};
 
 }  // namespace
 
 std::string to_bytes(const StoredRun* run, std::uint64_t fingerprint) {
-    mpm::ByteWriter writer, size;
+    mpm::ByteWriter writer, head;
     writer.value(format);
     writer.value(fingerprint);
     writer.value(static_cast<std::uint64_t>(run ? 1 : 0));
     if (run) StoredRun::visit(*run, writer);
-    size.value(static_cast<std::uint64_t>(writer.out.size()));
-    return size.out + writer.out;
+    const auto size = static_cast<std::uint64_t>(writer.out.size());
+    head.value(Head{size, ~size, mpm::checksum(writer.out.data(), writer.out.size())});
+    return head.out + writer.out;
 }
 
 std::unique_ptr<StoredRun> from_bytes(const char* bytes, std::uint64_t fingerprint) {
-    std::uint64_t size = 0;
-    std::memcpy(&size, bytes, sizeof size);
-    mpm::ByteReader reader(bytes + sizeof size, size);
+    Head head{};
+    std::memcpy(&head, bytes, sizeof head);
+    if (head.size != ~head.not_size || head.sum != mpm::checksum(bytes + sizeof head, head.size))
+        throw std::runtime_error("the restart file is damaged, or of another version of Grit");
+    mpm::ByteReader reader(bytes + sizeof head, head.size);
     std::uint64_t stamp = 0, of_words = 0, has_begun = 0;
     reader.value(stamp);
     if (stamp != format) throw std::runtime_error("the restart file is of another version of Grit");

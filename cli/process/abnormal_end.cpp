@@ -64,6 +64,18 @@ void at_interrupt(int signal) {
     _exit(128 + signal);
 }
 
+// By the keyboard, to see where a program is: with the files of others only.
+void at_quit(int signal) {
+    remove_unfinished();
+    ::signal(signal, SIG_DFL);
+    raise(signal);
+}
+
+bool is_ignored(int signal) {
+    struct sigaction now {};
+    return sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_IGN;
+}
+
 void handle(int signal, void (*handler)(int)) {
     struct sigaction action {};
     action.sa_handler = handler;
@@ -80,6 +92,8 @@ void handle_abnormal_ends() {
     sigaltstack(&stack, nullptr);
     for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) handle(signal, at_crash);
     for (const int signal : {SIGINT, SIGTERM}) handle(signal, at_interrupt);
+    if (!is_ignored(SIGHUP)) handle(SIGHUP, at_interrupt);  // nohup: the terminal may go
+    handle(SIGQUIT, at_quit);
     // A file that may not grow and a reader that went away are errors of who writes.
     for (const int signal : {SIGXFSZ, SIGPIPE}) handle(signal, SIG_IGN);
     std::atexit(at_exit);

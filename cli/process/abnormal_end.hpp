@@ -6,8 +6,8 @@
 
 namespace cli {
 
-// From now on, files that are not complete are removed however the program ends. SIGINT and SIGTERM
-// stop a run after the increment it is at (see RunGuard), or, asked twice or outside a run, the program.
+// From now on, files that are not complete are removed however the program ends. SIGINT, SIGTERM and, unless it
+// is ignored, SIGHUP stop a run after the increment it is at (see RunGuard), or, asked twice or outside a run, the program.
 // A file that grows beyond the limit of the shell is one that cannot be written.
 void handle_abnormal_ends();
 

@@ -2,13 +2,12 @@
 #include "cli/table/sheet.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 #include <fmt/format.h>
 
 #include "cli/process/exit_code.hpp"
 #include "cli/table/workbook.hpp"
+#include "support/tables/text_file.hpp"
 
 namespace cli {
 namespace {
@@ -49,9 +48,12 @@ std::string read_whole(const std::filesystem::path& path) {
     const auto fail = [&path](const char* why) {
         throw BadInput(fmt::format("{}: {}", path.string(), why));
     };
-    std::ifstream file(path, std::ios::binary);
-    if (!file || std::filesystem::is_directory(path)) fail("cannot read this file");
-    std::string text((std::istreambuf_iterator<char>(file)), {});
+    std::string text;
+    try {
+        text = grit::read_text_file(path, grit::longest_table);
+    } catch (const grit::TextFileError& error) {
+        throw BadInput(error.what());
+    }
     if (text.starts_with("PK\x03\x04")) fail("is a workbook: let its name end with .xlsx");
     if (text.starts_with(old_workbook_begin)) fail(old_workbook);
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
@@ -170,6 +172,10 @@ Cells read_sheet(const std::filesystem::path& path, const SheetFormat& layout) {
                 throw BadInput(fmt::format("{}: {} cells where the header has {}",
                                            place_in(path, layout, line), row.size(),
                                            cells_of_header));
+            if (out.rows.size() * cells_of_header > most_cells)
+                throw BadInput(
+                    fmt::format("{}: more than {} cells in rows as long as the header, {}",
+                                place_in(path, layout, line), most_cells, cells_of_header));
             row.resize(cells_of_header);
             if (layout.decimal_comma)
                 for (std::string& cell : row) cell = with_point(path, layout, line, cell);

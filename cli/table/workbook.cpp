@@ -21,7 +21,7 @@ namespace {
 
 constexpr zip_uint64_t largest_part =
     64U << 20;  // bytes: what unpacks to more is no sheet of a laboratory
-constexpr std::size_t most_cells = 20'000'000;                  // that are kept
+constexpr std::size_t most_letters = 256U << 20;                // of all cells
 constexpr std::size_t last_column = 16384, last_row = 1048576;  // of the format
 
 class Archive {
@@ -182,6 +182,7 @@ std::vector<Style> styles_of(const Archive& archive) {
 // Cells that are merged all have what stands in them.
 void spread_merged(const pugi::xml_node& sheet, std::vector<std::vector<std::string>>& rows) {
     std::size_t budget = 100000;  // cells: what are more are no headings
+    constexpr std::size_t longest_heading = 1000;
     for (const pugi::xml_node& each : child(sheet, "mergeCells")) {
         const std::string range = each.attribute("ref").value();
         const std::size_t colon = range.find(':');
@@ -200,6 +201,7 @@ void spread_merged(const pugi::xml_node& sheet, std::vector<std::vector<std::str
         if (cells_of_range > std::min<std::size_t>(budget, 10000)) continue;
         budget -= cells_of_range;
         const std::string text = rows[first_row - 1][from];
+        if (text.size() > longest_heading) continue;
         for (std::size_t row = first_row; row <= end_row; ++row) {
             std::vector<std::string>& cells = rows[row - 1];
             if (cells.size() <= to) cells.resize(to + 1);
@@ -245,7 +247,7 @@ WorkbookSheet read_workbook(const std::filesystem::path& path, const std::string
     if (!part) archive.fail(fmt::format("has no {}", part_name));
     const std::vector<std::string> strings = shared_strings(archive);
     const std::vector<Style> styles = styles_of(archive);
-    std::size_t filled = 0;
+    std::size_t filled = 0, letters = 0;
     for (const pugi::xml_node& row : child(part->document_element(), "sheetData")) {
         if (!is(row, "row")) continue;
         const std::size_t number =
@@ -271,6 +273,10 @@ WorkbookSheet read_workbook(const std::filesystem::path& path, const std::string
                         fmt::format("sheet {} has more than {} cells", out.name, most_cells));
                 cells.resize(column + 1);
             }
+            letters += value.size();
+            if (letters > most_letters)
+                archive.fail(fmt::format("sheet {} has more than {} MiB of text", out.name,
+                                         most_letters >> 20));
             cells[column] = std::move(value);
         }
     }

@@ -2,7 +2,6 @@
 #include "cli/toml/toml_document.hpp"
 
 #include <charconv>
-#include <fstream>
 #include <string>
 #include <string_view>
 
@@ -10,6 +9,7 @@
 
 #include "cli/process/exit_code.hpp"
 #include "element/nearest.hpp"
+#include "support/tables/text_file.hpp"
 
 namespace cli {
 namespace {
@@ -23,11 +23,10 @@ constexpr int deepest = 8;  // bases of bases
 }
 
 toml::table parse(const fs::path& path) {
-    std::ifstream file(path);
-    if (!file || fs::is_directory(path))
-        throw BadInput(fmt::format("{}: cannot read this file", path.string()));
     try {
-        return toml::parse(file, path.string());
+        return toml::parse(grit::read_text_file(path, grit::longest_case), path.string());
+    } catch (const grit::TextFileError& error) {
+        throw BadInput(error.what());
     } catch (const toml::parse_error& error) {
         throw BadInput(fmt::format("{}:{}: {}", path.string(), error.source().begin.line,
                                    error.description()));

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 #include "element/number.hpp"
 #include "element/text.hpp"
+#include "support/tables/text_file.hpp"
 
 namespace incremental_driver {
 namespace {
@@ -33,10 +33,14 @@ std::string trimmed(const std::string& text) {
 }
 
 Lines::Lines(const std::filesystem::path& path) : name(path) {
-    std::ifstream file(path);
-    if (!file || std::filesystem::is_directory(path))
-        throw BadInput(text("%s: cannot be read", path.string().c_str()));
-    for (std::string line; std::getline(file, line);) {
+    std::string whole;
+    try {
+        whole = grit::read_text_file(path, grit::longest_table);
+    } catch (const grit::TextFileError& error) {
+        throw BadInput(error.what());
+    }
+    grit::TextLines text_lines(whole);
+    for (std::string line; text_lines.next(line);) {
         if (++last == 1 && line.starts_with(byte_order_mark)) line.erase(0, 3);
         if (line.find('\0') != std::string::npos || line.size() > longest)
             fail(last, "this is not a line of text");

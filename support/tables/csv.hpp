@@ -6,11 +6,12 @@
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "support/tables/text_file.hpp"
 
 namespace grit::csv {
 
@@ -43,17 +44,23 @@ inline std::vector<std::string> cells_of(const std::string& line) {
 
 // cut(line, rows so far): the cells of a line, or none where it is to be passed over.
 template <class Cut> Cells read(const std::filesystem::path& path, Cut&& cut) {
-    std::ifstream file(path);
-    if (!file || std::filesystem::is_directory(path))
-        throw Error(path.string() + ": cannot read this file");
+    std::string whole;
+    try {
+        whole = read_text_file(path, longest_table);
+    } catch (const TextFileError& error) {
+        throw Error(error.what());
+    }
     Cells out;
     int number = 0;
-    for (std::string line; std::getline(file, line);) {
+    TextLines lines(whole);
+    for (std::string line; lines.next(line);) {
         if (++number == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
-        if (line.starts_with('#') || trimmed(line).empty()) continue;
         const auto fail = [&](const std::string& why) {
             throw Error(path.string() + ':' + std::to_string(number) + ": " + why);
         };
+        if (line.size() > longest_line)
+            fail("a line is longer than " + std::to_string(longest_line / megabyte) + " MiB");
+        if (line.starts_with('#') || trimmed(line).empty()) continue;
         std::optional<std::vector<std::string>> row = cut(line, out.rows.size());
         if (!row) continue;
         if (out.rows.empty() && row->size() == 1 && line.find(';') != std::string::npos)

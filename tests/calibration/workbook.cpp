@@ -163,4 +163,47 @@ TEST(Workbook, ThatIsWrongIsRefusedWithAReason) {
     EXPECT_NE(refusal({{"readme", "no"}}, "").find("is no workbook"), std::string::npos);
 }
 
+// What a few bytes of a workbook stand for.
+std::string refusal(const Parts& parts) {
+    const Book book(parts);
+    try {
+        cli::read_sheet(book.path, {});
+    } catch (const cli::BadInput& error) {
+        return error.what();
+    }
+    return "read";
+}
+
+TEST(Workbook, ThatUnpacksToMoreThanASheetIsRefusedByName) {
+    Parts parts = usual();
+    std::string& sheet = parts["xl/worksheets/sheet1.xml"];
+    parts["xl/sharedStrings.xml"] = "<sst><si><t>" + std::string(1 << 20, 'x') + "</t></si></sst>";
+    sheet = "<worksheet><sheetData><row>";
+    for (int i = 0; i < 300; ++i) sheet += "<c t=\"s\"><v>0</v></c>";
+    sheet += "</row></sheetData></worksheet>";
+    EXPECT_NE(refusal(parts).find("sheet Deckblatt has more than 256 MiB of text"),
+              std::string::npos);
+
+    sheet = "<worksheet><sheetData><row><c r=\"XFD1\"><v>1</v></c></row>";
+    for (int i = 0; i < 1300; ++i) sheet += "<row><c><v>1</v></c></row>";
+    sheet += "</sheetData></worksheet>";
+    EXPECT_NE(refusal(parts).find(
+                  "row 1222: more than 20000000 cells in rows as long as the header, 16384"),
+              std::string::npos)
+        << refusal(parts);
+
+    sheet = std::string((64 << 20) + 1, ' ');
+    EXPECT_NE(refusal(parts).find("xl/worksheets/sheet1.xml is too large"), std::string::npos);
+}
+
+TEST(Workbook, SpreadsHeadingsAndNoBooks) {
+    Parts parts = usual();
+    parts["xl/worksheets/sheet1.xml"] =
+        "<worksheet><sheetData><row><c t=\"inlineStr\"><is><t>" + std::string(2000, 'x') +
+        "</t></is></c></row><row r=\"3\"><c r=\"A3\"><v>1</v></c></row></sheetData>"
+        "<mergeCells><mergeCell ref=\"A1:B3\"/></mergeCells></worksheet>";
+    const Book book(parts);
+    EXPECT_EQ(cli::read_workbook(book.path, "").rows[2], std::vector<std::string>{"1"});
+}
+
 }  // namespace

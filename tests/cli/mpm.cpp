@@ -83,7 +83,7 @@ TEST(MaterialPointCommand, GivesTheSameHistoryForAnyNumberOfThreads) {
 TEST(MaterialPointCommand, EndsAfterTheStepWhenItIsInterrupted) {
     const Workplace here;
     here.write("x.toml", column("1000"));
-    for (const char* signal : {"INT", "TERM"}) {
+    for (const char* signal : {"INT", "TERM", "HUP"}) {
         const Answer answer =
             here.grit(std::string("mpm --no-plot --out out x.toml & sleep 0.2; kill -") + signal +
                       " $!; wait $!; exit $?");
@@ -93,6 +93,25 @@ TEST(MaterialPointCommand, EndsAfterTheStepWhenItIsInterrupted) {
         EXPECT_NE(here.text("out/x.csv").find("# STOPPED EARLY: interrupted"), std::string::npos);
         EXPECT_GT(here.result("x").at("t").size(), 2U);
     }
+}
+
+TEST(MaterialPointCommand, GoesOnWithoutItsTerminalWhereItIsToldTo) {
+    const Workplace here;
+    here.write("x.toml", column("0.3"));
+    EXPECT_EQ(here.grit("--version > /dev/null; nohup " GRIT_CLI " mpm --no-plot --quiet --out out "
+                        "x.toml & sleep 0.1; kill -HUP $!; wait $!; exit $?")
+                  .status,
+              0);
+}
+
+TEST(MaterialPointCommand, LeavesNoHalfFilesWhereItIsToQuit) {
+    const Workplace here;
+    here.write("x.toml", column("1000"));
+    const Answer answer = here.grit(
+        "--version > /dev/null; ulimit -c 0; " GRIT_CLI
+        " mpm --no-plot --quiet --out out x.toml & sleep 0.2; kill -QUIT $!; wait $!; exit $?");
+    EXPECT_EQ(answer.status, 128 + 3);
+    EXPECT_EQ(here.files("out"), Names{});
 }
 
 // Ended by signals at any moment, it goes on to the same bits.

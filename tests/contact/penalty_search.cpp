@@ -210,4 +210,15 @@ TEST(PenaltySearch, IsNotUpsetByALongSegmentAmongShortOnes) {
         EXPECT_LE(cost_of(10000, length).per_vertex, 1.1 * even.per_vertex) << length;
 }
 
+TEST(PenaltySearch, NamesNoSegmentWhereNothingIsMet) {
+    Surface a = ground(0.0, 4.0, 4), b = punch(1.0, 2.0, -5.0, 3);
+    Contact contact(1e6, 0.5);
+    contact(a, b);
+    for (const Surface* surface : {&a, &b})
+        for (const grit_penalty_report& report : surface->reports) {
+            EXPECT_EQ(report.state, GRIT_PENALTY_OPEN);
+            EXPECT_EQ(report.segment, -1);
+        }
+}
+
 }  // namespace

@@ -122,6 +122,29 @@ TEST(SurfaceContact, ObeysCoulombInEveryFacetWhoseNormalIsThatOfAll) {
     }
 }
 
+// However little.
+TEST(SurfaceContact, RubsAsMuchAsItsCoefficientSaysWhereAllSlips) {
+    for (const double mu : {1e-6, 4e-3, 0.1}) {
+        GridBody a, b;
+        std::mt19937_64 random(1);
+        const auto flat = [](double, double) { return 3.4; };
+        add_face(a, false, 0.5, 6.4, 9, flat);
+        add_face(b, true, 0.2, 6.1, 7, flat);
+        a.fill(random, 0.0, 0.0);
+        b.fill(random, 0.0, 0.0);
+        for (std::size_t i = 0; i < b.v.size(); i += 2) {
+            b.v[i] = 10.0;
+            b.v[i + 1] = -1.0;
+        }
+        SurfaceCall call(2, mu);
+        call.options.sweep_tolerance = 1.0;  // the largest
+        ASSERT_EQ(call(a, b), GRIT_OK) << call.error.message;
+        EXPECT_GT(call.totals.normal_impulse, 0.0);
+        EXPECT_NEAR(call.totals.impulse_on_a[0], mu * call.totals.normal_impulse,
+                    1e-9 * mu * call.totals.normal_impulse);
+    }
+}
+
 // The same in space as in the plane where nothing varies along the third direction.
 TEST(SurfaceContact, InSpaceIsThatOfThePlane) {
     GridBody a, b;

@@ -136,7 +136,7 @@ const std::vector<Bad> bad_files{
          "only 5 different things"),
     test("NoBar", "*ImportFile table.txt\n10 5 1\n" + six, 2, "*ImportFile name|columns"),
     test("NoSuchTable", "*ImportFile nowhere.txt|3\n10 5 1\n*Cartesian\n" + six, -1,
-         "nowhere.txt: cannot be read"),
+         "nowhere.txt: cannot read this file"),
     test("NoSuchColumn", "*ImportFile result.txt|3\n10 5 1\n*Cartesian\n0 4\n" + six, 5,
          "column must be a whole number in [0, 3], got 4"),
     test("NothingToRepeat", "*Repetition\n2 3\n*PureCreep\n10 5 1\n", 5, "a step of *Repetition"),
@@ -171,7 +171,7 @@ INSTANTIATE_TEST_SUITE_P(IncrementalDriver, MalformedFile, testing::ValuesIn(bad
 TEST(IncrementalDriverFolder, ThatIsMissingIsSaid) {
     const Answer answer = run_grit("element --incremental-driver /nowhere/at/all");
     EXPECT_EQ(answer.status, 2);
-    EXPECT_EQ(answer.text, "grit: /nowhere/at/all/parameters.inp: cannot be read\n");
+    EXPECT_EQ(answer.text, "grit: /nowhere/at/all/parameters.inp: cannot read this file\n");
 }
 
 TEST(IncrementalDriverUmat, ThatIsMissingIsSaid) {

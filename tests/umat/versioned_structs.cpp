@@ -53,7 +53,9 @@ TEST(VersionedStructs, InitWritesNoFurtherThanTheCallersStruct) {
 TEST(VersionedStructs, ImpossibleSizesAreRefused) {
     grit_sand_parameters p = parameters_of("lausitz");
     grit_sand sand;
-    for (const std::size_t size : {std::size_t(0), std::size_t(4), std::size_t(1) << 40}) {
+    // Within a word: half of a pointer.
+    for (const std::size_t size :
+         {std::size_t(0), std::size_t(4), sizeof p - 1, sizeof p - 4, std::size_t(1) << 40}) {
         p.struct_size = size;
         EXPECT_EQ(grit_sand_prepare(&p, &sand, nullptr), GRIT_BAD_CALL) << size;
         grit_sand_options options;

@@ -22,7 +22,7 @@ class Findings {
     // NaN is larger than any number.
     void measure(int what, double value) {
         double& most = largest[static_cast<std::size_t>(what)];
-        if (!(value <= most)) most = value;
+        if (!(value <= most) && most == most) most = value;
     }
     // program: makes the text that repeats the case; called for the first of each rule.
     template <class Program> void demand(int rule, bool holds, const Program& program) {

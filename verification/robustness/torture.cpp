@@ -1,23 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// torture sand|contact [--count N] [--seed S] [--hours H] [--threads N] [--journal FILE]: random trials, what they found, and
+// torture sand|contact|penalty|surface [--count N] [--seed S] [--hours H] [--threads N] [--journal FILE]: random trials, what they found, and
 // for each rule that was broken a program that breaks it again. Ends with 1 if there is one.
 #include <cstdio>
+#include <map>
 #include <stdexcept>
 
 #include <CLI/CLI.hpp>
 
 #include "robustness/campaign.hpp"
 #include "robustness/contact_trials.hpp"
+#include "robustness/penalty_trials.hpp"
 #include "robustness/sand_trials.hpp"
+#include "robustness/surface_trials.hpp"
 
 int main(int argc, char** argv) {
     using namespace robustness;
     CLI::App app("Random trials of Grit, see docs/robustness.md");
     Campaign campaign;
     std::string name;
-    app.add_option("KIND", name, "sand or contact")
-        ->required()
-        ->check(CLI::IsMember({"sand", "contact"}));
+    const std::map<std::string, Kind (*)()> kinds{{"sand", &sand_trials},
+                                                  {"contact", &contact_trials},
+                                                  {"penalty", &penalty_trials},
+                                                  {"surface", &surface_trials}};
+    app.add_option("KIND", name, "Of what")->required()->check(CLI::IsMember(kinds));
     app.add_option("--count", campaign.count, "Cases, in whole blocks")
         ->check(CLI::Range(1L, 1000000000000L));
     app.add_option("--seed", campaign.seed, "Other numbers")->check(CLI::NonNegativeNumber);
@@ -27,7 +32,7 @@ int main(int argc, char** argv) {
     app.add_option("--journal", campaign.journal, "File with a line per block, to go on from");
     CLI11_PARSE(app, argc, argv);
     try {
-        return run(name == "sand" ? sand_trials() : contact_trials(), campaign) ? 0 : 1;
+        return run(kinds.at(name)(), campaign) ? 0 : 1;
     } catch (const std::runtime_error& error) {
         std::fprintf(stderr, "torture: %s\n", error.what());
         return 2;

@@ -7,11 +7,13 @@
 #include <string>
 
 #include "adapters/mpm/grid/cell_list.hpp"
+#include "adapters/mpm/step/text.hpp"
 
 namespace grit::mpm {
 namespace {
 
-constexpr double roundoff = 1e-9;  // of a length
+constexpr double roundoff = 1e-9;       // of a length
+constexpr double most_particles = 1e8;  // of a body, beside its outlines too
 
 struct Slab {
     double centre, half;  // [m]
@@ -75,6 +77,7 @@ bool inside(const Outline& outline, double r, double z) {
 Particles fill(const BodyPlan& body, const Axis& r, const Axis& z, bool axisymmetric,
                int own_columns) {
     Particles out(own_columns);
+    double asked = 0.0;
     for (std::size_t k = 0; k < body.outlines.size(); ++k) {
         const Outline& outline = body.outlines[k];
         const auto before = body.outlines.begin();
@@ -82,7 +85,13 @@ Particles fill(const BodyPlan& body, const Axis& r, const Axis& z, bool axisymme
         const int per_cell_r = outline.particles_r > 0 ? outline.particles_r : body.particles_r;
         const int per_cell_z = outline.particles_z > 0 ? outline.particles_z : body.particles_z;
         const std::vector<Slab> along_r = cut(r, b.r0, b.r1, per_cell_r);
-        for (const Slab& j : cut(z, b.z0, b.z1, per_cell_z))
+        const std::vector<Slab> along_z = cut(z, b.z0, b.z1, per_cell_z);
+        asked += static_cast<double>(along_r.size()) * static_cast<double>(along_z.size());
+        if (asked > most_particles)
+            throw std::invalid_argument(
+                "body " + body.name + ": its outlines would be filled with " + text(asked) +
+                " particles, at most " + text(most_particles) + " are possible");
+        for (const Slab& j : along_z)
             for (const Slab& i : along_r) {
                 const auto here = [&](const Outline& o) { return inside(o, i.centre, j.centre); };
                 if (!here(outline)) continue;
