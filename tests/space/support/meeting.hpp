@@ -66,9 +66,9 @@ struct Hertz {
     double rise = 0.05, rest = 0.04;  // [s]
 
     struct Result {
-        double force;          // of the plane on the body, all around [N]
-        double balance_error;  // of that against the load
-        double radius_error, pressure_error;
+        double force;                         // of the plane on the body, all around [N]
+        double sum_error;                     // of that against the contact's own sum
+        double radius_error, pressure_error;  // against what Hertz has for that force
         double askew;  // largest difference of pressures across the diagonal, as a share of p0
     };
 
@@ -99,10 +99,15 @@ struct Hertz {
         simulation.add_body(std::move(plane));
         simulation.add_body(make_body(across, up, extent));
         for (const int d : {0, 1}) simulation.fix_below(d, 0.0);
-        const double load = press(simulation, 2 * static_cast<int>(across.size()) - 2);
+        press(simulation, 2 * static_cast<int>(across.size()) - 2);
         simulation.add_contact(nodal_law(law, 0.0, 0, 1));
-        while (simulation.time() < rise + rest) simulation.step();
-        return evaluate(simulation, across, 4.0 * load);
+        double dt = 0.0;
+        while (simulation.time() < rise + rest) {
+            dt = simulation.next_step();
+            simulation.step();
+        }
+        return evaluate(simulation, across,
+                        4.0 * simulation.contact(0).totals().impulse_on_b[2] / dt);
     }
 
   private:
@@ -133,8 +138,8 @@ struct Hertz {
         return body;
     }
 
-    // A pressure on the upper faces, applied slowly; returns the load [N] of a quarter that Hertz expects to give a.
-    double press(Simulation& simulation, int rows) const {
+    // A pressure on the upper faces that Hertz expects to give a, applied slowly.
+    void press(Simulation& simulation, int rows) const {
         const double load = E / (1.0 - nu * nu) * a * a * a / (3.0 * R);
         const Particles& q = simulation.body(1).particles;
         const std::ptrdiff_t first = q.size() - std::ptrdiff_t{rows} * rows;
@@ -147,11 +152,10 @@ struct Hertz {
                      const double x = std::min(t / rising, 1.0);
                      return Vector3{0.0, 0.0, -load / area * x * x * (3.0 - 2.0 * x)};
                  }});
-        return load;
     }
 
     Result evaluate(const Simulation& simulation, const std::vector<double>& across,
-                    double load) const {
+                    double own_sum) const {
         // At rest contact balances the inner forces at the nodes that both bodies reach.
         const std::size_t n = across.size();
         std::vector<double> force(n * n);
@@ -166,9 +170,9 @@ struct Hertz {
         const auto hat = [&](std::size_t i) {  // integral of the hat function
             return 0.5 * (across[std::min(i + 1, n - 1)] - across[i > 0 ? i - 1 : 0]);
         };
-        Result out{4.0 * sum, 4.0 * sum / load - 1.0, 0.0, 0.0, 0.0};
-        const double radius = std::cbrt(0.75 * load * R * (1.0 - nu * nu) / E);
-        const double p0 = 1.5 * load / (std::numbers::pi * radius * radius);
+        Result out{4.0 * sum, 4.0 * sum / own_sum - 1.0, 0.0, 0.0, 0.0};
+        const double radius = std::cbrt(0.75 * out.force * R * (1.0 - nu * nu) / E);
+        const double p0 = 1.5 * out.force / (std::numbers::pi * radius * radius);
         std::vector<double> r, pressure, area;
         for (std::size_t j = 0; j < n; ++j)
             for (std::size_t i = 0; i < n; ++i) {

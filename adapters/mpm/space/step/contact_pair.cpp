@@ -21,14 +21,15 @@ Vector3 at(const std::vector<double>& of, std::size_t i) {
 // Parallelepipeds, or points, each with nodes of its own, for one call of the library.
 class Domains {
   public:
-    explicit Domains(bool points) : are_points(points) {}
-    // side: not read of points.
-    void add(const Vector3& x, const double* side, const std::ptrdiff_t* nodes, int count) {
+    void add(const Vector3& x, const std::ptrdiff_t* nodes, int count) {
         if (count == 0) return;
         position.insert(position.end(), x.c, x.c + 3);
-        if (!are_points) sides.insert(sides.end(), side, side + 9);
         node.insert(node.end(), nodes, nodes + count);
         offset.push_back(static_cast<std::ptrdiff_t>(node.size()));
+    }
+    void add(const Vector3& x, const double (&side)[9], const std::ptrdiff_t* nodes, int count) {
+        if (count > 0) sides.insert(sides.end(), side, side + 9);
+        add(x, nodes, count);
     }
     void send(const grit_contact_surfaces& to, int body) const {
         grit_contact_domains d{};
@@ -37,7 +38,7 @@ class Domains {
         d.offset = offset.data();
         d.node = node.data();
         d.position = grit_view_of(position.data(), 3, 1);
-        if (!are_points) {
+        if (!sides.empty()) {
             d.sides = 3;
             d.side = grit_matrix_view_of(sides.data(), 9, 3, 1);
         }
@@ -48,7 +49,6 @@ class Domains {
     }
 
   private:
-    bool are_points;
     std::vector<double> position, sides;
     std::vector<std::ptrdiff_t> offset{0}, node;
 };
@@ -271,7 +271,7 @@ void ContactPair::find_surfaces() {
     all.centre = grit_mutable_view_of(centre.data(), 2, 1);
     const grit_contact_surfaces beside_nodes = surfaces(near_surface);
     for (const int which : {0, 1}) {
-        Domains domains(false), corners(true);
+        Domains domains, corners;
         for (const Reaching& q : reaching[which]) {
             std::ptrdiff_t beside[64];
             for (const Vector3& corner : q.corner) {
@@ -279,7 +279,7 @@ void ContactPair::find_surfaces() {
                     return is_beside(corner, static_cast<std::size_t>(i));
                 };
                 const auto* end = std::copy_if(q.nodes, q.nodes + q.count, beside, is_at);
-                corners.add(corner, nullptr, beside, static_cast<int>(end - beside));
+                corners.add(corner, beside, static_cast<int>(end - beside));
             }
             domains.add(q.x, q.side, q.nodes, q.count);
         }
@@ -310,7 +310,7 @@ void ContactPair::part_corners() {
          {GRIT_CONTACT_NORMAL_OF_A, GRIT_CONTACT_NORMAL_OF_B, GRIT_CONTACT_NORMAL_AVERAGE})
         if (source != pair_law.normal) find_normals(source, asked, direction[k++]);
     for (const int which : {0, 1}) {
-        Domains domains(false);
+        Domains domains;
         for (const Reaching& q : reaching[which]) {
             std::ptrdiff_t wanted[64];
             const auto is_closed = [&](std::ptrdiff_t i) {
