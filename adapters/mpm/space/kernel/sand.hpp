@@ -27,6 +27,7 @@ class Sand : public Material {
     }
 
     const grit_sand& prepared() const { return sand; }
+    const grit_sand_options& update_options() const { return options; }
 
   private:
     grit_sand sand;

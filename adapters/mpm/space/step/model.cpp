@@ -5,25 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "adapters/mpm/step/spellings.hpp"
-
 namespace grit::mpm::space {
-namespace {
-
-void refuse_what_is_not_there(const Settings& settings) {
-    const auto refuse = [](const std::string& what) {
-        throw std::invalid_argument(what + " is not there in space");
-    };
-    if (settings.shape == Shape::cpdi_published)
-        refuse("the shape function " + std::string(word_of(words::shapes, settings.shape)));
-    if (settings.scheme != Scheme::usl)
-        refuse("the scheme " + std::string(word_of(words::schemes, settings.scheme)));
-    if (settings.fixed_point) refuse("fixed point");
-    if (settings.reduced_domains) refuse("the reduction of domains");
-}
-
-}  // namespace
-
 void Part::index_ids() {
     const int* ids = body.particles.ids();
     by_id.resize(static_cast<std::size_t>(body.particles.size()));
@@ -33,7 +15,8 @@ void Part::index_ids() {
 
 Model::Model(std::array<Axis, 3> axes, const Settings& given)
     : settings(given), axis(std::move(axes)), pool(usable_threads(given.threads)) {
-    refuse_what_is_not_there(settings);
+    if (const NotThere found = not_there(settings); found.key)
+        throw std::invalid_argument(std::string(found.what) + " is not there in space");
     fixed_nodes.resize(static_cast<std::size_t>(axis[0].nodes()) *
                        static_cast<std::size_t>(axis[1].nodes()) *
                        static_cast<std::size_t>(axis[2].nodes()));

@@ -10,8 +10,21 @@
 
 namespace grit::mpm::space {
 
-// As in the plane, but for what is not there yet in space; see refuse_what_is_not_there.
 using Settings = mpm::Settings;
+
+// What of the settings is not there in space: its key in [numerics], and a word for it. Null: all of it is there.
+struct NotThere {
+    const char* key = nullptr;
+    const char* what = nullptr;
+};
+inline NotThere not_there(const Settings& settings) {
+    if (settings.shape == Shape::cpdi_published)
+        return {"shape_function", "the shape function cpdi_published"};
+    if (settings.scheme != Scheme::usl) return {"scheme", "another scheme than usl"};
+    if (settings.fixed_point) return {"fixed_point", "fixed point"};
+    if (settings.reduced_domains) return {"reduced_domains", "the reduction of domains"};
+    return {};
+}
 
 struct Body {
     std::string name;
