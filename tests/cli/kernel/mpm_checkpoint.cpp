@@ -42,7 +42,7 @@ TEST_F(CheckpointFile, HandsBackTheRunnersStateAndTheSimulation) {
     EXPECT_EQ(here.files(), std::set<std::string>{"x.checkpoint"});
     const auto again = sand_box();
     const cli::MpmCheckpoint checkpoint(place);
-    checkpoint.restore(*again);
+    checkpoint.restore(*grit::mpm::subject_of(*again));
     EXPECT_EQ(checkpoint.runner(), runner);
     EXPECT_EQ(again->time(), simulation->time());
     EXPECT_EQ(again->steps(), 5);

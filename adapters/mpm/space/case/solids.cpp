@@ -46,7 +46,9 @@ bool is_in(const Shape3& shape, const Vector3& x) {
 }
 
 std::string word_of(const Vector3& x) {
-    return "(" + text(x[0]) + ", " + text(x[1]) + ", " + text(x[2]) + ") m";
+    std::string out = "(";
+    for (int d = 0; d < 3; ++d) out.append(text(x[d])).append(d < 2 ? ", " : ") m");
+    return out;
 }
 
 // A quarter or a half of a round shape may be meant: what lies beyond the grid is cut off, its centre must not.

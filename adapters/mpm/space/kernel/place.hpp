@@ -113,10 +113,11 @@ inline Domain rounded_anew(const Domain& d, double most) {
 // The product of the squares of a domain and of its reciprocal vectors is 3 + sum (s_i/s_j)^2 over all pairs: below
 // this no two differ by `most`.
 GRIT_INLINE Domain rounded(const Domain& d) {
-    constexpr double most = 9.0,
-                     surely = 3.0 + most * most + 1.0 / (most * most) + 2.0 * (most + 1.0 / most);
-    if (squares(d) * squares(reciprocal(d)) <= surely) return d;
-    if (!(dot(d.r[0], cross(d.r[1], d.r[2])) > 0.0)) return d;
+    constexpr double most = 9.0;
+    constexpr double surely = 3.0 + most * most + 1.0 / (most * most) + 2.0 * (most + 1.0 / most);
+    const Domain areas{{cross(d.r[1], d.r[2]), cross(d.r[2], d.r[0]), cross(d.r[0], d.r[1])}};
+    const double det = dot(d.r[0], areas.r[0]);
+    if (squares(d) * squares(areas) <= surely * (det * det) || !(det > 0.0)) return d;
     return rounded_anew(d, most);
 }
 

@@ -11,13 +11,13 @@ GRIT_KERNEL_BEGIN_OF(mpm::space)
 
 using Vec4 = mpm::GRIT_TARGET::Vec4;
 using Vec8 = mpm::GRIT_TARGET::Vec8;
-using Bits = grit::GRIT_TARGET::VectorTypes<8>::Bits;
+using Bits = grit::GRIT_TARGET::VectorTypes<4>::Bits;
 
-GRIT_INLINE Vec8 xi() { return Vec8{-1, 1, -1, 1, -1, 1, -1, 1}; }
-GRIT_INLINE Vec8 eta() { return Vec8{-1, -1, 1, 1, -1, -1, 1, 1}; }
-GRIT_INLINE Vec8 zeta() { return Vec8{-1, -1, -1, -1, 1, 1, 1, 1}; }
+// Of the lower four corners and of the upper ones, whose zeta is -1 and 1.
+GRIT_INLINE Vec4 xi() { return Vec4{-1, 1, -1, 1}; }
+GRIT_INLINE Vec4 eta() { return Vec4{-1, -1, 1, 1}; }
 
-// Eight corners, (A7): a lane each.
+// Eight corners, (A7): a lane each, in two vectors of four, which compilers choose lanes of without taking them apart.
 struct CornerStencil {
     static constexpr int points = 8;
     static constexpr double S(int) { return 0.125; }
@@ -28,20 +28,24 @@ struct CornerStencil {
 
     GRIT_INLINE CornerStencil(const GridView& grid, const Place& q) {
         const Domain a = reciprocal(q.domain);
-        Bits node{};
-        Vec8 upper[3];  // local coordinates
-        for (int k = 0; k < 3; ++k) {
-            const Domain& r = q.domain;
-            store(G[k], 0.125 * (xi() * a.r[0][k] + eta() * a.r[1][k] + zeta() * a.r[2][k]));
-            const Vec8 x = q.at[k] + (xi() * r.r[0][k] + eta() * r.r[1][k] + zeta() * r.r[2][k]);
-            upper[k] = local(grid.axis[k], q.cell[k], x, grid.step(k), node);
-        }
-        __builtin_memcpy(corner, &node, sizeof corner);
-        const Vec8 x0 = 1.0 - upper[0], y0 = 1.0 - upper[1], z0 = 1.0 - upper[2];
-        const Vec8 xy[4] = {x0 * y0, upper[0] * y0, x0 * upper[1], upper[0] * upper[1]};
-        for (int n = 0; n < 4; ++n) {
-            store(N[n], xy[n] * z0);
-            store(N[n + 4], xy[n] * upper[2]);
+        for (int half = 0; half < 2; ++half) {
+            const double zeta = half == 0 ? -1.0 : 1.0;
+            Bits node{};
+            Vec4 upper[3];  // local coordinates
+            for (int k = 0; k < 3; ++k) {
+                const Domain& r = q.domain;
+                const Vec4 slope = xi() * a.r[0][k] + eta() * a.r[1][k] + zeta * a.r[2][k];
+                store(&G[k][4 * half], 0.125 * slope);
+                const Vec4 x = q.at[k] + (xi() * r.r[0][k] + eta() * r.r[1][k] + zeta * r.r[2][k]);
+                upper[k] = local(grid.axis[k], q.cell[k], x, grid.step(k), node);
+            }
+            __builtin_memcpy(corner + 4 * half, &node, sizeof node);
+            const Vec4 x0 = 1.0 - upper[0], y0 = 1.0 - upper[1], z0 = 1.0 - upper[2];
+            const Vec4 xy[4] = {x0 * y0, upper[0] * y0, x0 * upper[1], upper[0] * upper[1]};
+            for (int n = 0; n < 4; ++n) {
+                store(&N[n][4 * half], xy[n] * z0);
+                store(&N[n + 4][4 * half], xy[n] * upper[2]);
+            }
         }
         for (int n = 0; n < 8; ++n)
             to[n] = (n & 1) + (n & 2 ? grid.step(1) : 0) + (n & 4 ? grid.step(2) : 0);
@@ -59,23 +63,20 @@ struct CornerStencil {
     }
 
   private:
-    static GRIT_INLINE void store(double* to, const Vec8& x) { *reinterpret_cast<Vec8*>(to) = x; }
+    static GRIT_INLINE void store(double* to, const Vec4& x) { *reinterpret_cast<Vec4*>(to) = x; }
     // In the cell given or next to it; node grows by the steps to its first node.
-    static GRIT_INLINE Vec8 local(const AxisView& axis, int cell, const Vec8& x,
+    static GRIT_INLINE Vec4 local(const AxisView& axis, int cell, const Vec4& x,
                                   std::ptrdiff_t step, Bits& node) {
         const int before = cell > 0 ? cell - 1 : 0,
                   behind = cell + 1 < axis.cells ? cell + 1 : cell;
-        const Vec8 none{};
-        const Vec8 end = none + axis.node[cell + 1], begin = none + axis.node[cell];
+        const Vec4 none{}, end = none + axis.node[cell + 1], begin = none + axis.node[cell];
         const Bits is_behind = x >= end, is_before = x < begin;
         node += step * cell + (is_behind & (step * (behind - cell))) -
                 (is_before & (step * (cell - before)));
-        const Vec8 first = is_behind   ? none + axis.node[behind]
-                           : is_before ? none + axis.node[before]
-                                       : begin;
-        const Vec8 per = is_behind   ? none + axis.inverse[behind]
-                         : is_before ? none + axis.inverse[before]
-                                     : none + axis.inverse[cell];
+        Vec4 first = is_before ? none + axis.node[before] : begin;
+        Vec4 per = is_before ? none + axis.inverse[before] : none + axis.inverse[cell];
+        first = is_behind ? none + axis.node[behind] : first;
+        per = is_behind ? none + axis.inverse[behind] : per;
         return (x - first) * per;
     }
 };

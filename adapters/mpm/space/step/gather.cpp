@@ -5,23 +5,10 @@
 #include <cmath>
 
 #include "adapters/mpm/kernel/material_failure.hpp"
+#include "adapters/mpm/step/ranges.hpp"
 #include "adapters/mpm/step/stopwatch.hpp"
 
 namespace grit::mpm::space {
-namespace {
-
-// work(begin, end) of no more particles than increments hold.
-template <class Work> void each_range(const Pencils& pencils, int pencil, const Work& work) {
-    const std::ptrdiff_t end = pencils.begin(pencil + 1);
-    for (std::ptrdiff_t begin = pencils.begin(pencil); begin < end;) {
-        const std::ptrdiff_t stop = std::min<std::ptrdiff_t>(begin + Increments::capacity, end);
-        work(begin, stop);
-        begin = stop;
-    }
-}
-
-}  // namespace
-
 void Gather::add_body() { bodies.emplace_back(static_cast<std::size_t>(model.pencils())); }
 
 void Gather::operator()() {
@@ -45,20 +32,22 @@ void Gather::gather(std::size_t body, int pencil) {
     const bool rigid = part.body.rigid(), updates = !rigid && !means.has(body);
     double fastest = 0.0;
     Increments increments;
-    each_range(part.pencils, pencil, [&](std::ptrdiff_t begin, std::ptrdiff_t stop) {
-        const GatherCall call{model.grid(),
-                              q,
-                              begin,
-                              stop,
-                              part.motions.data(),
-                              model.dt,
-                              std::min(settings.pic_rate * model.dt, 1.0),
-                              rigid,
-                              part.separation,
-                              means.of(body)};
-        kernels().gather(settings.shape, call, increments, sums.sums);
-        if (updates) fastest = std::max(fastest, update(body, sums, {q, begin, stop}, increments));
-    });
+    each_range(
+        part.pencils, pencil, Increments::capacity, [&](std::ptrdiff_t begin, std::ptrdiff_t stop) {
+            const GatherCall call{model.grid(),
+                                  q,
+                                  begin,
+                                  stop,
+                                  part.motions.data(),
+                                  model.dt,
+                                  std::min(settings.pic_rate * model.dt, 1.0),
+                                  rigid,
+                                  part.separation,
+                                  means.of(body)};
+            kernels().gather(settings.shape, call, increments, sums.sums);
+            if (updates)
+                fastest = std::max(fastest, update(body, sums, {q, begin, stop}, increments));
+        });
     if (updates) sums.speed = std::sqrt(fastest);
 }
 
@@ -71,10 +60,12 @@ void Gather::deform(std::size_t body, int pencil) {
     const CellMean& mean = means.of(body);
     double fastest = 0.0;
     Increments increments;
-    each_range(part.pencils, pencil, [&](std::ptrdiff_t begin, std::ptrdiff_t stop) {
-        kernels().deform({q, begin, stop, mean.cells, mean.deferred, part.separation}, increments);
-        fastest = std::max(fastest, update(body, sums, {q, begin, stop}, increments));
-    });
+    each_range(part.pencils, pencil, Increments::capacity,
+               [&](std::ptrdiff_t begin, std::ptrdiff_t stop) {
+                   kernels().deform({q, begin, stop, mean.cells, mean.deferred, part.separation},
+                                    increments);
+                   fastest = std::max(fastest, update(body, sums, {q, begin, stop}, increments));
+               });
     sums.speed = std::sqrt(fastest);
 }
 
