@@ -197,7 +197,8 @@ FixCase read_fix(const std::vector<std::string>& given, const double (&box)[2][2
     FixCase out;
     Words words(given);
     Case& plan = out.plan;
-    plan.settings.axisymmetric = words.choice("the geometry", mpm::words::geometries) != 0;
+    plan.settings.axisymmetric = words.choice("the geometry", mpm::words::geometries) ==
+                                 static_cast<int>(mpm::words::Geometry::axisymmetric);
     plan.r.from = box[0][0];
     plan.z.from = box[1][0];
     std::string matters = words.taken_since(0);

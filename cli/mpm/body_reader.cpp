@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "cli/element/material_reader.hpp"
+#include "cli/mpm/space_reader.hpp"
 #include "cli/mpm/words.hpp"
 #include "cli/sand/sand_file.hpp"
 
@@ -65,25 +66,28 @@ ElasticPlan read_elastic(TomlTable table, bool neo_hooke) {
     return out;
 }
 
-RigidPlan read_rigid(TomlTable table) {
+RigidPlan read_rigid(TomlTable table, bool in_space) {
     const TimeTable still{{0.0}, {0.0}};
     RigidPlan out;
     const auto velocity = [&](const char* key) {
         return table.has(key) ? read_time_table(table, key, 1.0) : still;
     };
-    out.velocity_r = velocity("velocity_r_m_per_s");
+    const char* along_r = in_space ? "velocity_x_m_per_s" : "velocity_r_m_per_s";
+    out.velocity_r = velocity(along_r);
     out.velocity_z = velocity("velocity_z_m_per_s");
+    if (in_space) out.velocity_y = velocity("velocity_y_m_per_s");
     out.from_stage = table.string_if("from_stage").value_or("");
-    if (!table.has("velocity_r_m_per_s") && !table.has("velocity_z_m_per_s"))
+    if (!table.has(along_r) && !table.has("velocity_z_m_per_s") &&
+        !(in_space && table.has("velocity_y_m_per_s")))
         for (const char* key : {"time_s", "from_stage"})
             if (table.has(key))
-                table.fail(key, fmt::format("{} needs velocity_r_m_per_s or velocity_z_m_per_s",
-                                            table.full(key)));
+                table.fail(key, fmt::format("{} needs {} or velocity_z_m_per_s", table.full(key),
+                                            along_r));
     table.finish();
     return out;
 }
 
-void read_intergranular_strain(TomlTable& table, SandPlan& plan) {
+void read_intergranular_strain(TomlTable& table, SandPlan& plan, bool in_space) {
     const bool has_parameters = !std::isnan(plan.parameters.elastic_strain_radius);
     using Start = words::IntergranularStart;
     const std::optional<int> given =
@@ -97,7 +101,8 @@ void read_intergranular_strain(TomlTable& table, SandPlan& plan) {
                                table.full("intergranular_strain")));
     plan.options.intergranular_off = start == Start::off ? 1 : 0;
     plan.intergranular_rho = start == Start::mobilised ? 1.0 : 0.0;
-    if (const auto direction = table.numbers_if("intergranular_direction", 4)) {
+    if (in_space) std::swap(plan.intergranular_direction[1], plan.intergranular_direction[2]);
+    if (const auto direction = table.numbers_if("intergranular_direction", in_space ? 6 : 4)) {
         if (start != Start::mobilised)
             table.fail("intergranular_direction",
                        fmt::format("{} needs intergranular_strain = \"mobilised\", it is \"{}\"",
@@ -111,7 +116,7 @@ void read_intergranular_strain(TomlTable& table, SandPlan& plan) {
 }
 
 // grain_density: of the body, if it is given.
-SandPlan read_sand_body(TomlTable table, const std::filesystem::path& given) {
+SandPlan read_sand_body(TomlTable table, const std::filesystem::path& given, bool in_space) {
     SandPlan out{};
     out.parameters = read_sand_parameters(table).parameters;
     if (!given.empty()) out.parameters = sand_of(given);
@@ -125,7 +130,7 @@ SandPlan read_sand_body(TomlTable table, const std::filesystem::path& given) {
     out.void_ratio =
         number(table, out.at_zero_pressure ? case_word("body.sand", "void_ratio_at_zero_pressure")
                                            : case_word("body.sand", "void_ratio"));
-    read_intergranular_strain(table, out);
+    read_intergranular_strain(table, out, in_space);
     table.finish();
     grit_sand sand;
     grit_error error{};
@@ -164,11 +169,12 @@ WaterPlan read_water(TomlTable table, const Case& plan, const MaterialPlan& mate
     return out;
 }
 
-void read_material(TomlTable& table, BodyPlan& body, const std::filesystem::path& sand) {
+void read_material(TomlTable& table, BodyPlan& body, const std::filesystem::path& sand,
+                   bool in_space) {
     const std::string kind = table.one_of({"elastic", "neo_hooke", "rigid", "sand"});
     TomlTable inner = table.table(kind);
-    if (kind == "sand") body.material = read_sand_body(std::move(inner), sand);
-    else if (kind == "rigid") body.material = read_rigid(std::move(inner));
+    if (kind == "sand") body.material = read_sand_body(std::move(inner), sand, in_space);
+    else if (kind == "rigid") body.material = read_rigid(std::move(inner), in_space);
     else body.material = read_elastic(std::move(inner), kind == "neo_hooke");
 }
 
@@ -215,9 +221,9 @@ TimeTable read_time_table(TomlTable& table, const std::string& key, double unit)
     return out;
 }
 
-BodyPlan read_body(TomlTable table, const Case& plan, const std::filesystem::path& sand) {
-    BodyPlan out;
-    out.name = table.string("name");
+namespace {
+
+void read_outlines(TomlTable& table, const Case& plan, BodyPlan& out) {
     for (TomlTable& box : table.tables_if("box"))
         out.outlines.push_back(read_outline(std::move(box), true, plan));
     for (TomlTable& polygon : table.tables_if("polygon"))
@@ -227,13 +233,23 @@ BodyPlan read_body(TomlTable table, const Case& plan, const std::filesystem::pat
                    fmt::format("{0} needs a [[body.box]] or a [[body.polygon]]", table.full("")));
     out.particles_r = integer_or_default(table, case_word("body", "particles_per_cell_r"));
     out.particles_z = integer_or_default(table, case_word("body", "particles_per_cell_z"));
-    read_material(table, out, sand);
+    if (const auto v = table.numbers_if("velocity_m_per_s", 2)) out.velocity = {(*v)[0], (*v)[1]};
+}
+
+}  // namespace
+
+BodyPlan read_body(TomlTable table, Case& plan, const std::filesystem::path& sand) {
+    BodyPlan out;
+    out.name = table.string("name");
+    if (plan.space) plan.space->bodies.push_back(read_solid(table));
+    else read_outlines(table, plan, out);
+    read_material(table, out, sand, plan.space.has_value());
+    if (plan.space && table.has("water")) refuse_in_space(table, "water");
     if (auto water = table.table_if("water"))
         out.water = read_water(std::move(*water), plan, out.material);
     read_density(table, out);
     if (auto rest = table.table_if("stress_at_rest"))
         out.geostatic = read_stress_at_rest(std::move(*rest));
-    if (const auto v = table.numbers_if("velocity_m_per_s", 2)) out.velocity = {(*v)[0], (*v)[1]};
     const auto* elastic = std::get_if<ElasticPlan>(&out.material);
     if (out.geostatic && (out.rigid() || (elastic && elastic->neo_hooke)))
         table.fail("stress_at_rest", fmt::format("{}: sand and linear elastic bodies alone",

@@ -12,7 +12,8 @@ namespace cli {
 
 // After the grid. Names of stages are checked by check_stage_names.
 // sand: a file whose parameters take the place of the body's, empty: none.
-grit::mpm::BodyPlan read_body(TomlTable table, const grit::mpm::Case& plan,
+// In space its shapes are added to those of the plan.
+grit::mpm::BodyPlan read_body(TomlTable table, grit::mpm::Case& plan,
                               const std::filesystem::path& sand);
 
 // time_s and a list of values under key, in units of unit. Both ascending in time; one value: constant.

@@ -8,6 +8,8 @@
 #include "cli/mpm/body_reader.hpp"
 #include "cli/mpm/grid_reader.hpp"
 #include "cli/mpm/load_reader.hpp"
+#include "cli/mpm/space_fields.hpp"
+#include "cli/mpm/space_reader.hpp"
 #include "cli/mpm/words.hpp"
 #include "cli/process/exit_code.hpp"
 
@@ -90,14 +92,14 @@ void read_history(TomlTable table, Case& plan) {
     table.finish();
 }
 
-FieldsPlan read_fields(TomlTable table) {
+FieldsPlan read_fields(TomlTable table, const std::vector<MpmField>& known) {
     FieldsPlan out;
     out.interval = number_or_default(table, case_word("fields", "interval_s"));
     std::vector<std::string> names = table.strings_or_none("variables");
-    if (!table.has("variables")) names = mpm_field_names();
+    if (!table.has("variables")) names = names_of_fields(known);
     for (const std::string& name : names) {
         try {
-            out.variables.push_back(mpm_field(name));
+            out.variables.push_back(field_of(known, name));
         } catch (const std::invalid_argument& error) {
             table.fail("variables", fmt::format("{}: {}", table.full("variables"), error.what()));
         }
@@ -124,6 +126,7 @@ MpmCaseFile read_mpm_case(const std::filesystem::path& path, const std::filesyst
     read_bodies(root, plan, sand);
     for (TomlTable& table : root.tables_if("traction"))
         plan.tractions.push_back(read_traction(std::move(table), plan));
+    if (plan.space && root.has("inflow")) refuse_in_space(root, "inflow");
     for (TomlTable& table : root.tables_if("inflow"))
         plan.inflows.push_back(read_inflow(std::move(table), plan));
     read_contacts(root, plan);
@@ -134,7 +137,8 @@ MpmCaseFile read_mpm_case(const std::filesystem::path& path, const std::filesyst
     else if (plan.history.interval == 0.0)
         root.fail("history", "history.interval_s is missing: no stage has a time_s to take a "
                              "thousandth of; 0 is a row after every step");
-    if (auto fields = root.table_if("fields")) out.fields = read_fields(std::move(*fields));
+    if (auto fields = root.table_if("fields"))
+        out.fields = read_fields(std::move(*fields), plan.space ? space_fields() : mpm_fields());
     root.finish();
     return out;
 }

@@ -75,11 +75,11 @@ std::string bytes_of(const fs::path& place) {
 
 }  // namespace
 
-void write_mpm_checkpoint(const fs::path& place, const grit::mpm::Simulation& simulation,
+void write_mpm_checkpoint(const fs::path& place, const grit::mpm::Subject& simulation,
                           std::string_view runner) {
     const Header header = header_of(runner);
     std::ostringstream state;
-    grit::mpm::save(simulation, state);
+    simulation.save(state);
     element::AtomicFile file(place);
     file.write({reinterpret_cast<const char*>(&header), sizeof header});
     file.write(runner);
@@ -110,10 +110,10 @@ MpmCheckpoint::MpmCheckpoint(const fs::path& path) : place(path) {
     simulation_state = file.substr(sizeof header + header.bytes);
 }
 
-void MpmCheckpoint::restore(grit::mpm::Simulation& simulation, grit::mpm::OtherBits bits) const {
+void MpmCheckpoint::restore(grit::mpm::Subject& simulation, grit::mpm::OtherBits bits) const {
     std::istringstream in(simulation_state);
     try {
-        grit::mpm::restore(simulation, in, bits);
+        simulation.restore(in, bits);
     } catch (const std::runtime_error& error) {
         refuse(place, error.what());
     }

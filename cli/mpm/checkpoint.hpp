@@ -7,14 +7,14 @@
 #include <string>
 #include <string_view>
 
-#include <adapters/mpm/io/checkpoint.hpp>
+#include <adapters/mpm/run/subject.hpp>
 
 namespace cli {
 
 // Written beside, on the disk before it takes the place of the one before; throws element::CannotWrite,
 // which leaves that one as it is.
-void write_mpm_checkpoint(const std::filesystem::path& place,
-                          const grit::mpm::Simulation& simulation, std::string_view runner);
+void write_mpm_checkpoint(const std::filesystem::path& place, const grit::mpm::Subject& simulation,
+                          std::string_view runner);
 
 class MpmCheckpoint {
   public:
@@ -23,7 +23,7 @@ class MpmCheckpoint {
 
     const std::string& runner() const { return runner_state; }
     // The simulation is untouched if it is refused.
-    void restore(grit::mpm::Simulation& simulation,
+    void restore(grit::mpm::Subject& simulation,
                  grit::mpm::OtherBits bits = grit::mpm::OtherBits::refused) const;
 
   private:

@@ -10,6 +10,7 @@
 #include "cli/mpm/fields.hpp"
 #include "cli/mpm/history.hpp"
 #include "cli/mpm/run.hpp"
+#include "cli/mpm/space_fields.hpp"
 #include "cli/mpm/to_lammps.hpp"
 #include "cli/process/abnormal_end.hpp"
 #include "cli/process/outputs.hpp"
@@ -47,8 +48,7 @@ Runner prepare(const MpmRequest& request, const MpmCaseFile& file) {
 
 // What the steps since the program began cost, and the elements that contact takes.
 void tell_cost(Runner& runner) {
-    Simulation& simulation = runner.simulation();
-    const Seconds spent = simulation.seconds();
+    const Seconds spent = runner.subject().seconds();
     const double total = spent.total();
     if (!(total > 0.0)) return;
     const double done = static_cast<double>(spent.steps) * static_cast<double>(runner.particles());
@@ -57,6 +57,8 @@ void tell_cost(Runner& runner) {
         "material {:.0f} %, rest of gather {:.0f} %\n",
         runner.description().name, done / total, share(spent.scatter), share(spent.nodes),
         share(spent.contact), share(spent.material), share(spent.gather - spent.material));
+    if (runner.space()) return;
+    const Simulation& simulation = runner.simulation();
     for (std::size_t i = 0; i < simulation.penalty_contact_count(); ++i) {
         const PenaltyPair& pair = simulation.penalty_contact(i);
         say("{}: {} and {} vertices of penalty lines\n", runner.description().name,
@@ -65,6 +67,9 @@ void tell_cost(Runner& runner) {
 }
 
 ExitCode convert(const MpmRequest& request, const Case& plan) {
+    if (plan.space)
+        throw BadInput(
+            fmt::format("{}: a case in space cannot be written for LAMMPS", request.file.string()));
     try {
         write_lammps_files(plan, request.to_lammps);
     } catch (const std::invalid_argument& error) {
@@ -81,6 +86,7 @@ const std::map<std::string, std::string (*)()>& printed_tables() {
     static const std::map<std::string, std::string (*)()> all{{"cases", &keys_of_cases},
                                                               {"fix", &keys_of_fix},
                                                               {"fields", &mpm_field_table},
+                                                              {"space_fields", &space_field_table},
                                                               {"history", &history_table}};
     return all;
 }
@@ -115,7 +121,7 @@ ExitCode run_mpm(const MpmRequest& request) {
     if (!request.no_plot) run.draw();
     if (request.quiet) return failure.empty() ? ok : failed_computation;
     say("{}: {} particles, {} steps, t = {:.4g} s, {:.1f} s of computing -> {}\n", plan.name,
-        runner.particles(), runner.simulation().steps(), runner.simulation().time(), run.seconds(),
+        runner.particles(), runner.subject().steps(), runner.subject().time(), run.seconds(),
         options.history.string());
     tell_cost(runner);
     return failure.empty() ? ok : failed_computation;

@@ -24,10 +24,10 @@ std::string file_word(const std::string& name, std::size_t body,
 }  // namespace
 
 MpmFieldFiles::MpmFieldFiles(std::filesystem::path place, std::vector<MpmField> of,
-                             const MpmFields& source)
+                             const ShownFields& source)
     : stem(std::move(place)), variables(std::move(of)), fields(source) {
     for (std::size_t b = 0; b < fields.bodies(); ++b)
-        body_names.push_back(file_word(fields.simulation().body(b).name, b, body_names));
+        body_names.push_back(file_word(fields.name(b), b, body_names));
 }
 
 std::string MpmFieldFiles::file_name(std::size_t frame, std::size_t body) const {
@@ -35,10 +35,10 @@ std::string MpmFieldFiles::file_name(std::size_t frame, std::size_t body) const 
 }
 
 void MpmFieldFiles::write() {
-    const double now = fields.simulation().time();
+    const double now = fields.time();
     const std::filesystem::path folder = stem.parent_path();
     for (std::size_t b = 0; b < fields.bodies(); ++b) {
-        VtuSheet sheet{now, fields.corners(b), {}};
+        VtuSheet sheet{now, fields.corners(b), {}, fields.corners_each()};
         for (const MpmField& field : variables)
             if (fields.has(b, field))
                 sheet.arrays.push_back({field.label(), field.components, fields.values(b, field)});

@@ -15,7 +15,7 @@ class MpmFieldFiles {
   public:
     // stem: folder and name without ending. The fields outlive this.
     MpmFieldFiles(std::filesystem::path stem, std::vector<MpmField> variables,
-                  const MpmFields& fields);
+                  const ShownFields& fields);
 
     // The simulation as it is now. Throws element::CannotWrite.
     void write();
@@ -29,7 +29,7 @@ class MpmFieldFiles {
 
     std::filesystem::path stem;
     std::vector<MpmField> variables;
-    const MpmFields& fields;
+    const ShownFields& fields;
     std::vector<std::string> body_names;  // for files, all different
     std::vector<double> written;
     std::optional<PvdFile> list;  // from the first frame of this program on

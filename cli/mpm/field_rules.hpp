@@ -9,6 +9,10 @@
 
 namespace cli {
 
+// Of a stress [6], and of a state of sand; sand null: none, and no state is read.
+grit_sand_invariants invariants_of(const grit_sand* sand, const double* stress,
+                                   const double* state);
+
 // A particle, and what its columns do not know.
 struct ShownParticle {
     grit::mpm::Body& body;

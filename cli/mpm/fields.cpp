@@ -19,26 +19,13 @@ const mpm::Sand* sand_of(const mpm::Body& body) {
     return dynamic_cast<const mpm::Sand*>(body.material.get());
 }
 
-grit_sand_invariants invariants_of(const mpm::Body& body, const mpm::ParticleView& q,
-                                   std::ptrdiff_t p) {
-    grit_sand_invariants out{};
-    out.struct_size = sizeof out;
+grit_sand_invariants plane_invariants(const mpm::Body& body, const mpm::ParticleView& q,
+                                      std::ptrdiff_t p) {
     const double stress[6] = {q[c::S_rr][p], q[c::S_zz][p], q[c::S_tt][p], q[c::S_rz][p], 0.0, 0.0};
-    if (const mpm::Sand* sand = sand_of(body)) {
-        double state[GRIT_SAND_STATE_SIZE];
-        for (int k = 0; k < GRIT_SAND_STATE_SIZE; ++k) state[k] = q[mpm::Sand::state + k][p];
-        const grit_status status = grit_sand_invariants_of(&sand->prepared(), stress, state, &out);
-        if (status == GRIT_OK) return out;
-        out = {};
-        out.p = out.q = out.lode_angle = out.mobilised_friction_angle = out.rho =
-            out.relative_density = std::nan("");
-        return out;
-    }
-    out.p = -(stress[0] + stress[1] + stress[2]) / 3.0;
-    double squares = 2.0 * stress[3] * stress[3];
-    for (int k = 0; k < 3; ++k) squares += (stress[k] + out.p) * (stress[k] + out.p);
-    out.q = std::sqrt(1.5 * squares);
-    return out;
+    const mpm::Sand* sand = sand_of(body);
+    double state[GRIT_SAND_STATE_SIZE];
+    for (int k = 0; k < GRIT_SAND_STATE_SIZE && sand; ++k) state[k] = q[mpm::Sand::state + k][p];
+    return invariants_of(sand ? &sand->prepared() : nullptr, stress, state);
 }
 
 const MpmFieldRule& rule_of(const MpmField& field) {
@@ -49,6 +36,25 @@ const MpmFieldRule& rule_of(const MpmField& field) {
 
 }  // namespace
 
+grit_sand_invariants invariants_of(const grit_sand* sand, const double* stress,
+                                   const double* state) {
+    grit_sand_invariants out{};
+    out.struct_size = sizeof out;
+    if (sand) {
+        if (grit_sand_invariants_of(sand, stress, state, &out) == GRIT_OK) return out;
+        out = {};
+        out.p = out.q = out.lode_angle = out.mobilised_friction_angle = out.rho =
+            out.relative_density = std::nan("");
+        return out;
+    }
+    out.p = -(stress[0] + stress[1] + stress[2]) / 3.0;
+    double squares = 0.0;
+    for (int k = 3; k < 6; ++k) squares += 2.0 * stress[k] * stress[k];
+    for (int k = 0; k < 3; ++k) squares += (stress[k] + out.p) * (stress[k] + out.p);
+    out.q = std::sqrt(1.5 * squares);
+    return out;
+}
+
 const std::vector<MpmField>& mpm_fields() {
     static const std::vector<MpmField> fields = [] {
         std::vector<MpmField> out;
@@ -58,15 +64,15 @@ const std::vector<MpmField>& mpm_fields() {
     return fields;
 }
 
-std::vector<std::string> mpm_field_names() {
+std::vector<std::string> names_of_fields(const std::vector<MpmField>& fields) {
     std::vector<std::string> out;
-    for (const MpmField& field : mpm_fields()) out.emplace_back(field.name);
+    for (const MpmField& field : fields) out.emplace_back(field.name);
     return out;
 }
 
-std::string mpm_field_table() {
+std::string table_of_fields(const std::vector<MpmField>& fields) {
     std::string out = "| variable | unit | of | what |\n|---|---|---|---|\n";
-    for (const MpmField& field : mpm_fields()) {
+    for (const MpmField& field : fields) {
         const char* const of = field.of == ShownOf::every_body ? "all"
                                : field.of == ShownOf::stressed ? "all but rigid"
                                : field.of == ShownOf::sand     ? "sand"
@@ -79,12 +85,16 @@ std::string mpm_field_table() {
     return out;
 }
 
-const MpmField& mpm_field(const std::string& name) {
-    for (const MpmField& field : mpm_fields())
+std::string mpm_field_table() { return table_of_fields(mpm_fields()); }
+
+const MpmField& field_of(const std::vector<MpmField>& fields, const std::string& name) {
+    for (const MpmField& field : fields)
         if (field.name == name) return field;
-    throw std::invalid_argument(
-        fmt::format("no variable \"{}\"{}", name, element::suggestion(name, mpm_field_names())));
+    throw std::invalid_argument(fmt::format("no variable \"{}\"{}", name,
+                                            element::suggestion(name, names_of_fields(fields))));
 }
+
+const MpmField& mpm_field(const std::string& name) { return field_of(mpm_fields(), name); }
 
 MpmFields::MpmFields(mpm::Simulation& simulation) : shown(simulation) {
     for (std::size_t b = 0; b < shown.bodies(); ++b) {
@@ -125,7 +135,7 @@ std::vector<double> MpmFields::values(std::size_t body, const MpmField& field) c
                               shown.current_settings().axisymmetric,
                               field.of == ShownOf::every_body
                                   ? grit_sand_invariants{}
-                                  : invariants_of(of, of.particles.view(), p)};
+                                  : plane_invariants(of, of.particles.view(), p)};
         for (std::size_t k = 0; k < width; ++k)
             out[at * width + k] = rule.value(x, static_cast<int>(k));
     }

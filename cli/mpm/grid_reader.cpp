@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/mpm/space_reader.hpp"
 #include "cli/mpm/words.hpp"
 
 namespace cli {
@@ -34,6 +35,8 @@ AxisSegment read_segment(TomlTable table, double from) {
     return out;
 }
 
+}  // namespace
+
 AxisPlan read_axis(TomlTable& grid, const std::string& name, const CaseWord& begin) {
     AxisPlan out;
     out.from = number_or_default(grid, begin);
@@ -53,23 +56,29 @@ double nodes_of(const AxisPlan& plan) {
     return sum;
 }
 
-}  // namespace
+void check_nodes(const TomlTable& grid, double nodes) {
+    if (nodes > most_nodes)
+        grid.fail("", fmt::format("{}: a grid has at most {:g} nodes, got {:g}", grid.full(""),
+                                  most_nodes, nodes));
+}
 
 void read_grid(TomlTable table, Case& plan) {
-    plan.settings.axisymmetric = choice(table, case_word("grid", "geometry")) != 0;
+    const auto geometry =
+        static_cast<words::Geometry>(choice(table, case_word("grid", "geometry")));
+    plan.settings.axisymmetric = geometry == words::Geometry::axisymmetric;
+    if (geometry == words::Geometry::space) return read_space_grid(std::move(table), plan);
     plan.r = read_axis(table, "r", case_word("grid", "r_from_m"));
     plan.z = read_axis(table, "z", case_word("grid", "z_from_m"));
     if (plan.settings.axisymmetric && plan.r.from < 0.0)
         table.fail("r_from_m", fmt::format("{}: an axisymmetric grid must not reach across the "
                                            "axis r = 0, got {:g}",
                                            table.full("r_from_m"), plan.r.from));
-    if (const double nodes = nodes_of(plan.r) * nodes_of(plan.z); nodes > most_nodes)
-        table.fail("", fmt::format("{}: a grid has at most {:g} nodes, got {:g}", table.full(""),
-                                   most_nodes, nodes));
+    check_nodes(table, nodes_of(plan.r) * nodes_of(plan.z));
     table.finish();
 }
 
 void read_boundary(TomlTable table, Case& plan) {
+    if (plan.space) return read_space_boundary(std::move(table), plan);
     for (const std::string& name : table.strings_or_none("drained")) {
         const Spelling* found = nullptr;
         for (const Spelling& side : words::sides)
@@ -128,6 +137,7 @@ void read_boundary(TomlTable table, Case& plan) {
 
 void read_mpm_numerics(TomlTable table, Case& plan) {
     read_members(table, "numerics", numerics_members(), plan);
+    if (plan.space) check_space_numerics(table, plan);
     table.finish();
 }
 

@@ -42,8 +42,9 @@ std::vector<double> history_values(const grit::mpm::HistoryRow& row) {
 
 std::vector<std::string> history_comments(const grit::mpm::Runner& runner) {
     const grit::mpm::Case& plan = runner.description();
-    const char* whole =
-        plan.settings.axisymmetric ? "of the whole bodies (2 pi radians)" : "per metre";
+    const char* whole = plan.space                   ? "of what is computed in space"
+                        : plan.settings.axisymmetric ? "of the whole bodies (2 pi radians)"
+                                                     : "per metre";
     return {
         fmt::format("Grit {}, case {}: {}", version(), plan.name, plan.title),
         fmt::format("{} particles, driven body: {}{}", runner.particles(), plan.history.body,
@@ -55,7 +56,7 @@ std::vector<std::string> history_comments(const grit::mpm::Runner& runner) {
                                                                       : "centre of mass"),
         fmt::format(
             "forces and energies {}; forces are means since the row before: of contacts on the "
-            "driven body, upwards, tip where surfaces face along z, shaft where along r; "
+            "driven body, upwards, tip where surfaces face along z, shaft where sideways; "
             "hammer: tractions on it, downwards; base: reaction of the grid's bottom, upwards; "
             "damping: local damping on it, upwards",
             whole),

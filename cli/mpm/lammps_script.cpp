@@ -232,7 +232,9 @@ std::string pore_columns_comment(const Case& plan) {
 std::string lammps_fix(const Case& plan, const std::string& stem) {
     FixWords fix;
     fix.out = fmt::format("fix mpm all grit/mpm {}",
-                          word_of(words::geometries, plan.settings.axisymmetric));
+                          word_of(words::geometries, plan.settings.axisymmetric
+                                                         ? words::Geometry::axisymmetric
+                                                         : words::Geometry::plane_strain));
     add_grid(plan, fix);
     add_numerics(plan, fix);
     std::string stages = fmt::format("stages {}", plan.stages.size());

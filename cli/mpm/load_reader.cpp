@@ -7,6 +7,7 @@
 #include <grit/contact.h>
 
 #include "cli/mpm/body_reader.hpp"
+#include "cli/mpm/space_reader.hpp"
 #include "cli/mpm/words.hpp"
 
 namespace cli {
@@ -98,16 +99,20 @@ std::string stage_name(TomlTable& table, const std::string& key, const Case& pla
     return table.choice(key, names_of(plan.stages));
 }
 
-TractionPlan read_traction(TomlTable table, const Case& plan) {
+TractionPlan read_traction(TomlTable table, Case& plan) {
     TractionPlan out;
     out.body = body_name(table, "body", plan);
     if (const auto on = choice_if(table, case_word("traction", "acts_on")))
         out.on_mixture = *on != 0;
     refuse(table, objection_to(plan, out));
-    out.edge = static_cast<Edge>(choice(table, case_word("traction", "edge")));
-    read_range(table, "r_m", out.r);
-    read_range(table, "z_m", out.z);
-    out.direction = direction_of(table, out.edge);
+    if (plan.space) {
+        plan.space->faces.push_back(read_face(table));
+    } else {
+        out.edge = static_cast<Edge>(choice(table, case_word("traction", "edge")));
+        read_range(table, "r_m", out.r);
+        read_range(table, "z_m", out.z);
+        out.direction = direction_of(table, out.edge);
+    }
     if (table.one_of({"stress_kPa", "pulses"}) == "pulses") {
         out.stress = read_pulses(table.table("pulses"));
         if (table.has("time_s"))
@@ -135,6 +140,9 @@ ContactPlan read_contact(TomlTable table, const Case& plan) {
     out.stiff = body_name(table, "stiff", plan);
     out.soft = body_name(table, "soft", plan);
     const int law = choice(table, case_word("contact", "law"));
+    if (plan.space && (law == words::penalty_law_word || law == words::surface_law_word))
+        table.fail("law", fmt::format("{}: {} is not there in space", table.full("law"),
+                                      word_of(words::contact_laws, law)));
     if (law == words::penalty_law_word) {
         out.law = GRIT_CONTACT_FRICTIONAL;
         out.friction_coefficient = number_if(table, case_word("contact", "friction_coefficient"))

@@ -9,7 +9,7 @@
 namespace cli {
 
 // After the bodies.
-grit::mpm::TractionPlan read_traction(TomlTable table, const grit::mpm::Case& plan);
+grit::mpm::TractionPlan read_traction(TomlTable table, grit::mpm::Case& plan);
 grit::mpm::InflowPlan read_inflow(TomlTable table, const grit::mpm::Case& plan);
 grit::mpm::ContactPlan read_contact(TomlTable table, const grit::mpm::Case& plan);
 

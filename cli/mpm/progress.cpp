@@ -32,7 +32,7 @@ double MpmProgress::seconds() const { return seconds_between(start, Clock::now()
 std::string MpmProgress::line(grit::mpm::Runner& runner) {
     const grit::mpm::Case& plan = runner.description();
     const auto i = static_cast<std::size_t>(runner.state().stage);
-    const grit::mpm::Simulation& simulation = runner.simulation();
+    const grit::mpm::Subject& simulation = runner.subject();
     const double steps = static_cast<double>(simulation.steps() - first_step);
     const double rate = steps * static_cast<double>(runner.particles()) / seconds();
     const double share = runner.share_done();
@@ -49,8 +49,8 @@ std::string MpmProgress::line(grit::mpm::Runner& runner) {
 }
 
 bool MpmProgress::operator()(grit::mpm::Runner& runner) {
-    if (first_step < 0) first_step = runner.simulation().steps() - 1;
-    if (runner.finished() || runner.simulation().steps() % look_every != 0) return false;
+    if (first_step < 0) first_step = runner.subject().steps() - 1;
+    if (runner.finished() || runner.subject().steps() % look_every != 0) return false;
     const auto now = Clock::now();
     if (runner.state().stage != stage) {
         stage = runner.state().stage;

@@ -94,32 +94,53 @@ std::string one_line(std::string text) {
 
 }  // namespace
 
-std::string replay_case(const mpm::SandUpdate& update, const mpm::Sand& sand,
+ReplayedSand::ReplayedSand(const mpm::Sand& sand)
+    : prepared(sand.prepared()), options(sand.update_options()), axes("11 = r, 22 = z, 33 = hoop") {
+}
+
+ReplayedSand::ReplayedSand(const mpm::space::Sand& sand)
+    : prepared(sand.prepared()), options(sand.update_options()), axes("11 = x, 22 = y, 33 = z") {}
+
+std::string replay_case(const mpm::SandUpdate& update, const ReplayedSand& sand,
                         const std::string& title) {
-    const grit_sand_options& options = sand.update_options();
+    const grit_sand_options& options = sand.options;
     grit_sand_parameters parameters;
     grit_sand_parameters_init(&parameters, sizeof parameters);
-    grit_sand_parameters_of(&sand.prepared(), &parameters);
+    grit_sand_parameters_of(&sand.prepared, &parameters);
     const bool intergranular =
         !options.intergranular_off && !std::isnan(parameters.elastic_strain_radius);
-    return fmt::format("# {}\n# One update of a material point, 11 = r, 22 = z, 33 = hoop, in the "
+    return fmt::format("# {}\n# One update of a material point, {}, in the "
                        "axes of its end.\n",
-                       one_line(title)) +
-           sand_table(sand.prepared()) +
-           start_table(start_of(update, sand.prepared()), intergranular) + stage_table(update) +
+                       one_line(title), sand.axes) +
+           sand_table(sand.prepared) + start_table(start_of(update, sand.prepared), intergranular) +
+           stage_table(update) +
            fmt::format("\n[numerics]\ntolerance = {}\nevaluation_limit = {}\n"
                        "smallest_part = 1\n",
                        options.tolerance, options.evaluation_limit);
 }
 
-void write_replay_case(const std::filesystem::path& place, const mpm::MaterialFailure& failure,
-                       mpm::Simulation& simulation) {
-    const auto* sand =
-        dynamic_cast<const mpm::Sand*>(simulation.body(failure.body()).material.get());
+namespace {
+
+template <class SandOf, class Simulated>
+void write_replay(const std::filesystem::path& place, const mpm::MaterialFailure& failure,
+                  Simulated& simulation) {
+    const auto* sand = dynamic_cast<const SandOf*>(simulation.body(failure.body()).material.get());
     if (!sand) throw std::invalid_argument("the body that failed is not of sand");
     element::AtomicFile file(place);
     file.write(replay_case(failure.update(), *sand, failure.what()));
     file.complete();
+}
+
+}  // namespace
+
+void write_replay_case(const std::filesystem::path& place, const mpm::MaterialFailure& failure,
+                       mpm::Simulation& simulation) {
+    write_replay<mpm::Sand>(place, failure, simulation);
+}
+
+void write_replay_case(const std::filesystem::path& place, const mpm::MaterialFailure& failure,
+                       mpm::space::Simulation& simulation) {
+    write_replay<mpm::space::Sand>(place, failure, simulation);
 }
 
 }  // namespace cli

@@ -9,6 +9,7 @@
 #include "cli/mpm/history.hpp"
 #include "cli/mpm/pictures.hpp"
 #include "cli/mpm/replay_case.hpp"
+#include "cli/mpm/space_fields.hpp"
 #include "cli/plot/picture_maker.hpp"
 #include "cli/process/abnormal_end.hpp"
 #include "cli/process/exit_code.hpp"
@@ -18,10 +19,19 @@ namespace cli {
 
 using namespace grit::mpm;
 
+namespace {
+
+std::unique_ptr<ShownFields> shown_by(Runner& runner) {
+    if (runner.space()) return std::make_unique<SpaceFields>(*runner.space());
+    return std::make_unique<MpmFields>(runner.simulation());
+}
+
+}  // namespace
+
 MpmRun::MpmRun(const MpmRunOptions& wanted, Runner& work)
-    : options(wanted), runner(work), progress(wanted.quiet), fields(work.simulation()),
+    : options(wanted), runner(work), progress(wanted.quiet), fields(shown_by(work)),
       saved(Clock::now()) {
-    if (options.shown) field_files.emplace(options.fields, options.shown->variables, fields);
+    if (options.shown) field_files.emplace(options.fields, options.shown->variables, *fields);
     if (options.restart) resume();
     history.emplace(options.history, history_comments(runner), history_columns());
     const std::size_t columns = history_columns().size();
@@ -38,7 +48,7 @@ void MpmRun::resume() {
         done = saved_run_of(checkpoint.runner(), runner.description().stages.size(),
                             history_columns().size());
         runner.resume(done.state);
-        checkpoint.restore(runner.simulation());
+        checkpoint.restore(runner.subject());
         if (field_files) field_files->resume(done.frames);
     } catch (const std::runtime_error& error) {
         throw BadInput(error.what());
@@ -81,7 +91,8 @@ std::string MpmRun::compute() {
 
 std::string MpmRun::replay(const MaterialFailure& error) {
     try {
-        write_replay_case(options.failure, error, runner.simulation());
+        if (runner.space()) write_replay_case(options.failure, error, *runner.space());
+        else write_replay_case(options.failure, error, runner.simulation());
     } catch (const std::exception& problem) {
         return fmt::format("; its replay case could not be written: {}", problem.what());
     }
@@ -96,15 +107,16 @@ void MpmRun::draw() {
         table.columns[i % width].values.push_back(done.history[i]);
     PictureMaker maker(options.fields.parent_path(), options.quiet);
     maker.draw(options.fields.filename().string(), picture_of_history(table, plan.title));
-    if (!options.shown) return;
+    const auto* drawn = dynamic_cast<const MpmFields*>(fields.get());
+    if (!options.shown || !drawn) return;  // fields in space are for ParaView alone
     for (const MpmField& field : options.shown->variables) {
         const FieldPicture picture{
             field,
-            fmt::format("{}, t = {:.4g} s", plan.title, runner.simulation().time()),
+            fmt::format("{}, t = {:.4g} s", plan.title, runner.subject().time()),
             {0.0, 0.0, 0.0, 0.0},
             plan.settings.axisymmetric};
         const std::filesystem::path stem = options.fields.string() + "_" + field.name;
-        const std::string problem = draw_field(stem, picture, fields);
+        const std::string problem = draw_field(stem, picture, *drawn);
         if (problem.empty()) continue;
         warn("grit: no picture: {}\n", problem);
         return;
@@ -112,7 +124,7 @@ void MpmRun::draw() {
 }
 
 std::string MpmRun::here() {
-    const Simulation& simulation = runner.simulation();
+    const Subject& simulation = runner.subject();
     return fmt::format(" (after step {}, t = {:.6g} s)", simulation.steps(), simulation.time());
 }
 
@@ -127,18 +139,18 @@ void MpmRun::frame() {
     field_files->write();
     done.frames = field_files->times();
     if (options.shown->interval > 0.0)
-        done.next_frame = next_multiple(options.shown->interval, runner.simulation().time());
+        done.next_frame = next_multiple(options.shown->interval, runner.subject().time());
 }
 
 void MpmRun::step() {
     const int stage = runner.state().stage;
     runner.step();
-    RunGuard::done(stage + 1, static_cast<int>(runner.simulation().steps()));
+    RunGuard::done(stage + 1, static_cast<int>(runner.subject().steps()));
     if (runner.row_is_due()) row();
     const bool ended = runner.state().stage != stage;
     if (ended) stage_ended(stage);
     const bool frame_due = options.shown && options.shown->interval > 0.0 &&
-                           runner.simulation().time() >= done.next_frame;
+                           runner.subject().time() >= done.next_frame;
     if (ended || frame_due) frame();
     if (progress(runner)) history->flush();
     const std::chrono::duration<double, std::ratio<60>> since = Clock::now() - saved;
@@ -163,7 +175,7 @@ std::string MpmRun::save() {
     saved = Clock::now();  // after a failure too: the next one is due as late
     try {
         done.state = runner.state();
-        write_mpm_checkpoint(options.checkpoint, runner.simulation(), bytes_of(done));
+        write_mpm_checkpoint(options.checkpoint, runner.subject(), bytes_of(done));
     } catch (const std::exception& error) {
         return fmt::format("the checkpoint could not be written: {}", error.what());
     }

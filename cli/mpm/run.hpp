@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,7 +57,7 @@ class MpmRun {
     const MpmRunOptions& options;
     grit::mpm::Runner& runner;
     MpmProgress progress;
-    MpmFields fields;  // count displacements from the start
+    std::unique_ptr<ShownFields> fields;  // count displacements from the start
     std::optional<MpmFieldFiles> field_files;
     SavedRun done;  // ends, history and frames
     std::optional<TableFile> history;

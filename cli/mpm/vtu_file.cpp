@@ -72,15 +72,18 @@ std::vector<double> in_space(const std::vector<double>& pairs) {
     return out;
 }
 
-void write_cells(element::AtomicFile& file, std::size_t cells) {
-    constexpr std::uint8_t quadrilateral = 9;
-    std::vector<std::int64_t> connectivity(4 * cells), offsets(cells);
-    for (std::size_t i = 0; i < 4 * cells; ++i) connectivity[i] = static_cast<std::int64_t>(i);
-    for (std::size_t i = 0; i < cells; ++i) offsets[i] = static_cast<std::int64_t>(4 * (i + 1));
+void write_cells(element::AtomicFile& file, std::size_t cells, std::size_t corners_each) {
+    constexpr std::uint8_t quadrilateral = 9, hexahedron = 12;
+    std::vector<std::int64_t> connectivity(corners_each * cells), offsets(cells);
+    for (std::size_t i = 0; i < connectivity.size(); ++i)
+        connectivity[i] = static_cast<std::int64_t>(i);
+    for (std::size_t i = 0; i < cells; ++i)
+        offsets[i] = static_cast<std::int64_t>(corners_each * (i + 1));
     file.write("<Cells>\n");
     write_array(file, "Int64", "Name=\"connectivity\"", connectivity);
     write_array(file, "Int64", "Name=\"offsets\"", offsets);
-    write_array(file, "UInt8", "Name=\"types\"", std::vector<std::uint8_t>(cells, quadrilateral));
+    write_array(file, "UInt8", "Name=\"types\"",
+                std::vector<std::uint8_t>(cells, corners_each == 4 ? quadrilateral : hexahedron));
     file.write("</Cells>\n");
 }
 
@@ -138,7 +141,8 @@ std::string read_begin(int file, const std::filesystem::path& place, std::size_t
 }  // namespace
 
 void write_vtu(const std::filesystem::path& place, const VtuSheet& sheet) {
-    const std::size_t cells = sheet.corners.size() / 8;
+    const auto each = static_cast<std::size_t>(sheet.corners_each);
+    const std::size_t cells = sheet.corners.size() / (each == 4 ? 8 : 24);
     element::AtomicFile file(place);
     file.write(opening("UnstructuredGrid"));
     file.write("<UnstructuredGrid>\n<FieldData>\n");
@@ -146,11 +150,11 @@ void write_vtu(const std::filesystem::path& place, const VtuSheet& sheet) {
                 std::vector<double>{sheet.time});
     file.write(fmt::format("</FieldData>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n"
                            "<Points>\n",
-                           4 * cells, cells));
+                           each * cells, cells));
     write_array(file, "Float64", "Name=\"corners\" NumberOfComponents=\"3\"",
-                in_space(sheet.corners));
+                each == 4 ? in_space(sheet.corners) : sheet.corners);
     file.write("</Points>\n");
-    write_cells(file, cells);
+    write_cells(file, cells, each);
     file.write("<CellData>\n");
     for (const VtuArray& array : sheet.arrays)
         write_array(file, "Float64",

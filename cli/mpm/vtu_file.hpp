@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files of VTK: quadrilaterals in the x-y plane with values of cells, binary as base64; and the list of
-// the files of a time series.
+// Files of VTK: quadrilaterals in the x-y plane, or hexahedra, with values of cells, binary as base64; and the list
+// of the files of a time series.
 #pragma once
 
 #include <filesystem>
@@ -11,14 +11,16 @@ namespace cli {
 
 struct VtuArray {
     std::string name;
-    int components;  // 1, or 2: x and y of a vector, written with z = 0
+    int components;  // 1, 3, or 2: x and y of a vector, written with z = 0
     std::vector<double> values;
 };
 
 struct VtuSheet {
-    double time;                  // [s]
-    std::vector<double> corners;  // x, y of four corners of each cell, counterclockwise [m]
+    double time;  // [s]
+    // x, y of four corners of each cell, counterclockwise, or x, y, z of eight, the lower four before the upper ones [m]
+    std::vector<double> corners;
     std::vector<VtuArray> arrays;
+    int corners_each = 4;
 };
 
 // Written beside and renamed; throws element::CannotWrite.

@@ -43,6 +43,31 @@ TEST(MaterialPointCommand, RunsTheFileThatExplainsEveryKey) {
               std::string::npos);
 }
 
+TEST(MaterialPointCommand, RunsTheFileThatExplainsEveryKeyInSpace) {
+    const Workplace here;
+    const std::string run = "mpm " + cases + "/every_key_in_space.toml --no-plot --quiet --out ";
+    ASSERT_EQ(here.grit(run + "out").status, 0);
+    const std::map<std::string, Values> history = here.result("every_key_in_space");
+    EXPECT_EQ(history.at("stage").back(), 1.0);
+    EXPECT_LT(history.at("tip_force").back(), 0.0);              // the stamp presses the soil down
+    EXPECT_NEAR(history.at("hammer_force").back(), 0.48, 1e-3);  // 2 kPa on 0.4 m by 0.6 m
+    EXPECT_LT(std::fabs(history.at("residual_share").back()), 0.05);
+    // Eight corners a domain, as hexahedra.
+    const std::string ball = here.text("out/every_key_in_space_000002_ball.vtu");
+    const auto number = [&ball](const std::string& attribute) {
+        return std::stoi(ball.substr(ball.find(attribute) + attribute.size()));
+    };
+    EXPECT_GT(number("NumberOfCells=\""), 5);
+    EXPECT_EQ(number("NumberOfPoints=\""), 8 * number("NumberOfCells=\""));
+}
+
+TEST(MaterialPointCommand, WritesNoCaseInSpaceForLammps) {
+    const Workplace here;
+    const Answer answer = here.grit("mpm " + cases + "/every_key_in_space.toml --to-lammps out");
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_TRUE(answer.says("a case in space cannot be written for LAMMPS")) << answer.text;
+}
+
 TEST(MaterialPointCommand, RunsACaseThatSaysInWhatItDiffersFromAnother) {
     const Workplace here;
     EXPECT_EQ(

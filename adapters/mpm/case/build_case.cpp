@@ -8,6 +8,8 @@
 
 #include "adapters/mpm/case/fill.hpp"
 #include "adapters/mpm/case/initial_state.hpp"
+#include "adapters/mpm/case/since.hpp"
+#include "adapters/mpm/space/case/build.hpp"
 
 namespace grit::mpm {
 namespace {
@@ -18,21 +20,6 @@ std::size_t find_name(const Plans& plans, const std::string& name, const char* k
         if (plans[i].name == name) return i;
     throw std::invalid_argument(std::string("no ") + kind + " is called \"" + name + "\"");
 }
-
-// Time since the stage began; the run's if none is named.
-class Since {
-  public:
-    Since(const Case& plan, std::shared_ptr<Clock> clock_of_run, const std::string& stage)
-        : clock(std::move(clock_of_run)), always(stage.empty()),
-          number(always ? 0 : plan.stage(stage)) {}
-    // Negative: not yet.
-    double operator()(double t) const { return always ? t : t - clock->began[number]; }
-
-  private:
-    std::shared_ptr<Clock> clock;
-    bool always;
-    std::size_t number;
-};
 
 void check_inside(const BodyPlan& body, const Case& plan) {
     for (const Outline& outline : body.outlines)
@@ -199,6 +186,19 @@ std::function<Vector2(double)> edge_stress(const Case& plan, const TractionPlan&
     };
 }
 
+ContactLaw nodal_law(const Case& plan, const ContactPlan& contact, double shortest_cell) {
+    ContactLaw law = contact_law(contact.law, contact.friction_coefficient, contact.penalty_power);
+    law.a = plan.body(contact.stiff);
+    law.b = plan.body(contact.soft);
+    law.normal = contact.normal;
+    law.measure = contact.measure;
+    law.gated = contact.gated;
+    law.options.relaxation_time = contact.relaxation_time;
+    if (contact.contact_stiffness_multiple > 0.0)
+        stiffen(law, contact.contact_stiffness_multiple, contact.modulus, shortest_cell);
+    return law;
+}
+
 void add_contacts(const Case& plan, Simulation& simulation) {
     for (const ContactPlan& contact : plan.contacts) {
         if (contact.penalty) {
@@ -209,18 +209,7 @@ void add_contacts(const Case& plan, Simulation& simulation) {
             add_surface_contact(plan, contact, simulation);
             continue;
         }
-        ContactLaw law =
-            contact_law(contact.law, contact.friction_coefficient, contact.penalty_power);
-        law.a = plan.body(contact.stiff);
-        law.b = plan.body(contact.soft);
-        law.normal = contact.normal;
-        law.measure = contact.measure;
-        law.gated = contact.gated;
-        law.options.relaxation_time = contact.relaxation_time;
-        if (contact.contact_stiffness_multiple > 0.0)
-            stiffen(law, contact.contact_stiffness_multiple, contact.modulus,
-                    simulation.shortest_cell());
-        simulation.add_contact(law);
+        simulation.add_contact(nodal_law(plan, contact, simulation.shortest_cell()));
     }
 }
 
@@ -255,8 +244,14 @@ void add_boundary(const Case& plan, Simulation& simulation) {
 }
 
 BuiltCase build_case(const Case& plan) {
+    if (plan.space) {
+        auto clock = std::make_shared<Clock>();
+        clock->began.assign(plan.stages.size(), unlimited);
+        return {clock, nullptr, space::build(plan, clock)};
+    }
     const Axis r = make_axis(plan.r), z = make_axis(plan.z);
-    BuiltCase out{std::make_shared<Clock>(), std::make_unique<Simulation>(r, z, plan.settings)};
+    BuiltCase out{std::make_shared<Clock>(), std::make_unique<Simulation>(r, z, plan.settings),
+                  nullptr};
     out.clock->began.assign(plan.stages.size(), unlimited);
     add_bodies(plan, r, z, out);
     add_tractions(plan, r, z, out);

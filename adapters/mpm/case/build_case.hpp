@@ -5,19 +5,16 @@
 #include <functional>
 #include <memory>
 
-#include "adapters/mpm/case/case.hpp"
+#include "adapters/mpm/case/since.hpp"
+#include "adapters/mpm/space/step/simulation.hpp"
 #include "adapters/mpm/step/simulation.hpp"
 
 namespace grit::mpm {
 
-// When stages began [s]; infinite: not yet. Loads and motions that start with a stage look here.
-struct Clock {
-    std::vector<double> began;
-};
-
 struct BuiltCase {
     std::shared_ptr<Clock> clock;
-    std::unique_ptr<Simulation> simulation;
+    std::unique_ptr<Simulation> simulation;         // in the plane ...
+    std::unique_ptr<space::Simulation> space = {};  // ... or in space; the other one is null
 };
 
 // Throws std::invalid_argument naming body, traction or contact and the limit.
@@ -28,6 +25,8 @@ std::function<Vector2(double)> rigid_velocity(const Case& plan, const BodyPlan& 
                                               const std::shared_ptr<Clock>& clock);
 std::function<Vector2(double)> edge_stress(const Case& plan, const TractionPlan& traction,
                                            const std::shared_ptr<Clock>& clock);
+// Of a contact at nodes.
+ContactLaw nodal_law(const Case& plan, const ContactPlan& contact, double shortest_cell);
 // Fixed nodes are known to a contact when it is made: after these.
 void add_boundary(const Case& plan, Simulation& simulation);
 void add_contacts(const Case& plan, Simulation& simulation);

@@ -11,6 +11,7 @@
 #include <grit/contact.h>
 #include <grit/sand.h>
 
+#include "adapters/mpm/case/space_plan.hpp"
 #include "adapters/mpm/case/time_function.hpp"
 #include "adapters/mpm/grid/graded_axis.hpp"
 #include "adapters/mpm/step/absorbing.hpp"
@@ -35,8 +36,9 @@ struct ElasticPlan {
 
 // Moves as a table says.
 struct RigidPlan {
-    TimeTable velocity_r, velocity_z;  // [m/s]
+    TimeTable velocity_r, velocity_z;  // in space r is x [m/s]
     std::string from_stage = {};       // at rest before, and time counts from there; empty: always
+    TimeTable velocity_y = {{0.0}, {0.0}};  // in space [m/s]
 };
 
 struct SandPlan {
@@ -44,9 +46,9 @@ struct SandPlan {
     grit_sand_options options;
     double void_ratio;              // e, or e_0 ...
     bool at_zero_pressure = false;  // ... (H6)
-    // |h|/R along a strain direction rr zz tt rz.
+    // |h|/R along a strain direction rr zz tt rz, in space xx yy zz xy xz yz.
     double intergranular_rho = 0.0;
-    double intergranular_direction[4] = {0.0, -1.0, 0.0, 0.0};
+    double intergranular_direction[6] = {0.0, -1.0, 0.0, 0.0, 0.0, 0.0};
 };
 
 using MaterialPlan = std::variant<ElasticPlan, RigidPlan, SandPlan>;
@@ -90,14 +92,6 @@ struct BodyPlan {
 
 // Sides of the grid.
 enum class Side { left, right, bottom, top };
-enum class Boundary {
-    free,       // nothing: particles that reach it are lost
-    roller,     // no velocity across
-    fixed,      // none at all
-    absorbing,  // dashpots, besides what holds the bodies at the start
-    platen      // bodies move as one across
-};
-
 struct TractionPlan {
     std::string body;
     Edge edge = Edge::top;
@@ -188,6 +182,8 @@ struct Case {
     std::vector<ContactPlan> contacts;
     std::vector<StagePlan> stages;
     HistoryPlan history;
+    // In space, the place of what lies in the plane: of r, z, boundary, outlines, velocities and edges.
+    std::optional<SpacePlan> space = {};
 
     // Is any side of this kind?
     bool has_side(Boundary kind) const;

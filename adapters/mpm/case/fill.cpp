@@ -6,33 +6,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "adapters/mpm/case/slabs.hpp"
 #include "adapters/mpm/grid/cell_list.hpp"
-#include "adapters/mpm/step/text.hpp"
 
 namespace grit::mpm {
 namespace {
-
-constexpr double roundoff = 1e-9;       // of a length
-constexpr double most_particles = 1e8;  // of a body, beside its outlines too
-
-struct Slab {
-    double centre, half;  // [m]
-};
-
-// Of the part of an axis between two places.
-std::vector<Slab> cut(const Axis& axis, double from, double to, int per_cell) {
-    std::vector<Slab> out;
-    const double least = roundoff * axis.shortest();
-    for (int c = 0; c < axis.cells(); ++c) {
-        const double cell = axis[c + 1] - axis[c];
-        const double begin = std::max(axis[c], from), end = std::min(axis[c + 1], to);
-        if (!(end - begin > least)) continue;
-        const int n = std::max(1, static_cast<int>(std::lround(per_cell * ((end - begin) / cell))));
-        const double half = 0.5 * (end - begin) / n;
-        for (int i = 0; i < n; ++i) out.push_back({begin + (2 * i + 1) * half, half});
-    }
-    return out;
-}
 
 struct Bounds {
     double r0 = unlimited, r1 = -unlimited, z0 = unlimited, z1 = -unlimited;
@@ -87,10 +65,7 @@ Particles fill(const BodyPlan& body, const Axis& r, const Axis& z, bool axisymme
         const std::vector<Slab> along_r = cut(r, b.r0, b.r1, per_cell_r);
         const std::vector<Slab> along_z = cut(z, b.z0, b.z1, per_cell_z);
         asked += static_cast<double>(along_r.size()) * static_cast<double>(along_z.size());
-        if (asked > most_particles)
-            throw std::invalid_argument(
-                "body " + body.name + ": its outlines would be filled with " + text(asked) +
-                " particles, at most " + text(most_particles) + " are possible");
+        check_particles(asked, body.name);
         for (const Slab& j : along_z)
             for (const Slab& i : along_r) {
                 const auto here = [&](const Outline& o) { return inside(o, i.centre, j.centre); };

@@ -20,11 +20,10 @@ namespace c = column;
     throw std::invalid_argument("body " + body.name + ": " + why);
 }
 
-grit_sand prepared(const BodyPlan& body, const SandPlan& plan) {
-    grit_sand sand;
-    grit_error error{};
-    if (grit_sand_prepare(&plan.parameters, &sand, &error) != GRIT_OK) refuse(body, error.message);
-    return sand;
+double K0_of(const BodyPlan& body, const Geostatic& rest) {
+    if (rest.K0) return *rest.K0;
+    const auto& elastic = std::get<ElasticPlan>(body.material);
+    return elastic.poissons_ratio / (1.0 - elastic.poissons_ratio);
 }
 
 // Mean pressure of the particle after its stress is set [Pa].
@@ -33,33 +32,13 @@ double pressure(const ParticleView& q, std::ptrdiff_t p) {
 }
 
 void set_sand(const BodyPlan& body, const SandPlan& plan, Particles& particles) {
-    const grit_sand sand = prepared(body, plan);
+    const grit_sand sand = prepared_sand(body, plan);
     const ParticleView q = particles.view();
     for (std::ptrdiff_t i = 0; i < particles.size(); ++i) {
-        const double p = std::max(0.0, pressure(q, i)) + plan.parameters.pressure_shift;
-        double e = plan.void_ratio, limits[3];
-        if (plan.at_zero_pressure) grit_sand_void_ratio_at_pressure(&sand, plan.void_ratio, p, &e);
-        grit_sand_void_ratios(&sand, p, limits);
-        if (!(e >= limits[2] && e <= limits[0]))
-            refuse(body, "the void ratio must be in [e_d, e_i] = [" + std::to_string(limits[2]) +
-                             ", " + std::to_string(limits[0]) + "] at z = " +
-                             std::to_string(q[c::z][i]) + " m, got " + std::to_string(e));
-        double state[GRIT_SAND_STATE_SIZE] = {};
-        if (plan.intergranular_rho > 0.0) {
-            double direction[6] = {};
-            std::copy_n(plan.intergranular_direction, 4, direction);
-            if (grit_sand_mobilise(&sand, direction, plan.intergranular_rho, state) != GRIT_OK)
-                refuse(body, "this intergranular strain cannot be set");
-        }
-        state[GRIT_SAND_VOID_RATIO] = e;
+        double state[GRIT_SAND_STATE_SIZE];
+        find_start(body, plan, sand, pressure(q, i), q[c::z][i], state);
         for (int k = 0; k < GRIT_SAND_STATE_SIZE; ++k) q[Sand::state + k][i] = state[k];
     }
-}
-
-double K0_of(const BodyPlan& body, const Geostatic& rest) {
-    if (rest.K0) return *rest.K0;
-    const auto& elastic = std::get<ElasticPlan>(body.material);
-    return elastic.poissons_ratio / (1.0 - elastic.poissons_ratio);
 }
 
 double void_ratio_of(const BodyPlan& body) {
@@ -101,7 +80,7 @@ class BuoyantWeight {
     double void_ratio(double vertical) const {
         const auto* plan = std::get_if<SandPlan>(&body.material);
         if (!plan || !plan->at_zero_pressure) return void_ratio_of(body);
-        const grit_sand sand = prepared(body, *plan);
+        const grit_sand sand = prepared_sand(body, *plan);
         double at_rest[6] = {}, e = plan->void_ratio;
         grit_sand_stress_at_rest(&sand, 0.0, 0.0, vertical, body.geostatic->K0.value_or(-1.0), 1,
                                  at_rest);
@@ -121,7 +100,7 @@ void set_geostatic(const BodyPlan& body, double gravity, Particles& particles) {
     const ParticleView q = particles.view();
     const double unit_weight = body.density * gravity;
     const auto* plan = std::get_if<SandPlan>(&body.material);
-    const grit_sand sand = plan ? prepared(body, *plan) : grit_sand{};
+    const grit_sand sand = plan ? prepared_sand(body, *plan) : grit_sand{};
     const auto depth_of = [&](std::ptrdiff_t p) {
         return std::max(0.0, rest.surface - q[c::z][p]);
     };
@@ -135,24 +114,57 @@ void set_geostatic(const BodyPlan& body, double gravity, Particles& particles) {
     for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
         const double weight = buoyant ? 0.0 : unit_weight;
         const double surcharge = buoyant ? (*buoyant)(depth_of(p)) : rest.surcharge;
-        double stress[6] = {};
-        if (plan) {
-            if (grit_sand_stress_at_rest(&sand, weight, depth_of(p), surcharge,
-                                         rest.K0.value_or(-1.0), 1, stress) != GRIT_OK)
-                refuse(body, "no stress at rest for this unit weight, surcharge and K0");
-        } else {
-            stress[1] = -(weight * depth_of(p) + surcharge);
-            stress[0] = stress[2] = K0_of(body, rest) * stress[1];
-        }
+        double stress[6];
+        find_stress_at_rest(body, plan ? &sand : nullptr, weight, depth_of(p), surcharge, 1,
+                            stress);
         for (int k = 0; k < 4; ++k) q[c::S_rr + k][p] = stress[k];
     }
 }
 
 }  // namespace
 
+grit_sand prepared_sand(const BodyPlan& body, const SandPlan& plan) {
+    grit_sand sand;
+    grit_error error{};
+    if (grit_sand_prepare(&plan.parameters, &sand, &error) != GRIT_OK) refuse(body, error.message);
+    return sand;
+}
+
+void find_start(const BodyPlan& body, const SandPlan& plan, const grit_sand& sand, double pressure,
+                double z, double* state) {
+    const double p = std::max(0.0, pressure) + plan.parameters.pressure_shift;
+    double e = plan.void_ratio, limits[3];
+    if (plan.at_zero_pressure) grit_sand_void_ratio_at_pressure(&sand, plan.void_ratio, p, &e);
+    grit_sand_void_ratios(&sand, p, limits);
+    if (!(e >= limits[2] && e <= limits[0]))
+        refuse(body, "the void ratio must be in [e_d, e_i] = [" + std::to_string(limits[2]) + ", " +
+                         std::to_string(limits[0]) + "] at z = " + std::to_string(z) + " m, got " +
+                         std::to_string(e));
+    std::fill_n(state, GRIT_SAND_STATE_SIZE, 0.0);
+    if (plan.intergranular_rho > 0.0 &&
+        grit_sand_mobilise(&sand, plan.intergranular_direction, plan.intergranular_rho, state) !=
+            GRIT_OK)
+        refuse(body, "this intergranular strain cannot be set");
+    state[GRIT_SAND_VOID_RATIO] = e;
+}
+
+void find_stress_at_rest(const BodyPlan& body, const grit_sand* sand, double unit_weight,
+                         double depth, double surcharge, int vertical, double* stress) {
+    const Geostatic& rest = *body.geostatic;
+    if (sand) {
+        if (grit_sand_stress_at_rest(sand, unit_weight, depth, surcharge, rest.K0.value_or(-1.0),
+                                     vertical, stress) != GRIT_OK)
+            refuse(body, "no stress at rest for this unit weight, surcharge and K0");
+        return;
+    }
+    std::fill_n(stress, 6, 0.0);
+    const double upright = -(unit_weight * depth + surcharge);
+    for (int k = 0; k < 3; ++k) stress[k] = k == vertical ? upright : K0_of(body, rest) * upright;
+}
+
 std::unique_ptr<Material> make_material(const BodyPlan& body) {
     if (const auto* sand = std::get_if<SandPlan>(&body.material))
-        return std::make_unique<Sand>(prepared(body, *sand), sand->options);
+        return std::make_unique<Sand>(prepared_sand(body, *sand), sand->options);
     const auto* elastic = std::get_if<ElasticPlan>(&body.material);
     if (!elastic) return nullptr;
     if (elastic->neo_hooke)
@@ -200,11 +212,15 @@ void fill_pores(const BodyPlan& body, double gravity, const PoreWater& water,
     }
 }
 
+void check_stress_at_rest(const BodyPlan& body) {
+    const auto* elastic = std::get_if<ElasticPlan>(&body.material);
+    if (body.geostatic && (body.rigid() || (elastic && elastic->neo_hooke)))
+        refuse(body, "sand and linear elastic bodies alone start with a stress");
+}
+
 void set_initial_state(const BodyPlan& body, double gravity, Particles& particles) {
+    check_stress_at_rest(body);
     if (body.geostatic) {
-        const auto* elastic = std::get_if<ElasticPlan>(&body.material);
-        if (body.rigid() || (elastic && elastic->neo_hooke))
-            refuse(body, "sand and linear elastic bodies alone start with a stress");
         set_geostatic(body, gravity, particles);
     }
     if (const auto* sand = std::get_if<SandPlan>(&body.material)) set_sand(body, *sand, particles);

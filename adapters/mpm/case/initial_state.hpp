@@ -11,6 +11,16 @@ namespace grit::mpm {
 // Null for a rigid body. Throws std::invalid_argument naming the body.
 std::unique_ptr<Material> make_material(const BodyPlan& body);
 
+// In the plane and in space. All throw std::invalid_argument naming the body.
+grit_sand prepared_sand(const BodyPlan& body, const SandPlan& plan);
+void check_stress_at_rest(const BodyPlan& body);
+// [6] in the order of the library, of a body with stress at rest; sand: null where it is elastic; vertical: axis, from 0.
+void find_stress_at_rest(const BodyPlan& body, const grit_sand* sand, double unit_weight,
+                         double depth, double surcharge, int vertical, double* stress);
+// [GRIT_SAND_STATE_SIZE] of a particle under this mean pressure, at this level [m].
+void find_start(const BodyPlan& body, const SandPlan& plan, const grit_sand& sand, double pressure,
+                double z, double* state);
+
 // Of a body that has it; its columns follow those of the material.
 PoreWater make_water(const BodyPlan& body, const Material& material);
 // At rest below its water table, suction above; 0 without one. gravity: downwards [m/s2].

@@ -13,12 +13,19 @@ namespace grit::mpm {
 
 namespace words {
 
+enum class Geometry { plane_strain, axisymmetric, space };
 inline constexpr Spelling geometries[] = {
-    spelling("axisymmetric", true, "per radian"),
-    spelling("plane_strain", false, "per metre; r is then the horizontal coordinate")};
+    spelling("axisymmetric", Geometry::axisymmetric, "per radian"),
+    spelling("plane_strain", Geometry::plane_strain,
+             "per metre; r is then the horizontal coordinate"),
+    only_in_files(spelling("space", Geometry::space, "x, y and z, see docs/space.md"))};
 inline constexpr Spelling sides[] = {
     spelling("left", Side::left, ""), spelling("right", Side::right, ""),
     spelling("bottom", Side::bottom, ""), spelling("top", Side::top, "")};
+// Twice the direction, and one on the upper side.
+inline constexpr Spelling sides_in_space[] = {spelling("left", 0, ""),   spelling("right", 1, ""),
+                                              spelling("front", 2, ""),  spelling("back", 3, ""),
+                                              spelling("bottom", 4, ""), spelling("top", 5, "")};
 inline constexpr Spelling boundaries[] = {
     spelling("free", Boundary::free, "nothing, particles that leave end the run"),
     spelling("roller", Boundary::roller, "no velocity across"),

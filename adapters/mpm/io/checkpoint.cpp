@@ -96,9 +96,7 @@ void compare_words(const std::string& written, const std::string& here) {
 
 }  // namespace
 
-void save(const Simulation& simulation, std::ostream& out) {
-    const std::string words = CheckpointState::words(simulation);
-    const std::string state = CheckpointState::bytes(simulation);
+void write_state(const std::string& words, const std::string& state, std::ostream& out) {
     Header header{{},
                   byte_order_mark,
                   format_now,
@@ -118,19 +116,29 @@ void save(const Simulation& simulation, std::ostream& out) {
     if (!out) throw std::runtime_error("checkpoint: it could not be written completely");
 }
 
-void restore(Simulation& simulation, std::istream& in, OtherBits bits) {
+void read_state(std::istream& in, OtherBits bits, const std::string& words,
+                const std::function<void(const std::string&)>& take) {
     const Header header = read_header(in, bits);
-    const std::string words =
+    const std::string theirs =
         read_bytes(in, header.word_bytes, header.word_checksum, "description");
     const std::string state = read_bytes(in, header.state_bytes, header.state_checksum, "state");
     if (in.peek() != std::istream::traits_type::eof())
         refuse("damaged: bytes follow where its state ends");
-    compare_words(words, CheckpointState::words(simulation));
+    compare_words(theirs, words);
     try {
-        CheckpointState::take(simulation, state);
+        take(state);
     } catch (const std::runtime_error& error) {
         refuse(error.what());
     }
+}
+
+void save(const Simulation& simulation, std::ostream& out) {
+    write_state(CheckpointState::words(simulation), CheckpointState::bytes(simulation), out);
+}
+
+void restore(Simulation& simulation, std::istream& in, OtherBits bits) {
+    read_state(in, bits, CheckpointState::words(simulation),
+               [&](const std::string& state) { CheckpointState::take(simulation, state); });
 }
 
 }  // namespace grit::mpm

@@ -10,7 +10,9 @@
 // Not written: functions of time.
 #pragma once
 
+#include <functional>
 #include <iosfwd>
+#include <string>
 
 #include "adapters/mpm/step/simulation.hpp"
 
@@ -27,5 +29,11 @@ void save(const Simulation& simulation, std::ostream& out);
 // is wrong with the stream or differs in the simulation, which is untouched then. The checkpoint is all that
 // is left of the stream.
 void restore(Simulation& simulation, std::istream& in, OtherBits bits = OtherBits::refused);
+
+// The same of any simulation that knows its words and its state as bytes; take throws std::runtime_error for bytes that
+// cannot be those of the simulation.
+void write_state(const std::string& words, const std::string& state, std::ostream& out);
+void read_state(std::istream& in, OtherBits bits, const std::string& words,
+                const std::function<void(const std::string& state)>& take);
 
 }  // namespace grit::mpm

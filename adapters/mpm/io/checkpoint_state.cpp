@@ -3,31 +3,20 @@
 
 #include <algorithm>
 #include <sstream>
-#include <stdexcept>
 
-#include "adapters/mpm/io/archive.hpp"
 #include "adapters/mpm/io/checksum.hpp"
 #include "adapters/mpm/step/spellings.hpp"
 
 namespace grit::mpm {
 namespace {
 
-std::string of(const Axis& axis) {
-    std::vector<double> nodes;
-    for (int i = 0; i < axis.nodes(); ++i) nodes.push_back(axis[i]);
-    std::ostringstream out;
-    out << axis.nodes() << " nodes from " << nodes.front() << " to " << nodes.back()
-        << " m, checksum " << checksum(nodes.data(), nodes.size() * sizeof(double));
-    return out.str();
-}
-
 void grid_words(const Simulation& s, std::ostream& out) {
     const Settings& settings = s.current_settings();
     const std::vector<std::uint8_t>& nodes = s.constraints();
     const std::vector<double> rates = s.absorbing().rates(), tied = s.platen_nodes();
     out << "geometry: " << (settings.axisymmetric ? "axisymmetric" : "plane strain") << '\n'
-        << "grid along r: " << of(s.axis_r()) << '\n'
-        << "grid along z: " << of(s.axis_z()) << '\n'
+        << "grid along r: " << word_of_axis(s.axis_r()) << '\n'
+        << "grid along z: " << word_of_axis(s.axis_z()) << '\n'
         << "fixed nodes: "
         << std::count_if(nodes.begin(), nodes.end(), [](int bits) { return bits != fixed::none; })
         << ", checksum " << checksum(nodes.data(), nodes.size()) << '\n'
@@ -47,22 +36,12 @@ void grid_words(const Simulation& s, std::ostream& out) {
         << "sums: " << (settings.fixed_point ? "fixed point" : "floating point") << '\n';
 }
 
-std::vector<double> masses_by_id(const Particles& particles) {
-    std::vector<double> mass(static_cast<std::size_t>(particles.size()));
-    for (std::ptrdiff_t p = 0; p < particles.size(); ++p)
-        mass[static_cast<std::size_t>(particles.ids()[p])] = particles(column::mass, p);
-    return mass;
-}
-
 void body_words(const Simulation& s, std::ostream& out) {
     out << "bodies: " << s.bodies() << '\n';
     for (std::size_t i = 0; i < s.bodies(); ++i) {
         const Body& body = s.body(i);
-        const std::vector<double> mass = masses_by_id(body.particles);
-        out << "body " << i << ": " << (body.name.empty() ? "without name" : "\"" + body.name + '"')
-            << (body.rigid() ? ", rigid" : "") << ", " << body.particles.size() << " particles of "
-            << body.particles.column_count() << " columns, checksum of their masses "
-            << checksum(mass.data(), mass.size() * sizeof(double)) << '\n';
+        out << "body " << i << ": "
+            << word_of_body(body.name, body.rigid(), body.particles, column::mass) << '\n';
         if (body.water)
             for (const std::string& word : body.water->words())
                 out << "body " << i << ": " << word << '\n';
@@ -77,13 +56,7 @@ void contact_words(const Simulation& s, std::ostream& out) {
     out << "contacts: " << s.contact_count() << '\n';
     for (std::size_t i = 0; i < s.contact_count(); ++i) {
         const ContactLaw& law = s.contact(i).law();
-        const grit_contact_options& o = law.options;
-        out << "contact " << i << ": bodies " << law.a << " and " << law.b << ", law " << o.law
-            << ", friction coefficient " << o.friction_coefficient << ", penalty power "
-            << o.penalty_power << ", normal " << law.normal << ", measure " << law.measure
-            << (law.gated ? ", gated" : "");
-        if (o.relaxation_time > 0.0) out << ", relaxation time " << o.relaxation_time << " s";
-        if (o.contact_stiffness > 0.0) out << ", stiffness " << o.contact_stiffness << " Pa/m";
+        out << "contact " << i << ": " << word_of_contact(law);
         out << '\n';
     }
     out << "penalty contacts: " << s.penalty_contact_count() << '\n';
@@ -109,6 +82,40 @@ void contact_words(const Simulation& s, std::ostream& out) {
 
 }  // namespace
 
+std::string word_of_axis(const Axis& axis) {
+    std::vector<double> nodes;
+    for (int i = 0; i < axis.nodes(); ++i) nodes.push_back(axis[i]);
+    std::ostringstream out;
+    out << axis.nodes() << " nodes from " << nodes.front() << " to " << nodes.back()
+        << " m, checksum " << checksum(nodes.data(), nodes.size() * sizeof(double));
+    return out.str();
+}
+
+std::string word_of_body(const std::string& name, bool rigid, const ParticleColumns& particles,
+                         int mass_column) {
+    std::vector<double> mass(static_cast<std::size_t>(particles.size()));
+    for (std::ptrdiff_t p = 0; p < particles.size(); ++p)
+        mass[static_cast<std::size_t>(particles.ids()[p])] = particles(mass_column, p);
+    std::ostringstream out;
+    out << (name.empty() ? "without name" : "\"" + name + '"') << (rigid ? ", rigid" : "") << ", "
+        << particles.size() << " particles of " << particles.column_count()
+        << " columns, checksum of their masses "
+        << checksum(mass.data(), mass.size() * sizeof(double));
+    return out.str();
+}
+
+std::string word_of_contact(const ContactLaw& law) {
+    std::ostringstream out;
+    out.precision(17);
+    const grit_contact_options& o = law.options;
+    out << "bodies " << law.a << " and " << law.b << ", law " << o.law << ", friction coefficient "
+        << o.friction_coefficient << ", penalty power " << o.penalty_power << ", normal "
+        << law.normal << ", measure " << law.measure << (law.gated ? ", gated" : "");
+    if (o.relaxation_time > 0.0) out << ", relaxation time " << o.relaxation_time << " s";
+    if (o.contact_stiffness > 0.0) out << ", stiffness " << o.contact_stiffness << " Pa/m";
+    return out.str();
+}
+
 std::string CheckpointState::words(const Simulation& simulation) {
     std::ostringstream out;
     out.precision(17);
@@ -118,22 +125,10 @@ std::string CheckpointState::words(const Simulation& simulation) {
     return out.str();
 }
 
-std::string CheckpointState::bytes(const Simulation& simulation) {
-    ByteWriter archive;
-    Simulation::visit(simulation, archive);
-    return archive.out;
-}
+std::string CheckpointState::bytes(const Simulation& simulation) { return state_bytes(simulation); }
 
 void CheckpointState::take(Simulation& simulation, const std::string& bytes) {
-    ByteChecker check(bytes.data(), bytes.size());
-    Simulation::visit(static_cast<const Simulation&>(simulation), check);
-    if (check.left() > 0)
-        throw std::runtime_error("its state has " + std::to_string(bytes.size()) +
-                                 " bytes, that of the simulation " +
-                                 std::to_string(bytes.size() - check.left()));
-    ByteReader archive(bytes.data(), bytes.size());
-    Simulation::visit(simulation, archive);
-    simulation.index_ids();
+    take_state(simulation, bytes);
 }
 
 }  // namespace grit::mpm

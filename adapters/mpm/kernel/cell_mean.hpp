@@ -3,15 +3,11 @@
 // both, the nodal forces do the work that the stresses take.
 #pragma once
 
+#include "adapters/mpm/kernel/cell_share.hpp"
 #include "adapters/mpm/kernel/increment.hpp"
 #include "adapters/mpm/kernel/place.hpp"
 
 GRIT_KERNEL_BEGIN_OF(mpm)
-
-// Rounded towards zero; what is no number stays out.
-GRIT_INLINE std::int64_t cell_share(double x) {
-    return x > -1.0 && x < 1.0 ? static_cast<std::int64_t>(x * CellIntegers::scale) : 0;
-}
 
 GRIT_INLINE void defer(const GatherCall& call, const Place& place, std::ptrdiff_t p,
                        const Gradient& L) {

@@ -8,16 +8,13 @@
 
 namespace grit::mpm {
 namespace c = column;
-namespace {
 
-std::vector<std::string> words_of(const char* law, const LameConstants& constants) {
+std::vector<std::string> elastic_words(const char* law, const LameConstants& constants) {
     char numbers[80];
     std::snprintf(numbers, sizeof numbers, "Lame's constants %.17g and %.17g Pa", constants.lambda,
                   constants.mu);
     return {law, numbers};
 }
-
-}  // namespace
 
 LameConstants lame_constants(double E, double nu) {
     if (!(E > 0.0 && nu > -1.0 && nu < 0.5))
@@ -34,7 +31,9 @@ void reflect(const Material& material, const ParticleView& q, std::ptrdiff_t p) 
 LinearElastic::LinearElastic(double E, double poisson)
     : law(lame_constants(E, poisson)), per_E(1.0 / E), nu(poisson) {}
 
-std::vector<std::string> LinearElastic::words() const { return words_of("linear elastic", law); }
+std::vector<std::string> LinearElastic::words() const {
+    return elastic_words("linear elastic", law);
+}
 
 void LinearElastic::update(const Range& range, const Increments& d) {
     const ParticleView& q = range.particles;
@@ -70,7 +69,7 @@ double LinearElastic::energy(const ParticleView& q, std::ptrdiff_t p) const {
 
 NeoHooke::NeoHooke(double E, double nu) : law(lame_constants(E, nu)) {}
 
-std::vector<std::string> NeoHooke::words() const { return words_of("neo-Hooke", law); }
+std::vector<std::string> NeoHooke::words() const { return elastic_words("neo-Hooke", law); }
 
 void NeoHooke::update(const Range& range, const Increments&) {
     const ParticleView& q = range.particles;

@@ -10,6 +10,8 @@ struct LameConstants {
     double wave_modulus() const { return lambda + 2.0 * mu; }
 };
 LameConstants lame_constants(double youngs_modulus, double poissons_ratio);
+// Material::words of such a law.
+std::vector<std::string> elastic_words(const char* law, const LameConstants& constants);
 
 // Linear isotropic law of the objective stress rate, for small strains and any rotation.
 class LinearElastic : public Material {

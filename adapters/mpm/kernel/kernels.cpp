@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <grit/version.h>
-
+#include "adapters/mpm/kernel/best_kernels.hpp"
 #include "adapters/mpm/kernel/call.hpp"
 
 namespace grit::mpm {
@@ -9,13 +8,7 @@ namespace grit::mpm {
 extern const Kernels avx2_kernels, avx512_kernels;
 
 const Kernels& kernels() {
-    static const Kernels& best = []() -> const Kernels& {
-        switch (grit_instruction_set()) {
-            case GRIT_ISA_AVX512: return avx512_kernels;
-            case GRIT_ISA_AVX2: return avx2_kernels;
-            default: return baseline_kernels;
-        }
-    }();
+    static const Kernels& best = best_kernels(baseline_kernels, avx2_kernels, avx512_kernels);
     return best;
 }
 #else

@@ -10,7 +10,7 @@
 
 namespace grit::mpm {
 
-// What the sand was asked, in six components: 11 = rr, 22 = zz, 33 = tt, 12 = rz.
+// What the sand was asked, in six components: in the plane 11 = rr, 22 = zz, 33 = tt, 12 = rz.
 struct SandUpdate {
     double stress[6];  // before [Pa]
     double state[GRIT_SAND_STATE_SIZE];
@@ -56,5 +56,16 @@ class MaterialFailure : public std::runtime_error {
     int id = -1;
     double start = 0.0;
 };
+
+// What a call of the sand reports of a range that starts with the particle at begin; asked(i) tells the i-th one's
+// update, which is as it was before.
+template <class Asked>
+[[noreturn]] void throw_failure(const grit_error& error, std::ptrdiff_t begin, const Asked& asked) {
+    if (error.point < 0) throw std::runtime_error(std::string("sand: ") + error.message);
+    const std::string message = error.message,
+                      number = "point " + std::to_string(error.point) + ": ";
+    throw MaterialFailure(asked(error.point), begin + error.point,
+                          message.starts_with(number) ? message.substr(number.size()) : message);
+}
 
 }  // namespace grit::mpm

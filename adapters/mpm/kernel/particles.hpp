@@ -5,8 +5,8 @@
 
 #include <cstddef>
 #include <iterator>
-#include <vector>
 
+#include "adapters/mpm/kernel/particle_columns.hpp"
 #include "support/kernel.hpp"
 
 namespace grit::mpm {
@@ -62,42 +62,14 @@ struct NewParticle {
     double v_r = 0.0, v_z = 0.0;
 };
 
-class Particles {
+class Particles : public ParticleColumns {
   public:
-    explicit Particles(int own_columns = 0) : columns(column::own + own_columns) {}
+    explicit Particles(int own_columns = 0) : ParticleColumns(column::own + own_columns) {}
 
+    using ParticleColumns::add;
     // axisymmetric: mass and volume per radian. The id of a particle is the order of adding.
     void add(const NewParticle& particle, bool axisymmetric);
-
-    // What processes hand to each other: all columns of a particle with its id. The last particle takes the
-    // place of one that is removed.
-    void add(int of_id, const double* row);
-    void remove(std::ptrdiff_t p);
-
-    std::ptrdiff_t size() const { return count; }
-    int column_count() const { return columns; }
     ParticleView view() { return {data.data(), stride}; }
-    const int* ids() const { return id.data(); }
-    double operator()(int c, std::ptrdiff_t p) const {
-        return data[static_cast<std::size_t>(c * stride + p)];
-    }
-
-    // Particle order[p] becomes particle p. Allocates on its first call only.
-    void permute(const std::vector<int>& order);
-
-    template <class Self, class Archive> static void visit(Self& particles, Archive& archive) {
-        archive.ids(particles.id);
-        for (int c = 0; c < particles.columns; ++c)
-            archive.own(particles.data.data() + c * particles.stride,
-                        static_cast<std::size_t>(particles.count));
-    }
-
-  private:
-    void grow();
-    int columns;
-    std::ptrdiff_t count = 0, stride = 0;
-    std::vector<double> data, spare;
-    std::vector<int> id, spare_id;
 };
 
 }  // namespace grit::mpm

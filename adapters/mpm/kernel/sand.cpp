@@ -38,24 +38,9 @@ SandUpdate asked_of(const Range& range, const Increments& d, std::ptrdiff_t i) {
     return out;
 }
 
-[[noreturn]] void fail(const Range& range, const Increments& d, const grit_error& error) {
-    if (error.point < 0) throw std::runtime_error(std::string("sand: ") + error.message);
-    const std::string message = error.message,
-                      number = "point " + std::to_string(error.point) + ": ";
-    throw MaterialFailure(asked_of(range, d, error.point), range.begin + error.point,
-                          message.starts_with(number) ? message.substr(number.size()) : message);
-}
-
 }  // namespace
 
-Sand::Sand(const grit_sand& prepared, const grit_sand_options& given)
-    : sand(prepared), options(given) {}
-
-std::vector<const char*> Sand::own_column_names() const {
-    return {"h_rr", "h_zz", "h_tt", "h_rz", "h_rt", "h_zt", "e", "separation", "work"};
-}
-
-std::vector<std::string> Sand::words() const {
+std::vector<std::string> sand_words(const grit_sand& sand, const grit_sand_options& options) {
     std::vector<std::string> out{"sand"};
     const auto add = [&out](const char* name, double value) {
         char number[32];
@@ -76,6 +61,21 @@ std::vector<std::string> Sand::words() const {
     return out;
 }
 
+double opening_cap(const grit_sand& sand) {
+    double void_ratios[3];
+    grit_sand_void_ratios(&sand, 0.0, void_ratios);
+    return 1.2 * void_ratios[0];
+}
+
+Sand::Sand(const grit_sand& prepared, const grit_sand_options& given)
+    : sand(prepared), options(given) {}
+
+std::vector<const char*> Sand::own_column_names() const {
+    return {"h_rr", "h_zz", "h_tt", "h_rz", "h_rt", "h_zt", "e", "separation", "work"};
+}
+
+std::vector<std::string> Sand::words() const { return sand_words(sand, options); }
+
 void Sand::update(const Range& range, const Increments& d) {
     const ParticleView& q = range.particles;
     const std::ptrdiff_t n = range.end - range.begin;
@@ -88,7 +88,7 @@ void Sand::update(const Range& range, const Increments& d) {
     points.rotation_increment = grit_view_of(d.rotation[0], 1, Increments::capacity);
     grit_error error;
     if (grit_sand_update(&sand, &options, n, &points, nullptr, &error) != GRIT_OK)
-        fail(range, d, error);
+        throw_failure(error, range.begin, [&](std::ptrdiff_t i) { return asked_of(range, d, i); });
 
     for (std::ptrdiff_t i = 0; i < n; ++i) {
         const std::ptrdiff_t p = range.begin + i;
@@ -109,11 +109,7 @@ void Sand::wave_moduli(const Range& range, double* moduli) const {
 
 double Sand::energy(const ParticleView& q, std::ptrdiff_t p) const { return q[work][p]; }
 
-Separation Sand::separation() const {
-    double void_ratios[3];
-    grit_sand_void_ratios(&sand, 0.0, void_ratios);
-    return {state + GRIT_SAND_VOID_RATIO, 1.2 * void_ratios[0]};
-}
+Separation Sand::separation() const { return {state + GRIT_SAND_VOID_RATIO, opening_cap(sand)}; }
 
 void Sand::reflect(const ParticleView& q, std::ptrdiff_t p) const {
     q[state + GRIT_SAND_H12][p] = -q[state + GRIT_SAND_H12][p];

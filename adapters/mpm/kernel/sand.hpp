@@ -8,6 +8,11 @@
 
 namespace grit::mpm {
 
+// Material::words of a sand.
+std::vector<std::string> sand_words(const grit_sand& sand, const grit_sand_options& options);
+// Void ratio beyond which separated sand no longer opens: e = 1.2 e_i at zero pressure.
+double opening_cap(const grit_sand& sand);
+
 class Sand : public Material {
   public:
     static constexpr int state = column::own;  // first of the library's
@@ -20,7 +25,6 @@ class Sand : public Material {
     void update(const Range& range, const Increments& increments) override;
     void wave_moduli(const Range& range, double* moduli) const override;
     double energy(const ParticleView& particles, std::ptrdiff_t p) const override;
-    // e = 1.2 e_i at zero pressure.
     Separation separation() const override;
     bool knows_no_deformation() const override { return true; }
     void reflect(const ParticleView& particles, std::ptrdiff_t p) const override;

@@ -77,10 +77,12 @@ struct Runner::Blows {
 
 Runner::Runner(const Case& given) : Runner(given, build_case(given)) {}
 
-Runner::Runner(Case given, BuiltCase ready) : plan(std::move(given)), built(std::move(ready)) {
+Runner::Runner(Case given, BuiltCase ready)
+    : plan(std::move(given)), built(std::move(ready)),
+      run_on(built.space ? subject_of(*built.space) : subject_of(*built.simulation)) {
     if (plan.stages.empty()) throw std::invalid_argument("a case needs a stage");
     driven = plan.body(plan.history.body);
-    whole = plan.settings.axisymmetric ? 2.0 * std::numbers::pi : 1.0;
+    whole = plan.settings.axisymmetric && !plan.space ? 2.0 * std::numbers::pi : 1.0;
     check_blows(plan, plan.stages);
     measure_bodies();
     check_interval("history.interval_s", plan.history.interval);
@@ -90,30 +92,13 @@ Runner::Runner(Case given, BuiltCase ready) : plan(std::move(given)), built(std:
 }
 
 void Runner::measure_bodies() {
-    enum { weight, stiffness, mass, count };
-    const bool fixed_point = plan.settings.fixed_point;
-    std::array<Total, count> sums;
-    double fastest = 0.0;
-    for (std::size_t i = 0; i < plan.bodies.size(); ++i) {
-        Body& body = built.simulation->body(i);
-        const ParticleView q = body.particles.view();
-        particle_count += body.particles.size();
-        for (std::ptrdiff_t p = 0; p < body.particles.size() && !body.rigid(); ++p) {
-            double modulus = 0.0;
-            body.material->wave_moduli({q, p, p + 1}, &modulus);
-            sums[weight].add(plan.gravity * q[column::mass][p], fixed_point);
-            sums[stiffness].add(modulus * q[column::V0][p], fixed_point);
-            if (i == driven) sums[mass].add(q[column::mass][p], fixed_point);
-            fastest = std::max(fastest, modulus * q[column::V0][p] / q[column::mass][p]);
-        }
-    }
-    built.simulation->shared().sum(sums, fixed_point);
-    built.simulation->shared().max(&fastest, 1);
-    mass_of_driven = whole * sums[mass].value();
-    const double cell = built.simulation->shortest_cell();
-    wave_time = fastest > 0.0 ? cell / std::sqrt(fastest) : 0.0;
-    least_energy = std::max(sums[weight].value() * cell,
-                            0.5 * least_strain * least_strain * sums[stiffness].value());
+    const Subject::Bodies bodies = run_on->measure(plan.gravity, driven);
+    particle_count = bodies.particles;
+    mass_of_driven = whole * bodies.mass;
+    const double cell = run_on->shortest_cell();
+    wave_time = bodies.fastest2 > 0.0 ? cell / std::sqrt(bodies.fastest2) : 0.0;
+    least_energy =
+        std::max(bodies.weight * cell, 0.5 * least_strain * least_strain * bodies.stiffness);
 }
 
 void Runner::check_interval(const std::string& name, double interval) const {
@@ -124,13 +109,13 @@ void Runner::check_interval(const std::string& name, double interval) const {
         " of the time that a wave needs for the shortest cell, got " + text(interval));
 }
 
-double Runner::level() { return level_of(*built.simulation, driven, plan.history.depth_of); }
+double Runner::level() { return run_on->level(driven, plan.history.depth_of); }
 
 void Runner::begin_stage() {
     const auto i = static_cast<std::size_t>(state_now.stage);
-    built.clock->began[i] = state_now.stage_time[i] = built.simulation->time();
+    built.clock->began[i] = state_now.stage_time[i] = run_on->time();
     state_now.stage_level = level();
-    apply_stage(plan, plan.stages[i], *built.simulation);
+    run_on->apply(plan, plan.stages[i]);
 }
 
 void Runner::begin(const std::string& stage,
@@ -153,7 +138,7 @@ void Runner::begin(const std::string& stage,
         ++state_now.stage;
         begin_stage();
     } else {
-        apply_stage(plan, plan.stages[wanted], *built.simulation);
+        run_on->apply(plan, plan.stages[wanted]);
     }
 }
 
@@ -161,20 +146,18 @@ void Runner::resume(const RunState& state) {
     state_now = state;
     built.clock->began = state.stage_time;
     due = false;
-    if (!finished())
-        apply_stage(plan, plan.stages[static_cast<std::size_t>(state.stage)], *built.simulation);
+    if (!finished()) run_on->apply(plan, plan.stages[static_cast<std::size_t>(state.stage)]);
 }
 
 void Runner::step() {
-    Simulation& simulation = *built.simulation;
+    Subject& simulation = *run_on;
     const double before = simulation.time();
     simulation.step();
     const double dt = state_now.last_dt = simulation.time() - before;
-    const ContactForces forces = contact_forces(simulation, driven);
-    const double now[] = {forces.tip[1], forces.shaft[1], -simulation.traction_force(driven)[1],
-                          base_reaction(simulation)};
+    const Subject::Forces forces = simulation.forces(driven);
+    const double now[] = {forces.tip, forces.shaft, -forces.traction, forces.base};
     for (std::size_t k = 0; k < 4; ++k) state_now.impulse[k] += dt * now[k];
-    state_now.impulse[4] += simulation.damping_impulse(driven);
+    state_now.impulse[4] += forces.damping_impulse;
     if (simulation.steps() % look_every == 0) check_energy();
     due = simulation.time() >= state_now.next_row;
     const Ended end = end_of_stage();
@@ -185,7 +168,7 @@ void Runner::step() {
 }
 
 void Runner::check_energy() {
-    Simulation& simulation = *built.simulation;
+    Subject& simulation = *run_on;
     const std::string words =
         imbalance(times(simulation.energy(), whole), whole * least_energy, plan.residual_limit);
     if (words.empty()) return;
@@ -197,7 +180,7 @@ void Runner::check_energy() {
 Ended Runner::end_of_stage() {
     const auto stage = static_cast<std::size_t>(state_now.stage);
     const StageEnd& end = plan.stages[stage].end;
-    const double since = built.simulation->time() - state_now.stage_time[stage];
+    const double since = run_on->time() - state_now.stage_time[stage];
     if (since >= end.time) return Ended::by_time;
     if (end.depth < unlimited && state_now.stage_level - level() >= end.depth)
         return Ended::by_depth;
@@ -216,9 +199,9 @@ Ended Runner::end_of_stage() {
 
 bool Runner::at_rest() {
     const StageEnd& end = plan.stages[static_cast<std::size_t>(state_now.stage)].end;
-    Simulation& simulation = *built.simulation;
+    Subject& simulation = *run_on;
     if (!(end.unbalanced_share > 0.0) || simulation.steps() % look_every != 0) return false;
-    if (!(unbalanced_share(simulation, state_now.last_dt) <= end.unbalanced_share)) return false;
+    if (!(simulation.unbalanced_share(state_now.last_dt) <= end.unbalanced_share)) return false;
     if (!(end.kinetic_share > 0.0)) return true;
     const Energy energy = simulation.energy();
     return energy.kinetic <= end.kinetic_share * turned_over(energy, least_energy);
@@ -231,7 +214,7 @@ Runner::Blows Runner::blows() const {
     if (!traction) return {};
     const double began =
         traction->from_stage.empty() ? 0.0 : state_now.stage_time[plan.stage(traction->from_stage)];
-    return {&std::get<PulseTrain>(traction->stress), built.simulation->time() - began,
+    return {&std::get<PulseTrain>(traction->stress), run_on->time() - began,
             state_now.stage_time[stage] - began};
 }
 
@@ -245,8 +228,7 @@ double Runner::share_done() {
     const auto i = static_cast<std::size_t>(state_now.stage);
     const StageEnd& end = plan.stages[i].end;
     double share = NAN;
-    if (end.time < unlimited)
-        share = (built.simulation->time() - state_now.stage_time[i]) / end.time;
+    if (end.time < unlimited) share = (run_on->time() - state_now.stage_time[i]) / end.time;
     if (end.depth < unlimited)
         share = std::fmax(share, (state_now.stage_level - level()) / end.depth);
     if (const Blows now = blows(); end.blows > 0)
@@ -255,7 +237,7 @@ double Runner::share_done() {
 }
 
 HistoryRow Runner::row_so_far() {
-    Simulation& simulation = *built.simulation;
+    Subject& simulation = *run_on;
     const double since = simulation.time() - state_now.row_time;
     const double per_time = since > 0.0 ? whole / since : 0.0;
     HistoryRow out;
@@ -264,10 +246,7 @@ HistoryRow Runner::row_so_far() {
     out.t = simulation.time();
     out.blow = blow();
     out.depth = depth();
-    const bool rigid = simulation.rigid(driven);
-    const Vector2 v = rigid ? simulation.body(driven).prescribed_velocity(out.t)
-                            : mean_velocity(simulation, driven);
-    out.velocity = 0.0 - v[1];  // no -0
+    out.velocity = 0.0 - simulation.velocity_z(driven);  // no -0
     out.tip_force = per_time * state_now.impulse[0];
     out.shaft_force = per_time * state_now.impulse[1];
     out.hammer_force = per_time * state_now.impulse[2];
@@ -275,17 +254,17 @@ HistoryRow Runner::row_so_far() {
     out.damping_force = per_time * state_now.impulse[4];
     const Energy energy = simulation.energy();
     out.energy = times(energy, whole);
-    out.driven_stored = whole * stored_energy(simulation, driven);
+    out.driven_stored = whole * simulation.stored_energy(driven);
     const double turned = turned_over(energy, least_energy);
     out.residual_share = turned > 0.0 ? energy.residual() / turned : 0.0;
     out.dt = state_now.last_dt;
-    out.largest_gap = contact_forces(simulation, driven).largest_gap;
-    const Extremes pore = pore_pressures(simulation);
+    out.largest_gap = simulation.forces(driven).largest_gap;
+    const Extremes pore = simulation.pore_pressures();
     out.least_pore_pressure = pore.least;
     out.largest_pore_pressure = pore.largest;
-    out.water_mass = whole * water_mass(simulation);
+    out.water_mass = whole * simulation.water_mass();
     out.unbalanced_share =
-        state_now.last_dt > 0.0 ? unbalanced_share(simulation, state_now.last_dt) : 0.0;
+        state_now.last_dt > 0.0 ? simulation.unbalanced_share(state_now.last_dt) : 0.0;
     return out;
 }
 

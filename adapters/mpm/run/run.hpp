@@ -5,7 +5,7 @@
 #include <array>
 #include <functional>
 
-#include "adapters/mpm/case/build_case.hpp"
+#include "adapters/mpm/run/subject.hpp"
 
 namespace grit::mpm {
 
@@ -83,7 +83,10 @@ class Runner {
     void check_interval(const std::string& name, double interval) const;
 
     const Case& description() const { return plan; }
+    // What it runs; of one in the plane, the simulation itself.
+    Subject& subject() { return *run_on; }
     Simulation& simulation() { return *built.simulation; }
+    space::Simulation* space() { return built.space.get(); }
     std::ptrdiff_t particles() const { return particle_count; }
     // Of the whole driven body [kg]; 0 if it is rigid.
     double driven_mass() const { return mass_of_driven; }
@@ -116,6 +119,7 @@ class Runner {
 
     Case plan;
     BuiltCase built;
+    std::unique_ptr<Subject> run_on;
     std::size_t driven = 0;
     std::ptrdiff_t particle_count = 0;
     double whole = 1.0;  // of a radian or of a metre

@@ -5,23 +5,10 @@
 #include <cmath>
 
 #include "adapters/mpm/kernel/material_failure.hpp"
+#include "adapters/mpm/step/ranges.hpp"
 #include "adapters/mpm/step/stopwatch.hpp"
 
 namespace grit::mpm {
-namespace {
-
-// work(begin, end) of no more particles than increments hold.
-template <class Work> void each_range(const Strips& strips, int strip, const Work& work) {
-    const std::ptrdiff_t end = strips.begin(strip + 1);
-    for (std::ptrdiff_t begin = strips.begin(strip); begin < end;) {
-        const std::ptrdiff_t stop = std::min<std::ptrdiff_t>(begin + Increments::capacity, end);
-        work(begin, stop);
-        begin = stop;
-    }
-}
-
-}  // namespace
-
 void Gather::add_body() {
     OfBody& body = bodies.emplace_back();
     with_half = with_half || model.parts.back().body.water;
@@ -60,23 +47,24 @@ void Gather::gather(std::size_t body, int strip, unsigned tasks) {
     const bool updates = (tasks & (task::deformation | task::deform_by_other)) && !means.has(body);
     const ParticleView q = part.body.particles.view();
     double fastest = 0.0;
-    each_range(part.strips, strip, [&](std::ptrdiff_t begin, std::ptrdiff_t stop) {
-        const GatherCall call{model.grid(),
-                              q,
-                              begin,
-                              stop,
-                              part.motions.data(),
-                              model.dt,
-                              std::min(settings.pic_rate * model.dt, 1.0),
-                              tasks,
-                              part.separation,
-                              part.reduces_domains,
-                              means.of(body),
-                              settings.fixed_point};
-        kernels().gather(settings.shape, settings.axisymmetric, call, bodies[body].increments[s],
-                         sums.sums);
-        if (updates) fastest = std::max(fastest, update(body, strip, {q, begin, stop}));
-    });
+    each_range(part.strips, strip, Increments::capacity,
+               [&](std::ptrdiff_t begin, std::ptrdiff_t stop) {
+                   const GatherCall call{model.grid(),
+                                         q,
+                                         begin,
+                                         stop,
+                                         part.motions.data(),
+                                         model.dt,
+                                         std::min(settings.pic_rate * model.dt, 1.0),
+                                         tasks,
+                                         part.separation,
+                                         part.reduces_domains,
+                                         means.of(body),
+                                         settings.fixed_point};
+                   kernels().gather(settings.shape, settings.axisymmetric, call,
+                                    bodies[body].increments[s], sums.sums);
+                   if (updates) fastest = std::max(fastest, update(body, strip, {q, begin, stop}));
+               });
     if (updates) sums.speed = std::sqrt(fastest);
 }
 
@@ -87,14 +75,15 @@ void Gather::deform(std::size_t body, int strip) {
     const auto s = static_cast<std::size_t>(strip);
     const ParticleView q = part.body.particles.view();
     double fastest = 0.0;
-    each_range(part.strips, strip, [&](std::ptrdiff_t begin, std::ptrdiff_t stop) {
-        const CellMean& mean = means.of(body);
-        kernels().deform(
-            model.settings.axisymmetric,
-            {q, begin, stop, mean.cells, mean.deferred, part.separation, part.reduces_domains},
-            bodies[body].increments[s]);
-        fastest = std::max(fastest, update(body, strip, {q, begin, stop}));
-    });
+    each_range(part.strips, strip, Increments::capacity,
+               [&](std::ptrdiff_t begin, std::ptrdiff_t stop) {
+                   const CellMean& mean = means.of(body);
+                   kernels().deform(model.settings.axisymmetric,
+                                    {q, begin, stop, mean.cells, mean.deferred, part.separation,
+                                     part.reduces_domains},
+                                    bodies[body].increments[s]);
+                   fastest = std::max(fastest, update(body, strip, {q, begin, stop}));
+               });
     bodies[body].strips[s].speed = std::sqrt(fastest);
 }
 

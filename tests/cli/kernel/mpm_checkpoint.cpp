@@ -17,7 +17,7 @@ using namespace cli_test;
 
 std::string refusal(const std::filesystem::path& place, grit::mpm::Simulation& simulation) {
     try {
-        cli::MpmCheckpoint(place).restore(simulation);
+        cli::MpmCheckpoint(place).restore(*grit::mpm::subject_of(simulation));
     } catch (const std::runtime_error& error) {
         return error.what();
     }
@@ -38,26 +38,26 @@ class CheckpointFile : public testing::Test {
 };
 
 TEST_F(CheckpointFile, HandsBackTheRunnersStateAndTheSimulation) {
-    cli::write_mpm_checkpoint(place, *simulation, runner);
+    cli::write_mpm_checkpoint(place, *grit::mpm::subject_of(*simulation), runner);
     EXPECT_EQ(here.files(), std::set<std::string>{"x.checkpoint"});
     const auto again = sand_box();
     const cli::MpmCheckpoint checkpoint(place);
-    checkpoint.restore(*again);
+    checkpoint.restore(*grit::mpm::subject_of(*again));
     EXPECT_EQ(checkpoint.runner(), runner);
     EXPECT_EQ(again->time(), simulation->time());
     EXPECT_EQ(again->steps(), 5);
 }
 
 TEST_F(CheckpointFile, TakesThePlaceOfTheOneBefore) {
-    cli::write_mpm_checkpoint(place, *simulation, "first");
+    cli::write_mpm_checkpoint(place, *grit::mpm::subject_of(*simulation), "first");
     simulation->step();
-    cli::write_mpm_checkpoint(place, *simulation, "second");
+    cli::write_mpm_checkpoint(place, *grit::mpm::subject_of(*simulation), "second");
     EXPECT_EQ(cli::MpmCheckpoint(place).runner(), "second");
     EXPECT_EQ(here.files(), std::set<std::string>{"x.checkpoint"});
 }
 
 TEST_F(CheckpointFile, ThatIsCutOrChangedIsRefusedByName) {
-    cli::write_mpm_checkpoint(place, *simulation, runner);
+    cli::write_mpm_checkpoint(place, *grit::mpm::subject_of(*simulation), runner);
     const std::string whole = file();
     for (std::size_t part = 0; part < 64; ++part) {
         here.write("x.checkpoint", whole.substr(0, whole.size() * part / 64));
@@ -76,7 +76,7 @@ TEST_F(CheckpointFile, ThatIsCutOrChangedIsRefusedByName) {
 }
 
 TEST_F(CheckpointFile, WithMoreBehindItIsRefusedByName) {
-    cli::write_mpm_checkpoint(place, *simulation, runner);
+    cli::write_mpm_checkpoint(place, *grit::mpm::subject_of(*simulation), runner);
     const std::string whole = file();
     std::mt19937 random(16);
     for (std::size_t length = 1; length < 5000; length = 2 * length + 1) {
@@ -99,13 +99,13 @@ TEST_F(CheckpointFile, ThatIsNotThereIsRefusedByName) {
 }
 
 TEST_F(CheckpointFile, ThatFindsNoRoomLeavesTheOneBefore) {
-    cli::write_mpm_checkpoint(place, *simulation, "first");
+    cli::write_mpm_checkpoint(place, *grit::mpm::subject_of(*simulation), "first");
     const std::string before = file();
     simulation->step();
     for (const rlim_t room : {rlim_t{0}, rlim_t{100}, rlim_t{before.size() / 2}}) {
         const NoRoom full(room);
         try {
-            cli::write_mpm_checkpoint(place, *simulation, "second");
+            cli::write_mpm_checkpoint(place, *grit::mpm::subject_of(*simulation), "second");
             FAIL() << "no error";
         } catch (const element::CannotWrite& error) {
             EXPECT_EQ(error.what(), place.string() + ": cannot write this file: File too large");
@@ -116,8 +116,9 @@ TEST_F(CheckpointFile, ThatFindsNoRoomLeavesTheOneBefore) {
 }
 
 TEST_F(CheckpointFile, InAFolderThatIsNotThereSaysSo) {
-    EXPECT_THROW(cli::write_mpm_checkpoint(here.path("no/x"), *simulation, ""),
-                 element::CannotWrite);
+    EXPECT_THROW(
+        cli::write_mpm_checkpoint(here.path("no/x"), *grit::mpm::subject_of(*simulation), ""),
+        element::CannotWrite);
 }
 
 }  // namespace

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/mpm/space/case/build.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "adapters/mpm/case/build_case.hpp"
+#include "adapters/mpm/case/initial_state.hpp"
+#include "adapters/mpm/space/case/solids.hpp"
+#include "adapters/mpm/space/kernel/elastic.hpp"
+#include "adapters/mpm/space/kernel/sand.hpp"
+
+namespace grit::mpm::space {
+namespace {
+
+std::unique_ptr<Material> material_of(const BodyPlan& body) {
+    if (const auto* sand = std::get_if<SandPlan>(&body.material))
+        return std::make_unique<Sand>(prepared_sand(body, *sand), sand->options);
+    const auto* elastic = std::get_if<ElasticPlan>(&body.material);
+    if (!elastic) return nullptr;
+    if (elastic->neo_hooke)
+        return std::make_unique<NeoHooke>(elastic->youngs_modulus, elastic->poissons_ratio);
+    return std::make_unique<LinearElastic>(elastic->youngs_modulus, elastic->poissons_ratio);
+}
+
+void set_start(const BodyPlan& body, double gravity, Particles& particles) {
+    check_stress_at_rest(body);
+    const auto* plan = std::get_if<SandPlan>(&body.material);
+    const grit_sand sand = plan ? prepared_sand(body, *plan) : grit_sand{};
+    const ParticleView q = particles.view();
+    for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
+        const double z = q[column::z][p];
+        double stress[6] = {};
+        if (body.geostatic)
+            find_stress_at_rest(body, plan ? &sand : nullptr, body.density * gravity,
+                                std::max(0.0, body.geostatic->surface - z),
+                                body.geostatic->surcharge, 2, stress);
+        for (int k = 0; k < 6; ++k) q[column::S_xx + k][p] = stress[k];
+        if (!plan) continue;
+        double state[GRIT_SAND_STATE_SIZE];
+        find_start(body, *plan, sand, -(stress[0] + stress[1] + stress[2]) / 3.0, z, state);
+        for (int k = 0; k < GRIT_SAND_STATE_SIZE; ++k) q[Sand::state + k][p] = state[k];
+    }
+}
+
+std::function<Vector3(double)> velocity_of(const Case& plan, const BodyPlan& body,
+                                           const std::shared_ptr<Clock>& clock) {
+    const auto& motion = std::get<RigidPlan>(body.material);
+    return [since = Since(plan, clock, motion.from_stage), motion](double t) {
+        const double s = since(t);
+        return s < 0.0 ? Vector3{0.0, 0.0, 0.0}
+                       : Vector3{motion.velocity_r.at(s), motion.velocity_y.at(s),
+                                 motion.velocity_z.at(s)};
+    };
+}
+
+void add_bodies(const Case& plan, const Axes& axes, const std::shared_ptr<Clock>& clock,
+                Simulation& simulation) {
+    for (std::size_t b = 0; b < plan.bodies.size(); ++b) {
+        const BodyPlan& body_plan = plan.bodies[b];
+        if (body_plan.water)
+            throw std::invalid_argument("body " + body_plan.name +
+                                        ": pore water is not there in space");
+        Body body;
+        body.name = body_plan.name;
+        body.material = material_of(body_plan);
+        body.particles = fill(plan.space->bodies[b], body.name, body_plan.density, axes,
+                              body.material ? body.material->own_columns() : 0);
+        if (!body_plan.rigid()) set_start(body_plan, plan.gravity, body.particles);
+        else body.prescribed_velocity = velocity_of(plan, body_plan, clock);
+        for (std::size_t i = 0; i < b; ++i) {
+            Body& other = simulation.body(i);
+            const std::string names = other.name + " and " + body.name;
+            check_apart(other.particles, body.particles, axes, names);
+            check_apart(body.particles, other.particles, axes, names);
+        }
+        simulation.add_body(std::move(body));
+    }
+}
+
+void add_tractions(const Case& plan, const Axes& axes, const std::shared_ptr<Clock>& clock,
+                   Simulation& simulation) {
+    for (std::size_t i = 0; i < plan.tractions.size(); ++i) {
+        const TractionPlan& traction = plan.tractions[i];
+        const FacePlan& face = plan.space->faces[i];
+        const std::size_t body = plan.body(traction.body);
+        const auto stress = [since = Since(plan, clock, traction.from_stage), traction,
+                             direction = face.direction](double t) {
+            const double s = since(t);
+            return (s < 0.0 ? 0.0 : value_at(traction.stress, s)) * direction;
+        };
+        for (const int id : outermost(simulation.body(body).particles, axes, face, traction.body))
+            simulation.add_traction({body, id, {face.across, face.upper}, stress});
+    }
+}
+
+void hold_sides(const Case& plan, Simulation& simulation) {
+    for (int side = 0; side < 6; ++side) {
+        const Boundary boundary = plan.space->boundary[side];
+        if (boundary == Boundary::free) continue;
+        if (boundary != Boundary::roller && boundary != Boundary::fixed)
+            throw std::invalid_argument("absorbing sides and platens are not there in space");
+        const int d = side / 2;
+        const Axis& axis = simulation.axis(d);
+        const Hold hold = boundary == Boundary::fixed ? Hold::all : Hold::across;
+        if (side % 2 == 0) simulation.fix_below(d, axis[0], hold);
+        else simulation.fix_above(d, axis[axis.nodes() - 1], hold);
+    }
+}
+
+}  // namespace
+
+std::unique_ptr<Simulation> build(const Case& plan, const std::shared_ptr<Clock>& clock) {
+    const SpacePlan& space = *plan.space;
+    const Axes axes{make_axis(space.axis[0]), make_axis(space.axis[1]), make_axis(space.axis[2])};
+    auto out = std::make_unique<Simulation>(axes, plan.settings);
+    add_bodies(plan, axes, clock, *out);
+    add_tractions(plan, axes, clock, *out);
+    // Fixed nodes are known to a contact when it is made.
+    hold_sides(plan, *out);
+    for (const ContactPlan& contact : plan.contacts) {
+        if (contact.penalty || contact.at_surfaces)
+            throw std::invalid_argument("contact of " + contact.stiff + " and " + contact.soft +
+                                        ": in space there are the laws geo and frictional alone");
+        out->add_contact(nodal_law(plan, contact, out->shortest_cell()));
+    }
+    return out;
+}
+
+void apply_stage(const Case& plan, const StagePlan& stage, Simulation& simulation) {
+    simulation.set_gravity({0.0, 0.0, stage.gravity ? -plan.gravity : 0.0});
+    simulation.set_local_damping(stage.local_damping);
+    simulation.set_pic_rate(stage.pic_rate);
+    simulation.set_cfl(stage.cfl);
+}
+
+}  // namespace grit::mpm::space

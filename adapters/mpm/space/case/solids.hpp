@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Shapes in space filled with particles.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "adapters/mpm/case/space_plan.hpp"
+#include "adapters/mpm/space/kernel/particles.hpp"
+
+namespace grit::mpm::space {
+
+using Axes = std::array<Axis, 3>;
+
+// Bricks in cells that are cut where a shape begins or ends along x, y and z, so that a box is filled exactly; they are
+// in a cone or a sphere if their centre is. Where shapes overlap, the first one has it. In the part of a cell that a
+// shape fills along a direction, there are as many particles as its share of the cell asks for, one at least. Throws
+// std::invalid_argument if nothing is inside, or a shape reaches out of the grid.
+Particles fill(const SolidPlan& plan, const std::string& name, double density, const Axes& axes,
+               int own_columns);
+
+// Particles, by id, one face of which has no particle beyond, with their centre in the range. Throws
+// std::invalid_argument if there is none.
+std::vector<int> outermost(Particles& particles, const Axes& axes, const FacePlan& face,
+                           const std::string& name);
+
+// Throws std::invalid_argument where the centre of a particle of one lies in a particle of the other. names: of both.
+void check_apart(Particles& one, Particles& other, const Axes& axes, const std::string& names);
+
+}  // namespace grit::mpm::space

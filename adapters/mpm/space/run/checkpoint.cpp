@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/mpm/space/run/checkpoint.hpp"
+
+#include <sstream>
+
+#include "adapters/mpm/io/checkpoint_state.hpp"
+#include "adapters/mpm/io/checksum.hpp"
+#include "adapters/mpm/step/spellings.hpp"
+
+namespace grit::mpm::space {
+namespace {
+
+std::string words_of(const Simulation& s) {
+    std::ostringstream out;
+    out.precision(17);
+    const Settings& settings = s.current_settings();
+    out << "geometry: space\n";
+    for (int d = 0; d < 3; ++d)
+        out << "grid along "
+            << "xyz"[d] << ": " << word_of_axis(s.axis(d)) << '\n';
+    out << "fixed nodes: checksum " << checksum(s.constraints().data(), s.constraints().size())
+        << '\n'
+        << "shape functions: " << word_of(words::shapes, settings.shape) << '\n'
+        << "bulk viscosity: linear " << settings.linear_viscosity << ", quadratic "
+        << settings.quadratic_viscosity << '\n'
+        << "volumetric strain: " << (settings.cell_mean ? "mean of the cell" : "own") << '\n'
+        << "bodies: " << s.bodies() << '\n';
+    for (std::size_t i = 0; i < s.bodies(); ++i) {
+        const Body& body = s.body(i);
+        out << "body " << i << ": "
+            << word_of_body(body.name, body.rigid(), body.particles, column::mass) << '\n';
+        if (!body.material) continue;
+        for (const std::string& word : body.material->words())
+            out << "body " << i << ": " << word << '\n';
+    }
+    out << "tractions: " << s.traction_count() << '\n' << "contacts: " << s.contact_count() << '\n';
+    for (std::size_t i = 0; i < s.contact_count(); ++i)
+        out << "contact " << i << ": " << word_of_contact(s.contact(i).law()) << '\n';
+    return out.str();
+}
+
+}  // namespace
+
+void save(const Simulation& simulation, std::ostream& out) {
+    write_state(words_of(simulation), state_bytes(simulation), out);
+}
+
+void restore(Simulation& simulation, std::istream& in, OtherBits bits) {
+    read_state(in, bits, words_of(simulation),
+               [&](const std::string& state) { take_state(simulation, state); });
+}
+
+}  // namespace grit::mpm::space

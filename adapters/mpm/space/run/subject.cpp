@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/mpm/run/subject.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "adapters/mpm/space/case/build.hpp"
+#include "adapters/mpm/space/run/checkpoint.hpp"
+
+namespace grit::mpm {
+namespace space {
+namespace {
+
+class SpaceSubject : public Subject {
+  public:
+    explicit SpaceSubject(Simulation& of) : simulation(of) {}
+    void step() override { simulation.step(); }
+    double time() const override { return simulation.time(); }
+    long steps() const override { return simulation.steps(); }
+    Seconds seconds() const override { return simulation.seconds(); }
+    Energy energy() override { return simulation.energy(); }
+    double shortest_cell() const override { return simulation.shortest_cell(); }
+    void apply(const Case& plan, const StagePlan& stage) override {
+        apply_stage(plan, stage, simulation);
+    }
+    Bodies measure(double gravity, std::size_t driven) override;
+    bool rigid(std::size_t body) const override { return simulation.body(body).rigid(); }
+    double level(std::size_t body, DepthOf what) override;
+    double velocity_z(std::size_t body) override;
+    double stored_energy(std::size_t body) override;
+    Forces forces(std::size_t body) override;
+    double unbalanced_share(double dt) override;
+    Extremes pore_pressures() override { return {NAN, NAN}; }
+    double water_mass() override { return NAN; }
+    void save(std::ostream& out) const override { space::save(simulation, out); }
+    void restore(std::istream& in, OtherBits bits) override {
+        space::restore(simulation, in, bits);
+    }
+
+  private:
+    double base_reaction() const;
+
+    Simulation& simulation;
+};
+
+Subject::Bodies SpaceSubject::measure(double gravity, std::size_t driven) {
+    Bodies out;
+    for (std::size_t i = 0; i < simulation.bodies(); ++i) {
+        Body& body = simulation.body(i);
+        const ParticleView q = body.particles.view();
+        out.particles += body.particles.size();
+        for (std::ptrdiff_t p = 0; p < body.particles.size() && !body.rigid(); ++p) {
+            double modulus = 0.0;
+            body.material->wave_moduli({q, p, p + 1}, &modulus);
+            const double m = q[column::mass][p], V = q[column::V0][p];
+            out.weight += gravity * m;
+            out.stiffness += modulus * V;
+            if (i == driven) out.mass += m;
+            out.fastest2 = std::max(out.fastest2, modulus * V / m);
+        }
+    }
+    return out;
+}
+
+double SpaceSubject::level(std::size_t body, DepthOf what) {
+    Particles& particles = simulation.body(body).particles;
+    const ParticleView q = particles.view();
+    double lowest = INFINITY, mass = 0.0, moment = 0.0;
+    for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
+        double reach = 0.0;
+        for (int k = 0; k < 3; ++k) reach += std::fabs(q.F(2, k, p)) * q[column::l_x + k][p];
+        lowest = std::min(lowest, q[column::z][p] - reach);
+        mass += q[column::mass][p];
+        moment += q[column::mass][p] * q[column::z][p];
+    }
+    return what == DepthOf::lowest_point ? lowest : moment / mass;
+}
+
+double SpaceSubject::velocity_z(std::size_t body) {
+    Body& of = simulation.body(body);
+    if (of.rigid()) return of.prescribed_velocity(time())[2];
+    const ParticleView q = of.particles.view();
+    double mass = 0.0, momentum = 0.0;
+    for (std::ptrdiff_t p = 0; p < of.particles.size(); ++p) {
+        mass += q[column::mass][p];
+        momentum += q[column::mass][p] * q[column::v_z][p];
+    }
+    return momentum / mass;
+}
+
+double SpaceSubject::stored_energy(std::size_t body) {
+    Body& of = simulation.body(body);
+    double sum = 0.0;
+    for (std::ptrdiff_t p = 0; p < of.particles.size() && !of.rigid(); ++p)
+        sum += of.material->energy(of.particles.view(), p);
+    return sum;
+}
+
+// What keeps the nodes of the bottom from moving down, weight and all.
+double SpaceSubject::base_reaction() const {
+    const auto count = static_cast<std::size_t>(simulation.axis(0).nodes()) *
+                       static_cast<std::size_t>(simulation.axis(1).nodes());
+    double sum = 0.0;
+    for (std::size_t body = 0; body < simulation.bodies(); ++body) {
+        if (simulation.body(body).rigid()) continue;
+        const std::vector<NodeRecord>& nodes = simulation.records(body);
+        for (std::size_t i = 0; i < count; ++i)
+            if (simulation.constraints()[i] & fixed::along(2))
+                sum -= nodes[i][record::f_z] + simulation.gravity()[2] * nodes[i][record::m];
+    }
+    return sum;
+}
+
+Subject::Forces SpaceSubject::forces(std::size_t body) {
+    Forces out;
+    out.largest_gap = NAN;
+    for (std::size_t i = 0; i < simulation.contact_count(); ++i) {
+        const ContactPair& pair = simulation.contact(i);
+        if (pair.law().a != body && pair.law().b != body) continue;
+        const double sign = pair.law().b == body ? 1.0 : -1.0;
+        out.tip += sign * pair.measured().along_z[2];
+        out.shaft += sign * pair.measured().sideways[2];
+        out.largest_gap = std::fmax(out.largest_gap, pair.measured().largest_gap);
+    }
+    out.traction = simulation.traction_force(body)[2];
+    out.base = base_reaction();
+    out.damping_impulse = simulation.damping_impulse(body);
+    return out;
+}
+
+double SpaceSubject::unbalanced_share(double dt) {
+    double share = 0.0;
+    for (std::size_t body = 0; body < simulation.bodies(); ++body) {
+        if (simulation.body(body).rigid()) continue;
+        double resultant = 0.0, force = 0.0;
+        const std::vector<NodeRecord>& nodes = simulation.records(body);
+        const std::vector<NodeMotion>& motions = simulation.motions(body);
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            const NodeRecord& n = nodes[i];
+            const NodeMotion& v = motions[i];
+            if (!(n[record::m] > simulation.least_mass(body))) continue;
+            Vector3 change, f;
+            for (int k = 0; k < 3; ++k) {
+                change[k] = v[motion::v_x + k] - v[motion::other_x + k];
+                f[k] = n[record::f_x + k];
+            }
+            resultant = std::max(resultant, n[record::m] * norm(change) / dt);
+            force = std::max({force, norm(f), n[record::m] * norm(simulation.gravity())});
+        }
+        if (force > 0.0) share = std::max(share, resultant / force);
+    }
+    return share;
+}
+
+}  // namespace
+}  // namespace space
+
+std::unique_ptr<Subject> subject_of(space::Simulation& simulation) {
+    return std::make_unique<space::SpaceSubject>(simulation);
+}
+
+}  // namespace grit::mpm

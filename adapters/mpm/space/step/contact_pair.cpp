@@ -1,0 +1,478 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/mpm/space/step/contact_pair.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "adapters/mpm/space/kernel/place.hpp"
+#include "adapters/mpm/step/require.hpp"
+
+namespace grit::mpm::space {
+namespace {
+
+constexpr double far = std::numeric_limits<double>::infinity();
+
+Vector3 at(const std::vector<double>& of, std::size_t i) {
+    return {of[3 * i], of[3 * i + 1], of[3 * i + 2]};
+}
+
+// Parallelepipeds, or points, each with nodes of its own, for one call of the library.
+class Domains {
+  public:
+    void add(const Vector3& x, const std::ptrdiff_t* nodes, int count) {
+        if (count == 0) return;
+        position.insert(position.end(), x.c, x.c + 3);
+        node.insert(node.end(), nodes, nodes + count);
+        offset.push_back(static_cast<std::ptrdiff_t>(node.size()));
+    }
+    void add(const Vector3& x, const double (&side)[9], const std::ptrdiff_t* nodes, int count) {
+        if (count > 0) sides.insert(sides.end(), side, side + 9);
+        add(x, nodes, count);
+    }
+    void send(const grit_contact_surfaces& to, int body) const {
+        grit_contact_domains d{};
+        d.struct_size = sizeof d;
+        d.body = body;
+        d.offset = offset.data();
+        d.node = node.data();
+        d.position = grit_view_of(position.data(), 3, 1);
+        if (!sides.empty()) {
+            d.sides = 3;
+            d.side = grit_matrix_view_of(sides.data(), 9, 3, 1);
+        }
+        const auto n = static_cast<std::ptrdiff_t>(offset.size()) - 1;
+        if (n == 0) return;
+        grit_error error;
+        require(grit_contact_surfaces_add(&to, n, &d, &error), error, "contact");
+    }
+
+  private:
+    std::vector<double> position, sides;
+    std::vector<std::ptrdiff_t> offset{0}, node;
+};
+
+}  // namespace
+
+ContactPair::ContactPair(const ContactLaw& law, const Model& model)
+    : pair_law(law), place_of(model.nodes(), -1), touched(model.nodes()), near(model.cells()) {
+    pair_law.options.components = 3;
+    step_totals.struct_size = sizeof step_totals;
+    step_measured.largest_gap = NAN;
+}
+
+bool ContactPair::find_active(const Model& model) {
+    for (const std::ptrdiff_t node : active) place_of[static_cast<std::size_t>(node)] = -1;
+    active.clear();
+    const std::vector<NodeRecord>& a = model.parts[pair_law.a].records;
+    const std::vector<NodeRecord>& b = model.parts[pair_law.b].records;
+    for (std::size_t node = 0; node < a.size(); ++node) {
+        if (!(a[node][record::m] > 0.0 && b[node][record::m] > 0.0)) continue;
+        place_of[node] = static_cast<int>(active.size());
+        active.push_back(static_cast<std::ptrdiff_t>(node));
+    }
+    return !active.empty();
+}
+
+// A domain reaches into the neighbouring cells and to their nodes.
+void ContactPair::find_near(const GridView& grid) {
+    for (const std::ptrdiff_t cell : near_cells) near[static_cast<std::size_t>(cell)] = 0;
+    near_cells.clear();
+    for (const std::ptrdiff_t node : active) {
+        int first[3], last[3];
+        std::ptrdiff_t rest = node;
+        for (int d = 0; d < 3; ++d) {
+            const auto i = static_cast<int>(rest % grid.nodes(d));
+            rest /= grid.nodes(d);
+            first[d] = std::max(i - 2, 0);
+            last[d] = std::min(i + 1, grid.axis[d].cells - 1);
+        }
+        for (int k = first[2]; k <= last[2]; ++k)
+            for (int j = first[1]; j <= last[1]; ++j)
+                for (int i = first[0]; i <= last[0]; ++i) {
+                    char& is = near[static_cast<std::size_t>(grid.cell(i, j, k))];
+                    if (is) continue;
+                    is = 1;
+                    near_cells.push_back(grid.cell(i, j, k));
+                }
+    }
+}
+
+void ContactPair::copy_nodes(const Model& model) {
+    const std::size_t n = active.size();
+    const GridView grid = model.grid();
+    const Part &a = model.parts[pair_law.a], &b = model.parts[pair_law.b];
+    for (std::vector<double>* three : {&position, &spacing, &normal}) three->assign(3 * n, 0.0);
+    for (std::vector<double>* two : {&surface, &near_surface, &centre}) two->assign(2 * n, far);
+    for (std::vector<double>* one :
+         {&mass_a, &mass_b, &reach, &distance, &gap, &gate_gap, &overlap, &area})
+        one->assign(n, 0.0);
+    for (std::vector<double>* of : {&motion_a, &motion_b}) of->resize(motion::size * n);
+    for (std::vector<double>* of : {&slope_a, &slope_b}) of->resize(slope::size * n);
+    for (std::vector<double>& each : direction) each.assign(3 * n, 0.0);
+    direction_surface.assign(2 * directions * n, far);
+    fixed_bits.assign(n, 0);
+    closed.assign(n, 0);
+    reports.assign(n, {});
+    places.resize(n);
+    std::iota(places.begin(), places.end(), 0);
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto node = static_cast<std::size_t>(active[i]);
+        mass_a[i] = a.records[node][record::m];
+        mass_b[i] = b.records[node][record::m];
+        std::copy_n(a.motions[node].value, motion::size, &motion_a[motion::size * i]);
+        std::copy_n(b.motions[node].value, motion::size, &motion_b[motion::size * i]);
+        std::copy_n(a.slopes[node].value, slope::size, &slope_a[slope::size * i]);
+        std::copy_n(b.slopes[node].value, slope::size, &slope_b[slope::size * i]);
+        std::ptrdiff_t rest = active[i];
+        for (int d = 0; d < 3; ++d) {
+            const AxisView& axis = grid.axis[d];
+            const auto k = static_cast<int>(rest % grid.nodes(d));
+            rest /= grid.nodes(d);
+            position[3 * i + static_cast<std::size_t>(d)] = axis.node[k];
+            spacing[3 * i + static_cast<std::size_t>(d)] = axis.limit[std::min(k, axis.cells - 1)];
+            if (model.fixed_nodes[node] & fixed::along(d)) fixed_bits[i] |= 1 << d;
+        }
+    }
+}
+
+void ContactPair::find_normals(int source, const std::vector<std::ptrdiff_t>& nodes,
+                               std::vector<double>& of) {
+    const auto view = [](const std::vector<double>& slopes, int first) {
+        return grit_view_of(slopes.data() + first, slope::size, 1);
+    };
+    grit_contact_gradients q{};
+    q.struct_size = sizeof q;
+    q.components = 3;
+    q.source = source;
+    q.index = nodes.data();
+    q.gradient_a = view(slope_a, slope::g_x);
+    q.gradient_b = view(slope_b, slope::g_x);
+    if (source != GRIT_CONTACT_NORMAL_AVERAGE)
+        q.scale = view(source == GRIT_CONTACT_NORMAL_OF_A ? slope_a : slope_b, slope::scale);
+    q.fixed = fixed_bits.data();
+    q.normal = grit_mutable_view_of(of.data(), 3, 1);
+    grit_error error;
+    require(grit_contact_normals_from_gradients(static_cast<std::ptrdiff_t>(nodes.size()), &q,
+                                                nullptr, &error),
+            error, "contact");
+}
+
+// A node of a symmetry plane that the body does not reach: of its gradient across the plane, which is left out, there
+// is less than of one that does.
+bool ContactPair::is_aside(std::size_t i) const {
+    const std::vector<double>& of = pair_law.normal == GRIT_CONTACT_NORMAL_OF_B ? slope_b : slope_a;
+    const double* g = &of[slope::size * i];
+    for (int d = 0; d < 3; ++d) {
+        if (!(fixed_bits[i] & 1 << d)) continue;
+        double whole = 1.0;
+        for (int e = 0; e < 3; ++e)
+            if (e != d)
+                whole *= spacing[3 * i + static_cast<std::size_t>(e)] *
+                         (fixed_bits[i] & 1 << e ? 0.5 : 1.0);
+        if (std::fabs(g[d]) > 1e-8 * g[slope::scale] && std::fabs(g[d]) < 0.4 * whole) return true;
+    }
+    return false;
+}
+
+void ContactPair::find_normals() {
+    find_normals(pair_law.normal, places, normal);
+    // A node inside the one body whose surface was asked for may be at the surface of the other.
+    undefined.clear();
+    for (const std::ptrdiff_t place : places) {
+        const auto i = static_cast<std::size_t>(place);
+        const Vector3 n = at(normal, i);
+        if (n[0] != 0.0 || n[1] != 0.0 || n[2] != 0.0) continue;
+        if (pair_law.normal == GRIT_CONTACT_NORMAL_AVERAGE || !is_aside(i))
+            undefined.push_back(place);
+    }
+    find_normals(pair_law.normal == GRIT_CONTACT_NORMAL_OF_B ? GRIT_CONTACT_NORMAL_OF_A
+                                                             : GRIT_CONTACT_NORMAL_OF_B,
+                 undefined, normal);
+}
+
+grit_contact_surfaces ContactPair::surfaces(std::vector<double>& of) {
+    grit_contact_surfaces s{};
+    s.struct_size = sizeof s;
+    s.components = 3;
+    s.nodes = static_cast<std::ptrdiff_t>(active.size());
+    s.position = grit_view_of(position.data(), 3, 1);
+    s.normal = grit_view_of(normal.data(), 3, 1);
+    s.surface = grit_mutable_view_of(of.data(), 2, 1);
+    return s;
+}
+
+grit_contact_surfaces ContactPair::along_direction(int k) {
+    grit_contact_surfaces s = surfaces(surface);
+    s.normal = grit_view_of(direction[k].data(), 3, 1);
+    s.surface = grit_mutable_view_of(direction_surface.data() + 2 * k, 2 * directions, 1);
+    return s;
+}
+
+// Whether x is no more than half a cell off the node, across the normal.
+bool ContactPair::is_beside(const Vector3& x, std::size_t i) const {
+    const Vector3 n = at(normal, i), from = x - at(position, i);
+    const Vector3 across = from - dot(from, n) * n;
+    double squares = 0.0;
+    for (int d = 0; d < 3; ++d) {
+        const double cells = across[d] / spacing[3 * i + static_cast<std::size_t>(d)];
+        squares += cells * cells;
+    }
+    return squares <= 0.25 + 1e-6;
+}
+
+// Once a step, for all that asks: the particles that have weight at nodes in contact.
+void ContactPair::find_reaching(Model& model) {
+    const GridView grid = model.grid();
+    const auto add_nodes = [&](Reaching& to, const Vector3& corner) {
+        int first[3], last[3];
+        for (int d = 0; d < 3; ++d) {
+            first[d] = grid.axis[d].cell_of(corner[d]);
+            // A corner on a grid line has no weight beyond it.
+            last[d] = corner[d] == grid.axis[d].node[first[d]] ? first[d] : first[d] + 1;
+        }
+        for (int k = first[2]; k <= last[2]; ++k)
+            for (int j = first[1]; j <= last[1]; ++j)
+                for (int i = first[0]; i <= last[0]; ++i) {
+                    const std::ptrdiff_t node = k * grid.step(2) + j * grid.step(1) + i;
+                    const std::ptrdiff_t here = place_of[static_cast<std::size_t>(node)];
+                    if (here >= 0 &&
+                        std::find(to.nodes, to.nodes + to.count, here) == to.nodes + to.count)
+                        to.nodes[to.count++] = here;
+                }
+    };
+    for (const std::size_t which : {0, 1}) {
+        reaching[which].clear();
+        Particles& particles = model.parts[which == 0 ? pair_law.a : pair_law.b].body.particles;
+        const ParticleView q = particles.view();
+        for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
+            if (!near[static_cast<std::size_t>(grid.cell_of(q.position(p)))]) continue;
+            const auto place = baseline::place_of(grid, q, p);
+            Reaching to;
+            to.x = place.at;
+            to.count = 0;
+            for (int k = 0; k < 3; ++k) std::copy_n(place.domain.r[k].c, 3, &to.side[3 * k]);
+            for (int c = 0; c < 8; ++c) {
+                to.corner[c] = place.at;
+                for (int k = 0; k < 3; ++k)
+                    to.corner[c] = to.corner[c] + (c >> k & 1 ? 1.0 : -1.0) * place.domain.r[k];
+                add_nodes(to, to.corner[c]);
+            }
+            if (to.count > 0) reaching[which].push_back(to);
+        }
+    }
+}
+
+// The surface beside a node, where a corner is, and not the nearest of all within a cell of it: on a
+// curved surface that one is a cell off, and neighbouring nodes would wait for the same corner.
+void ContactPair::find_surfaces() {
+    grit_contact_surfaces all = surfaces(surface);
+    all.centre = grit_mutable_view_of(centre.data(), 2, 1);
+    const grit_contact_surfaces beside_nodes = surfaces(near_surface);
+    for (const int which : {0, 1}) {
+        Domains domains, corners;
+        for (const Reaching& q : reaching[which]) {
+            std::ptrdiff_t beside[64];
+            for (const Vector3& corner : q.corner) {
+                const auto is_at = [&](std::ptrdiff_t i) {
+                    return is_beside(corner, static_cast<std::size_t>(i));
+                };
+                const auto* end = std::copy_if(q.nodes, q.nodes + q.count, beside, is_at);
+                corners.add(corner, beside, static_cast<int>(end - beside));
+            }
+            domains.add(q.x, q.side, q.nodes, q.count);
+        }
+        domains.send(all, which);
+        corners.send(beside_nodes, which);
+    }
+    for (std::size_t i = 0; i < surface.size(); ++i)
+        if (std::isfinite(near_surface[i])) surface[i] = near_surface[i];
+}
+
+// Bodies are apart if they are along any direction; see the plane's. Nodes that the normal calls closed are asked along
+// the grid, the normal of the other body and the one between both, by all that has weight there.
+void ContactPair::part_corners() {
+    std::vector<std::ptrdiff_t> asked;
+    for (const std::ptrdiff_t place : places) {
+        const auto i = static_cast<std::size_t>(place);
+        if (!(gap[i] <= pair_law.options.gap_tolerance)) continue;
+        asked.push_back(place);
+        closed[i] = 1;
+        for (std::size_t d = 0; d < 3; ++d) {  // as the normal points
+            const double n = normal[3 * i + d];
+            direction[d][3 * i + d] = n > 0.0 ? 1.0 : n < 0.0 ? -1.0 : 0.0;
+        }
+    }
+    if (asked.empty()) return;
+    int k = 3;
+    for (const int source :
+         {GRIT_CONTACT_NORMAL_OF_A, GRIT_CONTACT_NORMAL_OF_B, GRIT_CONTACT_NORMAL_AVERAGE})
+        if (source != pair_law.normal) find_normals(source, asked, direction[k++]);
+    for (const int which : {0, 1}) {
+        Domains domains;
+        for (const Reaching& q : reaching[which]) {
+            std::ptrdiff_t wanted[64];
+            const auto is_closed = [&](std::ptrdiff_t i) {
+                return closed[static_cast<std::size_t>(i)] != 0;
+            };
+            const auto* end = std::copy_if(q.nodes, q.nodes + q.count, wanted, is_closed);
+            domains.add(q.x, q.side, wanted, static_cast<int>(end - wanted));
+        }
+        for (int d = 0; d < directions; ++d) domains.send(along_direction(d), which);
+    }
+    constexpr double touching = 1e-9;  // cells: roundoff parts no bodies that touch
+    for (const std::ptrdiff_t place : asked) {
+        const auto i = static_cast<std::size_t>(place);
+        const double least =
+            touching * std::min({spacing[3 * i], spacing[3 * i + 1], spacing[3 * i + 2]});
+        for (std::size_t d = 0; d < directions; ++d) {
+            const double* of = &direction_surface[2 * (directions * i + d)];
+            const double apart = of[0] + of[1];
+            if (!std::isfinite(apart)) continue;  // no such direction
+            gap[i] = std::max(gap[i], apart > least ? apart : std::min(apart, 0.0));
+        }
+    }
+}
+
+// How far x is from the stiffer body near a node, negative inside: what is outside along any direction is.
+double ContactPair::outside(const Vector3& x, std::size_t i) const {
+    const Vector3 from = x - at(position, i);
+    double out = surface[2 * i] + dot(from, at(normal, i));
+    for (std::size_t d = 0; d < directions; ++d) {
+        const double from_a = direction_surface[2 * (directions * i + d)];
+        if (std::isfinite(from_a)) out = std::max(out, from_a + dot(from, at(direction[d], i)));
+    }
+    return out;
+}
+
+// The overlap that a spring works against; see the plane's.
+void ContactPair::find_overlaps() {
+    std::fill(overlap.begin(), overlap.end(), far);
+    for (const Reaching& q : reaching[1]) {
+        for (const Vector3& corner : q.corner)
+            for (int k = 0; k < q.count; ++k) {
+                const auto i = static_cast<std::size_t>(q.nodes[k]);
+                if (closed[i] && is_beside(corner, i))
+                    overlap[i] = std::min(overlap[i], outside(corner, i));
+            }
+    }
+    for (std::size_t i = 0; i < gap.size(); ++i)
+        if (closed[i] && gap[i] <= 0.0) gap[i] = std::min(0.0, std::max(gap[i], overlap[i]));
+}
+
+// How far along its normal a node has weight: the d of (C4), docs/adr/0007-reach-of-a-node.md.
+void ContactPair::find_reaches() {
+    for (std::size_t i = 0; i < reach.size(); ++i)
+        for (std::size_t d = 0; d < 3; ++d)
+            reach[i] += std::abs(normal[3 * i + d]) * spacing[3 * i + d];
+}
+
+// A node that pressed in the step before is left to the velocities alone, unless the gap is half its reach.
+void ContactPair::find_gates() {
+    for (std::size_t i = 0; i < gap.size(); ++i) {
+        const bool is_close = gap[i] < 0.5 * reach[i];
+        gate_gap[i] = touched[static_cast<std::size_t>(active[i])] && is_close
+                          ? std::fmin(gap[i], 0.0)
+                          : gap[i];
+    }
+}
+
+void ContactPair::remember() {
+    std::fill(touched.begin(), touched.end(), 0);
+    for (std::size_t i = 0; i < active.size(); ++i)
+        touched[static_cast<std::size_t>(active[i])] = reports[i].penalty_factor > 0.0;
+}
+
+void ContactPair::correct(Model& model) {
+    step_totals = {};
+    step_totals.struct_size = sizeof step_totals;
+    step_measured = {};
+    step_measured.largest_gap = NAN;
+    const bool any = find_active(model);
+    if (any) {
+        copy_nodes(model);
+        find_normals();
+        const bool geo = pair_law.options.law == GRIT_CONTACT_GEO;
+        if (geo || pair_law.gated) {
+            find_near(model.grid());
+            find_reaching(model);
+            find_surfaces();
+            grit_error error;
+            grit_contact_surfaces s = surfaces(surface);
+            s.centre = grit_mutable_view_of(centre.data(), 2, 1);
+            grit_contact_distances wanted{};
+            wanted.struct_size = sizeof wanted;
+            wanted.measure = pair_law.measure;
+            wanted.distance = grit_mutable_view_of(distance.data(), 1, 1);
+            wanted.gap = grit_mutable_view_of(gap.data(), 1, 1);
+            require(grit_contact_surfaces_finish(&s, s.nodes, &wanted, &error), error, "contact");
+            if (pair_law.gated) part_corners();
+            if (pair_law.options.contact_stiffness > 0.0) find_overlaps();
+            find_reaches();
+            find_gates();
+        }
+        apply(model);
+        write_back(model);
+    }
+    remember();
+}
+
+// What the stiffer body's surface has of a node's weight, across the normal, is the area of a stiffness: its gradient
+// is the integral of the weight over the surface.
+void ContactPair::apply(const Model& model) {
+    const bool geo = pair_law.options.law == GRIT_CONTACT_GEO;
+    const bool stiff = pair_law.options.contact_stiffness > 0.0;
+    grit_contact_options options = pair_law.options;
+    options.time_step = model.dt;
+    options.rigid = model.parts[pair_law.a].body.rigid()   ? GRIT_CONTACT_A_RIGID
+                    : model.parts[pair_law.b].body.rigid() ? GRIT_CONTACT_B_RIGID
+                                                           : GRIT_CONTACT_NONE_RIGID;
+    grit_contact_nodes q{};
+    q.struct_size = sizeof q;
+    q.mass_a = grit_view_of(mass_a.data(), 1, 1);
+    q.mass_b = grit_view_of(mass_b.data(), 1, 1);
+    q.normal = grit_view_of(normal.data(), 3, 1);
+    if (geo) {
+        q.distance = grit_view_of(distance.data(), 1, 1);
+        q.cell_size = grit_view_of(reach.data(), 1, 1);
+    }
+    if (pair_law.gated) q.gap = grit_view_of(gate_gap.data(), 1, 1);
+    if (stiff) {
+        for (std::size_t i = 0; i < area.size(); ++i)
+            area[i] = std::fabs(dot(Vector3{slope_a[slope::size * i], slope_a[slope::size * i + 1],
+                                            slope_a[slope::size * i + 2]},
+                                    at(normal, i)));
+        q.contact_area = grit_view_of(area.data(), 1, 1);
+    }
+    q.velocity_a = grit_mutable_view_of(motion_a.data() + motion::v_x, motion::size, 1);
+    q.velocity_b = grit_mutable_view_of(motion_b.data() + motion::v_x, motion::size, 1);
+    q.previous_velocity_a = grit_view_of(motion_a.data() + motion::other_x, motion::size, 1);
+    q.previous_velocity_b = grit_view_of(motion_b.data() + motion::other_x, motion::size, 1);
+    q.position = grit_view_of(position.data(), 3, 1);
+    grit_contact_sums sums{};
+    grit_error error;
+    require(grit_contact_correct(&options, static_cast<std::ptrdiff_t>(active.size()), &q,
+                                 reports.data(), &sums, &error),
+            error, "contact");
+    require(grit_contact_sums_read(&sums, &step_totals), error, "contact");
+    for (std::size_t i = 0; i < active.size(); ++i) {
+        const Vector3 n = at(normal, i);
+        const double* f = reports[i].force;
+        Vector3& sum = std::fabs(n[2]) > std::hypot(n[0], n[1]) ? step_measured.along_z
+                                                                : step_measured.sideways;
+        sum = sum + Vector3{f[0], f[1], f[2]};
+        if ((geo || pair_law.gated) && std::isfinite(gap[i]))
+            step_measured.largest_gap = std::fmax(step_measured.largest_gap, gap[i]);
+    }
+}
+
+void ContactPair::write_back(Model& model) const {
+    for (std::size_t i = 0; i < active.size(); ++i) {
+        const auto node = static_cast<std::size_t>(active[i]);
+        std::copy_n(&motion_a[motion::size * i], 3, model.parts[pair_law.a].motions[node].value);
+        std::copy_n(&motion_b[motion::size * i], 3, model.parts[pair_law.b].motions[node].value);
+    }
+}
+
+}  // namespace grit::mpm::space

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Contact of two bodies at the nodes in space, through the library: as step/contact_pair.hpp has it in the plane, over
+// the nodes in contact alone.
+#pragma once
+
+#include <vector>
+
+#include <grit/contact.h>
+#include <grit/contact_distance.h>
+#include <grit/contact_normals.h>
+
+#include "adapters/mpm/space/step/model.hpp"
+#include "adapters/mpm/step/contact_pair.hpp"
+
+namespace grit::mpm::space {
+
+using ContactLaw = mpm::ContactLaw;  // its options are given three components here
+
+class ContactPair {
+  public:
+    // Fixed nodes of the model are known when it is made.
+    ContactPair(const ContactLaw& law, const Model& model);
+    // Velocities after the momentum update become those after contact.
+    void correct(Model& model);
+    const ContactLaw& law() const { return pair_law; }
+    // Of the last step.
+    const grit_contact_totals& totals() const { return step_totals; }
+    // Forces [N] on b of nodes whose normal points more sideways, as on a shaft, and more along z, as at a tip; the
+    // largest gap at a node of both bodies [m], NaN: not measured.
+    struct Measured {
+        Vector3 sideways{0.0, 0.0, 0.0}, along_z{0.0, 0.0, 0.0};
+        double largest_gap;
+    };
+    const Measured& measured() const { return step_measured; }
+    template <class Self, class Archive> static void visit(Self& pair, Archive& archive) {
+        archive.value(pair.step_totals);
+        archive.value(pair.step_measured);
+        archive.nodes(pair.touched);  // a step's only memory of contact
+    }
+
+  private:
+    // A domain as contact sees it: corners, and of the nodes that it may have weight at those in contact.
+    struct Reaching {
+        Vector3 x, corner[8];
+        double side[9];
+        std::ptrdiff_t nodes[64];
+        int count;
+    };
+    bool find_active(const Model& model);
+    void find_near(const GridView& grid);
+    void copy_nodes(const Model& model);
+    void find_normals();
+    void find_normals(int source, const std::vector<std::ptrdiff_t>& nodes,
+                      std::vector<double>& of);
+    bool is_aside(std::size_t i) const;
+    void find_reaching(Model& model);
+    void find_surfaces();
+    void part_corners();
+    void find_overlaps();
+    double outside(const Vector3& x, std::size_t i) const;
+    bool is_beside(const Vector3& x, std::size_t i) const;
+    grit_contact_surfaces surfaces(std::vector<double>& of);
+    grit_contact_surfaces along_direction(int k);
+    void find_reaches();
+    void find_gates();
+    void apply(const Model& model);
+    void write_back(Model& model) const;
+    void remember();
+
+    ContactLaw pair_law;
+    std::vector<std::ptrdiff_t> active;  // nodes; all that follows is by their place here ...
+    std::vector<double> mass_a, mass_b, motion_a, motion_b, slope_a, slope_b;
+    std::vector<int> fixed_bits;
+    std::vector<double> position, spacing, normal, surface, near_surface, centre, reach, distance,
+        gap, gate_gap, overlap, area;
+    static constexpr int directions = 5;  // that may part two corners
+    std::vector<double> direction[directions], direction_surface;
+    std::vector<char> closed;  // along its normal
+    std::vector<std::ptrdiff_t> places, undefined;
+    std::vector<grit_contact_report> reports;
+    std::vector<Reaching> reaching[2];  // of a and of b
+    // ... but these: by node, or by cell.
+    std::vector<int> place_of;  // -1: not in contact
+    std::vector<char> touched;  // pressed in the step before
+    std::vector<char> near;     // cells from which a domain may reach a node in contact
+    std::vector<std::ptrdiff_t> near_cells;
+    grit_contact_totals step_totals{};
+    Measured step_measured{};
+};
+
+}  // namespace grit::mpm::space

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From nodes back to particles in space: velocity, position, deformation, stress.
+#pragma once
+
+#include <vector>
+
+#include "adapters/mpm/space/step/cell_means.hpp"
+
+namespace grit::mpm::space {
+
+class Gather {
+  public:
+    Gather(Model& of, CellMeans& of_cells) : model(of), means(of_cells) {}
+    void add_body();
+
+    void operator()();
+    // Wave speeds and velocities of particles as they are, before the first step.
+    void measure();
+
+    // What a pencil of a body has left.
+    struct OfPencil {
+        GatherSums sums = {};
+        double speed = 0.0;             // largest wave speed, viscosity included [m/s]
+        double viscous_loss = 0.0;      // in this step [J]
+        double material_seconds = 0.0;  // since it was built
+    };
+    const std::vector<OfPencil>& pencils(std::size_t body) const { return bodies[body]; }
+
+  private:
+    void gather(std::size_t body, int pencil);
+    void deform(std::size_t body, int pencil);
+    double update(std::size_t body, OfPencil& sums, const Range& range, const Increments& d);
+    double update_viscosity(OfPencil& sums, const Increments& d, const Range& range,
+                            const double* moduli) const;
+
+    Model& model;
+    CellMeans& means;
+    std::vector<std::vector<OfPencil>> bodies;
+};
+
+}  // namespace grit::mpm::space

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Loads on the faces of particles in space: their forces at the nodes, and their work.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "adapters/mpm/space/step/model.hpp"
+
+namespace grit::mpm::space {
+
+// A face by its place in the undeformed particle: across a direction, on its upper side or on its lower one.
+struct Face {
+    int direction;
+    bool upper;
+};
+
+struct Traction {
+    std::size_t body;
+    int particle;  // id
+    Face face;
+    std::function<Vector3(double)> stress;  // force per deformed area [Pa] over time [s]
+};
+
+class Loads {
+  public:
+    explicit Loads(Model& of) : model(of) {}
+    void add_body() { nodes.emplace_back(); }
+    void add(Traction traction);
+
+    // The forces of now; where they act.
+    void find();
+    // [nodes] of a body [N]; null: there are none.
+    const Vector3* forces(std::size_t body) const {
+        return nodes[body].empty() ? nullptr : nodes[body].data();
+    }
+    // Work in this step, on velocities after contact.
+    void find_work();
+    double work() const { return done; }
+    // Of all tractions on a body in the last step [N].
+    Vector3 force(std::size_t body) const;
+    std::size_t count() const { return tractions.size(); }
+
+    template <class Self, class Archive> static void visit(Self& loads, Archive& archive) {
+        archive.own(loads.faces.data(), loads.faces.size());
+    }
+
+  private:
+    // A uniform stress has a quarter of its force at each corner of the face, as the particle's weights see these, so
+    // that they meet mass; with shape functions that know no corners, at its centre.
+    struct FaceForces {
+        Vector3 corner[4];  // [m]
+        Vector3 each;       // [N]
+    };
+    FaceForces forces_of(const Traction& traction);
+
+    Model& model;
+    std::vector<Traction> tractions;
+    std::vector<FaceForces> faces;            // of each
+    std::vector<std::vector<Vector3>> nodes;  // of each body that has any [N]
+    double done = 0.0;                        // [J]
+};
+
+}  // namespace grit::mpm::space

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/mpm/space/step/model.hpp"
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace grit::mpm::space {
+void Part::index_ids() {
+    const int* ids = body.particles.ids();
+    by_id.resize(static_cast<std::size_t>(body.particles.size()));
+    for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p)
+        by_id[static_cast<std::size_t>(ids[p])] = p;
+}
+
+Model::Model(std::array<Axis, 3> axes, const Settings& given)
+    : settings(given), axis(std::move(axes)), pool(usable_threads(given.threads)) {
+    if (const NotThere found = not_there(settings); found.key)
+        throw std::invalid_argument(std::string(found.what) + " is not there in space");
+    fixed_nodes.resize(static_cast<std::size_t>(axis[0].nodes()) *
+                       static_cast<std::size_t>(axis[1].nodes()) *
+                       static_cast<std::size_t>(axis[2].nodes()));
+    shortest = std::min({axis[0].shortest(), axis[1].shortest(), axis[2].shortest()});
+    const Pencils pencils(grid());
+    for (int i = 0; i < pencils.count(); ++i)
+        of_colour[static_cast<std::size_t>(pencils.colour(i))].push_back(i);
+}
+
+void Model::add_body(Body body) {
+    Part part{.body = std::move(body), .pencils = Pencils(grid())};
+    part.records.resize(nodes());
+    part.motions.resize(nodes());
+    const ParticleView q = part.body.particles.view();
+    double least = std::numeric_limits<double>::infinity();
+    for (std::ptrdiff_t p = 0; p < part.body.particles.size(); ++p) {
+        least = std::min(least, q[column::mass][p]);
+        part.largest_volume = std::max(part.largest_volume, q[column::V0][p]);
+    }
+    part.least_mass = part.body.particles.size() > 0 ? 1e-12 * least : 0.0;
+    if (part.body.material) part.separation = part.body.material->separation();
+    part.index_ids();
+    parts.push_back(std::move(part));
+}
+
+void Model::sort_if_moved() {
+    if (drift[0] > 0.5 * axis[1].shortest() || drift[1] > 0.5 * axis[2].shortest()) sort();
+}
+
+void Model::sort() {
+    for (Part& part : parts) {
+        part.pencils.sort(grid(), part.body.particles);
+        part.index_ids();
+    }
+    drift[0] = drift[1] = 0.0;
+}
+
+}  // namespace grit::mpm::space

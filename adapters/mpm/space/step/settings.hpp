@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "adapters/mpm/space/kernel/material.hpp"
+#include "adapters/mpm/step/settings.hpp"
+
+namespace grit::mpm::space {
+
+using Settings = mpm::Settings;
+
+// What of the settings is not there in space: its key in [numerics], and a word for it. Null: all of it is there.
+struct NotThere {
+    const char* key = nullptr;
+    const char* what = nullptr;
+};
+inline NotThere not_there(const Settings& settings) {
+    if (settings.shape == Shape::cpdi_published)
+        return {"shape_function", "the shape function cpdi_published"};
+    if (settings.scheme != Scheme::usl) return {"scheme", "another scheme than usl"};
+    if (settings.fixed_point) return {"fixed_point", "fixed point"};
+    if (settings.reduced_domains) return {"reduced_domains", "the reduction of domains"};
+    return {};
+}
+
+struct Body {
+    std::string name;
+    Particles particles;
+    std::unique_ptr<Material> material;
+    // A rigid body moves as this says, over time [s]; empty: free.
+    std::function<Vector3(double)> prescribed_velocity;
+    bool rigid() const { return static_cast<bool>(prescribed_velocity); }
+};
+
+}  // namespace grit::mpm::space

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/mpm/space/step/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "adapters/mpm/step/text.hpp"
+
+namespace grit::mpm::space {
+
+void Simulation::step() {
+    if (!started) start();
+    Stopwatch watch;
+    model.sort_if_moved();
+    scatter();
+    watch.lap(spent.scatter);
+    loads.find();
+    advance();
+    watch.lap(spent.nodes);
+    correct_contacts();
+    watch.lap(spent.contact);
+    damp_and_close();
+    loads.find_work();
+    watch.lap(spent.nodes);
+    gather();
+    model.t += model.dt;
+    ++model.steps;
+    ++spent.steps;
+    finish();
+    watch.lap(spent.gather);
+}
+
+void Simulation::start() {
+    started = true;
+    model.sort();
+    gather.measure();
+    finish();
+    measure_energy();
+    energies.kinetic_0 = energies.kinetic;
+    energies.stored_0 = energies.stored;
+}
+
+void Simulation::scatter() {
+    if (means.wanted()) means.find_stresses();
+    model.for_nodes([this](std::size_t body, std::size_t, std::size_t begin, std::size_t end) {
+        Part& part = model.parts[body];
+        std::fill(part.records.data() + begin, part.records.data() + end, NodeRecord{});
+        if (!part.slopes.empty())
+            std::fill(part.slopes.data() + begin, part.slopes.data() + end, NodeSlope{});
+    });
+    model.for_pencils_apart([this](std::size_t body, int pencil) {
+        Part& part = model.parts[body];
+        const ScatterCall call{model.grid(),
+                               part.body.particles.view(),
+                               part.pencils.begin(pencil),
+                               part.pencils.begin(pencil + 1),
+                               part.records.data(),
+                               part.slopes.empty() ? nullptr : part.slopes.data(),
+                               means.of(body),
+                               part.separation};
+        if (body_force) body_force(call.particles, call.begin, call.end, model.t);
+        kernels().scatter(model.settings.shape, call);
+    });
+}
+
+NodeCall Simulation::node_call(std::size_t body, std::size_t begin, std::size_t end) {
+    Part& part = model.parts[body];
+    return {part.records.data(),
+            part.motions.data(),
+            loads.forces(body),
+            model.fixed_nodes.data(),
+            static_cast<std::ptrdiff_t>(begin),
+            static_cast<std::ptrdiff_t>(end),
+            part.least_mass,
+            model.dt,
+            model.dt_before,
+            model.gravity,
+            model.settings.local_damping};
+}
+
+// v = v_old + dt (f/m + g); rigid bodies have the velocity of the end of the step.
+void Simulation::advance() {
+    model.for_nodes(
+        [this](std::size_t body, std::size_t chunk, std::size_t begin, std::size_t end) {
+            NodeSums& sums = node_sums[body][chunk] = {};
+            Part& part = model.parts[body];
+            if (!part.body.rigid()) return advance_nodes(node_call(body, begin, end), sums);
+            const Vector3 v = part.body.prescribed_velocity(model.t + model.dt);
+            std::fill(part.motions.data() + begin, part.motions.data() + end,
+                      NodeMotion{v[0], v[1], v[2], 0.0, v[0], v[1], v[2], 0.0});
+        });
+}
+
+void Simulation::correct_contacts() {
+    for (ContactPair& pair : contacts) {
+        pair.correct(model);
+        const grit_contact_totals& totals = pair.totals();
+        energies.contact += totals.dissipation_normal + totals.dissipation_tangential;
+        for (const std::size_t which : {pair.law().a, pair.law().b}) {
+            const Body& of = model.parts[which].body;
+            if (!of.rigid()) continue;
+            // What moves a rigid body works against the force that the body feels.
+            const double* J = which == pair.law().a ? totals.impulse_on_a : totals.impulse_on_b;
+            energies.rigid_work -=
+                dot(Vector3{J[0], J[1], J[2]}, of.prescribed_velocity(model.t + model.dt));
+        }
+    }
+}
+
+void Simulation::damp_and_close() {
+    model.for_nodes(
+        [this](std::size_t body, std::size_t chunk, std::size_t begin, std::size_t end) {
+            if (model.parts[body].body.rigid()) return;
+            const NodeCall call = node_call(body, begin, end);
+            if (model.settings.local_damping > 0.0) damp_nodes(call, node_sums[body][chunk]);
+            close_nodes(call, node_sums[body][chunk]);
+        });
+}
+
+// Sums of the step that is done, and the size of the next one.
+void Simulation::finish() {
+    add_up();
+    measure_speeds();
+    model.dt_before = model.dt;
+    decide_step();
+}
+
+// In the order of pencils and chunks, which no number of threads changes.
+void Simulation::add_up() {
+    std::ptrdiff_t lost = 0;
+    for (std::size_t body = 0; body < model.parts.size(); ++body) {
+        for (const Gather::OfPencil& pencil : gather.pencils(body)) {
+            const GatherSums& g = pencil.sums;
+            lost += g.outside;
+            energies.external_work += g.body_work;
+            energies.viscosity += pencil.viscous_loss;
+            energies.pic += g.pic_loss;
+            energies.transfer += g.pic_loss - g.kept;
+        }
+        for (const NodeSums& n : node_sums[body]) {
+            energies.external_work += n.gravity_work;
+            energies.damping += n.damping_work;
+            energies.transfer += n.change + n.mapped_away;
+        }
+    }
+    energies.external_work += loads.work();
+    energies.traction_work += loads.work();
+    if (lost > 0) report_lost(lost);
+}
+
+void Simulation::report_lost(std::ptrdiff_t count) const {
+    const GridView grid = model.grid();
+    std::string which;
+    for (const Part& part : model.parts) {
+        const Particles& q = part.body.particles;
+        for (std::ptrdiff_t p = 0; p < q.size() && which.empty(); ++p) {
+            const Vector3 at{q(column::x, p), q(column::y, p), q(column::z, p)};
+            if (grid.has(at)) continue;
+            which = ", among them particle " + std::to_string(q.ids()[p]) + " of body " +
+                    part.body.name + " at (" + text(at[0]) + ", " + text(at[1]) + ", " +
+                    text(at[2]) + ") m";
+        }
+    }
+    throw std::runtime_error(std::to_string(count) +
+                             " particles left the grid at t = " + text(model.t) + " s" + which);
+}
+
+void Simulation::measure_speeds() {
+    largest_speed = 0.0;
+    double way[2] = {};
+    for (std::size_t body = 0; body < model.parts.size(); ++body) {
+        double c = 0.0, v2 = 0.0;
+        for (const Gather::OfPencil& pencil : gather.pencils(body)) {
+            c = std::max(c, pencil.speed);
+            v2 = std::max(v2, pencil.sums.most_v2);
+            for (const std::size_t k : {0, 1}) way[k] = std::max(way[k], pencil.sums.farthest[k]);
+        }
+        largest_speed = std::max(largest_speed, c + std::sqrt(v2));
+    }
+    for (const std::size_t k : {0, 1}) model.drift[k] += way[k];
+}
+
+double Simulation::fastest_rigid(double at) const {
+    double fastest = 0.0;
+    for (const Part& part : model.parts) {
+        if (!part.body.rigid()) continue;
+        const double size = norm(part.body.prescribed_velocity(at));
+        if (!std::isfinite(size))
+            throw std::runtime_error("body " + part.body.name +
+                                     ": its prescribed velocity at t = " + text(at) +
+                                     " s is no number");
+        fastest = std::max(fastest, size);
+    }
+    return fastest;
+}
+
+// What moves a rigid body in a step is its velocity at the end of the step: shortened by 1 % at the least, and no more
+// than by half, until it fits.
+void Simulation::decide_step() {
+    const auto stable = [this](double at) {
+        const double speed = std::max(largest_speed, fastest_rigid(at));
+        return std::min(model.settings.cfl * model.shortest / speed, model.settings.largest_step);
+    };
+    model.dt = stable(model.t);
+    while (std::isfinite(model.dt) && model.dt > 0.0) {
+        const double limit = stable(model.t + model.dt);
+        if (model.dt <= limit) break;
+        model.dt = std::max(0.5 * model.dt, std::min(0.99 * model.dt, limit));
+    }
+    if (!std::isfinite(model.dt))
+        throw std::runtime_error("no finite time step: is anything able to move?");
+    if (!(model.dt > 0.0))
+        throw std::runtime_error("no time step is short enough: something would move at " +
+                                 text(std::max(largest_speed, fastest_rigid(model.t))) +
+                                 " m/s at t = " + text(model.t) + " s, over cells of " +
+                                 text(model.shortest) + " m");
+}
+
+void Simulation::measure_energy() {
+    energies.kinetic = energies.stored = 0.0;
+    for (Part& part : model.parts) {
+        if (part.body.rigid()) continue;
+        const ParticleView q = part.body.particles.view();
+        for (std::ptrdiff_t p = 0; p < part.body.particles.size(); ++p) {
+            const Vector3 v = q.vector(column::v_x, p);
+            energies.kinetic += 0.5 * q[column::mass][p] * dot(v, v);
+            energies.stored += part.body.material->energy(q, p);
+        }
+    }
+}
+
+Energy Simulation::energy() {
+    if (!started) start();
+    measure_energy();
+    return energies;
+}
+
+std::size_t Simulation::add_body(Body body) {
+    model.add_body(std::move(body));
+    means.add_body();
+    gather.add_body();
+    loads.add_body();
+    node_sums.emplace_back(model.chunks());
+    return model.parts.size() - 1;
+}
+
+void Simulation::add_contact(const ContactLaw& law) {
+    for (const std::size_t body : {law.a, law.b}) model.parts[body].slopes.resize(model.nodes());
+    contacts.emplace_back(law, model);
+}
+
+void Simulation::fix(int direction, Hold hold, const std::function<bool(double)>& where) {
+    const std::uint8_t bits = hold == Hold::all ? fixed::all : fixed::along(direction);
+    const GridView grid = model.grid();
+    std::vector<char> held;
+    const Axis& along = axis(direction);
+    for (int i = 0; i < along.nodes(); ++i) held.push_back(where(along[i]));
+    for (std::size_t node = 0; node < model.fixed_nodes.size(); ++node) {
+        const auto step = static_cast<std::size_t>(grid.step(direction));
+        const std::size_t i = node / step % held.size();
+        if (held[i]) model.fixed_nodes[node] |= bits;
+    }
+}
+
+void Simulation::fix_below(int direction, double at, Hold hold) {
+    fix(direction, hold, [at](double x) { return x <= at; });
+}
+
+void Simulation::fix_above(int direction, double at, Hold hold) {
+    fix(direction, hold, [at](double x) { return x >= at; });
+}
+
+// The next step is known already; it does not get longer than it was but by this share.
+void Simulation::set_cfl(double cfl) {
+    const double before = model.dt * (cfl / model.settings.cfl);
+    model.settings.cfl = cfl;
+    if (!started) return;
+    decide_step();
+    model.dt = std::min(model.dt, before);
+}
+
+double Simulation::damping_impulse(std::size_t body) const {
+    double sum = 0.0;
+    for (const NodeSums& n : node_sums[body]) sum += n.damping_z;
+    return sum;
+}
+
+Seconds Simulation::seconds() const {
+    Seconds out = spent;
+    for (std::size_t body = 0; body < model.parts.size(); ++body)
+        for (const Gather::OfPencil& pencil : gather.pencils(body))
+            out.material += pencil.material_seconds / model.pool.size();
+    return out;
+}
+
+void Simulation::index_ids() {
+    for (Part& part : model.parts) part.index_ids();
+}
+
+}  // namespace grit::mpm::space

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a case file says otherwise in space.
+#pragma once
+
+#include <adapters/mpm/case/case.hpp>
+
+#include "cli/toml/toml_table.hpp"
+
+namespace cli {
+
+void read_space_grid(TomlTable table, grit::mpm::Case& plan);
+void read_space_boundary(TomlTable table, grit::mpm::Case& plan);
+// Refuses what of [numerics] is not there.
+void check_space_numerics(const TomlTable& table, const grit::mpm::Case& plan);
+
+// Shapes, particles per cell and velocity of a body, which is not finished.
+grit::mpm::SolidPlan read_solid(TomlTable& body);
+// Faces, range and direction of a traction, which is not finished.
+grit::mpm::FacePlan read_face(TomlTable& traction);
+
+// Refuses a key by name.
+void refuse_in_space(const TomlTable& table, const std::string& key);
+
+}  // namespace cli

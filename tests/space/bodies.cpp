@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bodies that move in space.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "../catalogue.hpp"
+#include "support/manufactured.hpp"
+
+#include <adapters/mpm/kernel/elastic.hpp>
+#include <adapters/mpm/space/kernel/sand.hpp>
+#include <adapters/mpm/step/simulation.hpp>
+
+namespace {
+
+using namespace space_test;
+
+TEST(SpaceManufacturedSolution, IsMetWithSecondOrder) {
+    const double at_8 = Manufactured::run(8, {}), at_16 = Manufactured::run(16, {});
+    EXPECT_GT(std::log2(at_8 / at_16), 1.9);
+    EXPECT_LT(at_16, 1.3e-3);
+}
+
+Body loose_cube(std::unique_ptr<Material> material) {
+    Body body =
+        make_brick({{0.21, 0.33, 0.27}, {0.71, 0.73, 0.87}, {9, 8, 11}}, std::move(material));
+    const ParticleView q = body.particles.view();
+    std::mt19937 generator(1);
+    std::uniform_real_distribution<double> any(-1.0, 1.0);
+    for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p) {
+        for (int k = 0; k < 3; ++k) q[column::v_x + k][p] = any(generator) + (k == 0 ? 2.0 : -1.0);
+        for (int k = 0; k < 6; ++k)
+            q[column::S_xx + k][p] = 1e4 * any(generator) - (k < 3 ? 2e5 : 0.0);
+    }
+    return body;
+}
+
+TEST(SpaceBody, ThatIsFreeKeepsMassMomentumAndItsMoment) {
+    for (const Shape shape : {Shape::cpdi, Shape::ugimp, Shape::point}) {
+        Simulation simulation(cube_of_cells(1.2, 12), {.shape = shape});
+        simulation.add_body(loose_cube(std::make_unique<LinearElastic>(1e6, 0.3)));
+        const auto totals = [&] {
+            std::array<double, 4> sum{};
+            const Particles& q = simulation.body(0).particles;
+            for (std::ptrdiff_t p = 0; p < q.size(); ++p) {
+                sum[0] += q(column::mass, p);
+                for (int k = 0; k < 3; ++k)
+                    sum[static_cast<std::size_t>(k) + 1] +=
+                        q(column::mass, p) * q(column::v_x + k, p);
+            }
+            return sum;
+        };
+        const auto before = totals();
+        for (int i = 0; i < 40; ++i) simulation.step();
+        const auto after = totals();
+        for (std::size_t k = 0; k < 4; ++k)
+            EXPECT_NEAR(after[k], before[k], 1e-13 * before[0] * (k == 0 ? 1.0 : 2.0)) << k;
+        // Stresses are balanced within the body: nodes have the mass and momentum of the particles.
+        double mass = 0.0;
+        for (const NodeRecord& n : simulation.records(0)) mass += n[record::m];
+        EXPECT_NEAR(mass, before[0], 1e-13 * before[0]);
+    }
+}
+
+TEST(SpaceBody, ThatVibratesKeepsItsEnergyBalance) {
+    Simulation simulation(cube_of_cells(1.2, 12),
+                          {.cfl = 0.2, .pic_rate = 20.0, .local_damping = 0.1});
+    simulation.add_body(loose_cube(std::make_unique<LinearElastic>(1e8, 0.3)));
+    simulation.set_gravity({1.0, 0.0, -9.81});
+    for (int i = 0; i < 60; ++i) simulation.step();
+    const grit::mpm::Energy e = simulation.energy();
+    EXPECT_GT(e.kinetic_0, 100.0);
+    EXPECT_GT(e.damping, 0.0);
+    EXPECT_GT(e.pic, 0.0);
+    EXPECT_LT(std::fabs(e.residual()), 2e-3 * e.kinetic_0);
+}
+
+std::unique_ptr<Material> sand() {
+    return std::make_unique<Sand>(catalogue_sand("lausitz", 1000.0), options_with_tolerance(1e-3));
+}
+
+void expect_same(const Particles& a, const Particles& b) {
+    for (std::ptrdiff_t p = 0; p < a.size(); ++p) {
+        ASSERT_EQ(a.ids()[p], b.ids()[p]);
+        for (int c = 0; c < a.column_count(); ++c) ASSERT_EQ(a(c, p), b(c, p)) << c << ' ' << p;
+    }
+}
+
+TEST(SpaceThreads, ChangeNoBit) {
+    for (const bool means : {false, true}) {
+        std::unique_ptr<Simulation> by[2];
+        for (const int i : {0, 1}) {
+            by[i] = std::make_unique<Simulation>(cube_of_cells(1.3, 13),
+                                                 Settings{.local_damping = 0.1,
+                                                          .linear_viscosity = 0.1,
+                                                          .cell_mean = means,
+                                                          .threads = 1 + i});
+            Body body = loose_cube(sand());
+            const ParticleView q = body.particles.view();
+            for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p)
+                q[Sand::state + GRIT_SAND_VOID_RATIO][p] = 0.65;
+            by[i]->add_body(std::move(body));
+            by[i]->add_body(make_brick({{0.3, 0.3, 0.9}, {0.9, 0.9, 1.2}, {12, 12, 6}},
+                                       std::make_unique<LinearElastic>(1e7, 0.3)));
+            by[i]->add_contact([] {
+                ContactLaw law = grit::mpm::contact_law(GRIT_CONTACT_GEO, 0.3);
+                law.a = 1;
+                law.b = 0;
+                return law;
+            }());
+            for (int step = 0; step < 25; ++step) by[i]->step();
+        }
+        for (const std::size_t b : {0u, 1u})
+            expect_same(by[0]->body(b).particles, by[1]->body(b).particles);
+        EXPECT_EQ(by[0]->energy().residual(), by[1]->energy().residual());
+        EXPECT_EQ(by[0]->time(), by[1]->time());
+    }
+}
+
+// A block that falls on the corner of a slab: the plane's driver beside it, x = r, one cell across the plane.
+TEST(SpaceSlab, InPlaneStrainIsThatOfThePlane) {
+    namespace mpm = grit::mpm;
+    namespace pc = grit::mpm::column;
+    constexpr double g = 9.81, width = 0.2;
+    const Axis x = Axis::uniform(0.0, 2.0, 10), z = Axis::uniform(0.0, 1.6, 8);
+    mpm::Settings settings{.axisymmetric = false, .local_damping = 0.05};
+    settings.gravity_z = -g;
+    mpm::Simulation plane(x, z, settings);
+    Simulation space({x, Axis::uniform(0.0, width, 1), z}, settings);
+    space.set_gravity({0.0, 0.0, -g});
+    mpm::Body flat;
+    for (int j = 0; j < 8; ++j)
+        for (int i = 0; i < 10; ++i)
+            flat.particles.add({0.25 + 0.1 * i, 0.05 + 0.1 * j, 0.05, 0.05, 1500.0, 1.0, -2.0},
+                               false);
+    flat.material = std::make_unique<mpm::LinearElastic>(1e6, 0.3);
+    Body brick;
+    for (int j = 0; j < 8; ++j)
+        for (int i = 0; i < 10; ++i)
+            brick.particles.add({{0.25 + 0.1 * i, 0.5 * width, 0.05 + 0.1 * j},
+                                 {0.05, 0.5 * width, 0.05},
+                                 1500.0,
+                                 {1.0, 0.0, -2.0}});
+    brick.material = std::make_unique<LinearElastic>(1e6, 0.3);
+    plane.add_body(std::move(flat));
+    space.add_body(std::move(brick));
+    plane.fix_below(1, 0.0);
+    space.fix_below(2, 0.0);
+    space.fix_below(1, 0.0);
+    space.fix_above(1, width);
+    plane.add_traction({0, 79, mpm::Edge::top, [](double t) {
+                            return grit::Vector2{1e4 * t, -2e4};
+                        }});
+    space.add_traction({0, 79, {2, true}, [](double t) { return Vector3{1e4 * t, 0.0, -2e4}; }});
+    for (int i = 0; i < 100; ++i) {
+        plane.step();
+        space.step();
+    }
+    EXPECT_NEAR(space.time(), plane.time(), 1e-12 * plane.time());
+    const mpm::Particles& a = plane.body(0).particles;
+    const Particles& b = space.body(0).particles;
+    for (int id = 0; id < 80; ++id) {
+        const std::ptrdiff_t p = plane.find(0, id), s = space.find(0, id);
+        EXPECT_NEAR(b(column::x, s), a(pc::r, p), 1e-11);
+        EXPECT_NEAR(b(column::z, s), a(pc::z, p), 1e-11);
+        EXPECT_NEAR(b(column::S_xx, s), a(pc::S_rr, p), 1e-4);
+        EXPECT_NEAR(b(column::S_zz, s), a(pc::S_zz, p), 1e-4);
+        EXPECT_NEAR(b(column::S_yy, s), a(pc::S_tt, p), 1e-4);
+        EXPECT_NEAR(b(column::S_xz, s), a(pc::S_rz, p), 1e-4);
+        EXPECT_GT(std::fabs(a(pc::S_zz, p)), 10.0);
+    }
+    EXPECT_NEAR(space.energy().residual() / width, plane.energy().residual(), 1e-6);
+}
+
+TEST(SpaceSimulation, RefusesWhatIsNotThere) {
+    const auto make = [](const Settings& settings) { Simulation(cube_of_cells(1.0, 2), settings); };
+    EXPECT_THROW(make({.shape = Shape::cpdi_published}), std::invalid_argument);
+    EXPECT_THROW(make({.scheme = grit::mpm::Scheme::musl}), std::invalid_argument);
+    EXPECT_THROW(make({.fixed_point = true}), std::invalid_argument);
+    EXPECT_THROW(make({.reduced_domains = true}), std::invalid_argument);
+    EXPECT_NO_THROW(make({}));
+}
+
+TEST(SpaceSimulation, ReportsParticlesThatLeaveTheGrid) {
+    Simulation simulation(cube_of_cells(1.0, 4), {});
+    Body body = make_brick({{0.5, 0.5, 0.5}, {1.0, 1.0, 1.0}, {2, 2, 2}},
+                           std::make_unique<LinearElastic>(1e6, 0.3));
+    body.name = "stone";
+    for (std::ptrdiff_t p = 0; p < 8; ++p) body.particles.view()[column::v_y][p] = 5.0;
+    simulation.add_body(std::move(body));
+    try {
+        for (int i = 0; i < 1000; ++i) simulation.step();
+        FAIL();
+    } catch (const std::runtime_error& error) {
+        EXPECT_NE(std::string(error.what()).find("of body stone at ("), std::string::npos)
+            << error.what();
+    }
+}
+
+}  // namespace

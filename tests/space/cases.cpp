@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cases in space: shapes, sides, loads, stages, checkpoints.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include <adapters/mpm/case/build_case.hpp>
+#include <adapters/mpm/run/run.hpp>
+#include <adapters/mpm/space/case/solids.hpp>
+#include <adapters/mpm/space/kernel/sand.hpp>
+
+#include "../catalogue.hpp"
+#include "support/bricks.hpp"
+
+namespace {
+
+using namespace space_test;
+namespace mpm = grit::mpm;
+
+mpm::AxisPlan axis(double from, double to, int cells) { return {from, {{to, cells}}}; }
+
+double volume_of(const mpm::Shape3& shape) {
+    const Axes axes{Axis::uniform(0.0, 2.0, 20), Axis::uniform(0.0, 2.0, 20),
+                    Axis::uniform(0.0, 2.0, 20)};
+    const Particles q = fill({{shape}, {2, 2, 2}, {}}, "body", 1000.0, axes, 0);
+    double sum = 0.0;
+    for (std::ptrdiff_t p = 0; p < q.size(); ++p) sum += q(column::V0, p);
+    return sum;
+}
+
+TEST(SpaceShapes, HaveTheirVolumeABoxExactly) {
+    constexpr double pi = std::numbers::pi;
+    EXPECT_NEAR(volume_of(mpm::BoxShape{{0.13, 0.0, 0.2}, {1.27, 0.71, 1.99}}), 1.14 * 0.71 * 1.79,
+                1e-12);
+    EXPECT_NEAR(volume_of(mpm::SphereShape{{1.0, 1.0, 1.0}, 0.8}), 4.0 / 3.0 * pi * 0.512, 0.02);
+    EXPECT_NEAR(volume_of(mpm::ConeShape{{1.0, 1.0}, {0.5, 1.5}, {0.6, 0.6}}), pi * 0.36, 0.02);
+    EXPECT_NEAR(volume_of(mpm::ConeShape{{1.0, 1.0}, {0.5, 1.5}, {0.0, 0.9}}), pi * 0.27, 0.02);
+    // A quarter, the rest of it beyond the grid.
+    EXPECT_NEAR(volume_of(mpm::ConeShape{{0.0, 0.0}, {0.5, 1.5}, {0.6, 0.6}}), pi * 0.09, 0.005);
+    EXPECT_THROW(volume_of(mpm::SphereShape{{-0.1, 1.0, 1.0}, 0.8}), std::invalid_argument);
+    EXPECT_THROW(volume_of(mpm::BoxShape{{0.0, 0.0, 0.0}, {1.0, 2.1, 1.0}}), std::invalid_argument);
+}
+
+TEST(SpaceShapes, OfTwoBodiesAreApart) {
+    const Axes axes{Axis::uniform(0.0, 1.0, 5), Axis::uniform(0.0, 1.0, 5),
+                    Axis::uniform(0.0, 1.0, 5)};
+    const auto box = [&](double from, double to) {
+        return fill({{mpm::BoxShape{{from, 0.0, 0.0}, {to, 1.0, 1.0}}}, {2, 2, 2}, {}}, "box", 1.0,
+                    axes, 0);
+    };
+    Particles one = box(0.0, 0.5), beside = box(0.5, 1.0), within = box(0.4, 1.0);
+    EXPECT_NO_THROW(check_apart(one, beside, axes, "one and beside"));
+    EXPECT_THROW(check_apart(one, within, axes, "one and within"), std::invalid_argument);
+}
+
+// A stamp on sand at rest, with a load beside it.
+mpm::Case stamp() {
+    mpm::Case plan;
+    plan.name = "stamp";
+    plan.settings.cell_mean = true;
+    plan.settings.local_damping = 0.1;
+    mpm::SpacePlan& space = plan.space.emplace();
+    space.axis[0] = space.axis[1] = axis(0.0, 0.6, 6);
+    space.axis[2] = axis(-0.4, 0.3, 7);
+    for (const int side : {0, 1, 2, 3, 4}) space.boundary[side] = mpm::Boundary::roller;
+    mpm::BodyPlan sand{};
+    sand.name = "sand";
+    sand.density = 1600.0;
+    mpm::SandPlan material{};
+    material.parameters = catalogue_parameters("lausitz", 1000.0);
+    material.options = options_with_tolerance(1e-3);
+    material.void_ratio = 0.65;
+    material.intergranular_rho = 1.0;
+    material.intergranular_direction[1] = 0.0;
+    material.intergranular_direction[2] = -1.0;
+    sand.material = material;
+    sand.geostatic = mpm::Geostatic{0.0, 2000.0, {}};
+    mpm::BodyPlan rigid{};
+    rigid.name = "stamp";
+    rigid.density = 1000.0;
+    rigid.material = mpm::RigidPlan{{{0.0}, {0.0}}, {{0.0, 0.01}, {0.0, -0.5}}};
+    plan.bodies = {sand, rigid};
+    space.bodies = {{{mpm::BoxShape{{0.0, 0.0, -0.4}, {0.6, 0.6, 0.0}}}, {2, 2, 2}, {}},
+                    {{mpm::ConeShape{{0.0, 0.0}, {0.0, 0.1}, {0.2, 0.2}}}, {2, 2, 2}, {}}};
+    mpm::TractionPlan load;
+    load.body = "sand";
+    load.stress = mpm::TimeTable{{0.0}, {2000.0}};
+    plan.tractions = {load};
+    space.faces = {{.range = {{0.2, 1.0}, {0.0, 1.0}, {-0.1, 0.1}}}};
+    mpm::ContactPlan contact;
+    contact.stiff = "stamp";
+    contact.soft = "sand";
+    contact.law = GRIT_CONTACT_GEO;
+    contact.friction_coefficient = 0.3;
+    plan.contacts = {contact};
+    mpm::StagePlan stage = plan.plain_stage("press");
+    stage.end.time = 0.006;
+    plan.stages = {stage};
+    plan.history = {"sand", mpm::DepthOf::centre_of_mass, 0.001};
+    return plan;
+}
+
+std::string saved(mpm::Runner& runner) {
+    std::ostringstream out;
+    runner.subject().save(out);
+    return out.str();
+}
+
+TEST(SpaceRun, OfAStampKeepsItsBalanceAndTellsItsForces) {
+    mpm::Runner runner(stamp());
+    EXPECT_EQ(runner.particles(), 12 * 12 * 8 + 2 * 13);
+    const double weight = 0.6 * 0.6 * 0.4 * 1600.0 * 9.81;
+    while (!runner.finished()) runner.step();
+    EXPECT_EQ(runner.ended(), mpm::Ended::by_time);
+    const mpm::HistoryRow row = runner.row();
+    EXPECT_LT(row.tip_force, -10.0);
+    EXPECT_NEAR(row.hammer_force, 2000.0 * 0.4 * 0.6, 1.0);
+    EXPECT_NEAR(row.base_force, weight + 2000.0 * 0.36, 0.3 * weight);
+    EXPECT_LT(std::fabs(row.residual_share), 0.02);
+    EXPECT_GT(row.energy.rigid_work, 0.0);
+}
+
+TEST(SpaceRun, GoesOnFromACheckpointWithTheBitsOfOneThatNeverStopped) {
+    mpm::Runner all(stamp()), first(stamp()), second(stamp());
+    for (int i = 0; i < 12; ++i) all.step();
+    for (int i = 0; i < 6; ++i) first.step();
+    std::istringstream in(saved(first));
+    second.resume(first.state());
+    second.subject().restore(in, mpm::OtherBits::refused);
+    for (int i = 0; i < 6; ++i) second.step();
+    EXPECT_TRUE(saved(second) == saved(all));
+    EXPECT_EQ(second.row().tip_force, all.row().tip_force);
+}
+
+TEST(SpaceRun, RefusesTheCheckpointOfAnotherCase) {
+    mpm::Case other = stamp();
+    other.contacts[0].friction_coefficient = 0.4;
+    mpm::Runner one(stamp()), another(other);
+    std::istringstream in(saved(one));
+    try {
+        another.subject().restore(in, mpm::OtherBits::refused);
+        FAIL();
+    } catch (const std::runtime_error& error) {
+        EXPECT_NE(std::string(error.what()).find("friction coefficient"), std::string::npos);
+    }
+}
+
+}  // namespace
