@@ -86,7 +86,7 @@ struct Original {
         run.ends = {"fall: by time"};
         run.history.assign(grit::mpm::history_columns().size(), 1.0);
         const std::filesystem::path place = fuzz::scratch().path() / "good.checkpoint";
-        cli::write_mpm_checkpoint(place, runner.simulation(), cli::bytes_of(run));
+        cli::write_mpm_checkpoint(place, runner.subject(), cli::bytes_of(run));
         std::ifstream in(place, std::ios::binary);
         file.assign(std::istreambuf_iterator<char>(in), {});
     }
@@ -162,7 +162,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const cli::SavedRun run = cli::saved_run_of(
             checkpoint.runner(), original.plan.stages.size(), grit::mpm::history_columns().size());
         runner.resume(run.state);
-        checkpoint.restore(runner.simulation());
+        checkpoint.restore(runner.subject());
         for (int i = 0; i < 2 && !runner.finished(); ++i) runner.step();
     } catch (const std::runtime_error&) {
     } catch (const std::invalid_argument&) {
