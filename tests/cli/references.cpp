@@ -40,10 +40,22 @@ TEST(Curve, BeyondTheRunIsNotExtrapolated) {
 
 TEST(Curve, IsReadToItsEndBeforeTheRun) {
     EXPECT_TRUE(against("eps11,s11\n0,-100\n-0.01\n").says("lab.csv:3: 1 cells where"));
-    EXPECT_TRUE(against("eps11;s11\n0;-100\n-0,01;-200\n")
-                    .says("lab.csv:1: cells are separated by commas"));
     EXPECT_TRUE(against("eps11,s11\n0,-100\n-0.01,80 kPa\n", "")
                     .says("lab.csv:3: column s11 has \"80 kPa\" where a number is needed"));
+}
+
+// As spreadsheets of many countries write it.
+TEST(Curve, WithSemicolonsAndDecimalCommasIsTheSame) {
+    const Answer commas = against("eps11,s11\n0,-100\n-0.01,-200.5\n");
+    const Answer semicolons = against("eps11;s11\n0;-100\n-0,01;-200,5\n");
+    const auto verdict = [](const Answer& answer) {
+        const std::size_t end = answer.text.find("EXCEEDED");
+        return end == std::string::npos ? answer.text
+                                        : answer.text.substr(answer.text.rfind('\n', end) + 1,
+                                                             end - answer.text.rfind('\n', end));
+    };
+    EXPECT_TRUE(commas.says("EXCEEDED")) << commas.text;
+    EXPECT_EQ(verdict(semicolons), verdict(commas));
 }
 
 TEST(Curve, MayHaveAByteOrderMarkEmptyCellsAndColumnsOfWords) {
