@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "cli/plot/tics.hpp"
+#include "cli/process/markup.hpp"
 
 namespace cli {
 namespace {
@@ -105,17 +106,6 @@ std::string marked_up(const std::string& label) {
 }
 
 }  // namespace
-
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text)
-        out += c == '&'   ? "&amp;"
-               : c == '<' ? "&lt;"
-               : c == '>' ? "&gt;"
-               : c == '"' ? "&quot;"
-                          : std::string(1, c);
-    return out;
-}
 
 std::string Chart::svg() const {
     const Frame frame(*this);

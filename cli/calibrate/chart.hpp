@@ -22,7 +22,4 @@ struct Chart {
     std::string svg() const;
 };
 
-// Text between tags.
-std::string escaped(const std::string& text);
-
 }  // namespace cli

@@ -9,6 +9,7 @@
 #include "cli/calibrate/chart.hpp"
 #include "cli/calibrate/parameter_rows.hpp"
 #include "cli/plot/axis.hpp"
+#include "cli/process/markup.hpp"
 #include "cli/process/version.hpp"
 #include "element/atomic_file.hpp"
 

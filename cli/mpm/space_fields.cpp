@@ -26,87 +26,60 @@ struct SpaceParticle {
 
     space::ParticleView view() const { return body.particles.view(); }
     double operator()(int column) const { return view()[column][p]; }
+    double mass() const { return (*this)(sc::mass); }
+    double volume() const { return view().volume(p); }
     double of_state(int k) const { return (*this)(space::Sand::state + k); }
 };
 
-struct Rule {
-    MpmField field;
-    double (*value)(const SpaceParticle&, int component);
-};
+using Rule = FieldRule<SpaceParticle>;
 
 const space::Sand* sand_in_space(const space::Body& body) {
     return dynamic_cast<const space::Sand*>(body.material.get());
 }
 
 const std::vector<Rule>& rules_in_space() {
-    constexpr double kilo = 1e-3;
     using P = const SpaceParticle&;
-    static const std::vector<Rule> all = {
-        {{"id", "-", "number of the particle in its body", 1, ShownOf::every_body},
-         [](P x, int) { return static_cast<double>(x.id); }},
-        {{"body", "-", "number of the body in the case, from 0", 1, ShownOf::every_body},
-         [](P x, int) { return static_cast<double>(x.number); }},
-        {{"velocity", "m/s", "", 3, ShownOf::every_body},
-         [](P x, int k) { return x(sc::v_x + k); }},
-        {{"displacement", "m", "since the start", 3, ShownOf::every_body},
-         [](P x, int k) { return x(sc::x + k) - x.start[k]; }},
-        {{"mass", "kg", "", 1, ShownOf::every_body}, [](P x, int) { return x(sc::mass); }},
-        {{"density", "kg/m3", "mass by current volume", 1, ShownOf::every_body},
-         [](P x, int) { return x(sc::mass) / x.view().volume(x.p); }},
-        {{"J", "-", "volume by initial volume, det F", 1, ShownOf::every_body},
-         [](P x, int) { return x.view().J(x.p); }},
-        {{"F_xx", "-", "deformation gradient", 1, ShownOf::every_body},
-         [](P x, int) { return x(sc::F_xx); }},
-        {{"F_xy", "-", "", 1, ShownOf::every_body}, [](P x, int) { return x(sc::F_xy); }},
-        {{"F_xz", "-", "", 1, ShownOf::every_body}, [](P x, int) { return x(sc::F_xz); }},
-        {{"F_yx", "-", "", 1, ShownOf::every_body}, [](P x, int) { return x(sc::F_yx); }},
-        {{"F_yy", "-", "", 1, ShownOf::every_body}, [](P x, int) { return x(sc::F_yy); }},
-        {{"F_yz", "-", "", 1, ShownOf::every_body}, [](P x, int) { return x(sc::F_yz); }},
-        {{"F_zx", "-", "", 1, ShownOf::every_body}, [](P x, int) { return x(sc::F_zx); }},
-        {{"F_zy", "-", "", 1, ShownOf::every_body}, [](P x, int) { return x(sc::F_zy); }},
-        {{"F_zz", "-", "", 1, ShownOf::every_body}, [](P x, int) { return x(sc::F_zz); }},
-        {{"stress_xx", "kPa", "Cauchy stress, tension positive", 1, ShownOf::stressed},
-         [](P x, int) { return kilo * x(sc::S_xx); }},
-        {{"stress_yy", "kPa", "", 1, ShownOf::stressed},
-         [](P x, int) { return kilo * x(sc::S_yy); }},
-        {{"stress_zz", "kPa", "", 1, ShownOf::stressed},
-         [](P x, int) { return kilo * x(sc::S_zz); }},
-        {{"stress_xy", "kPa", "", 1, ShownOf::stressed},
-         [](P x, int) { return kilo * x(sc::S_xy); }},
-        {{"stress_xz", "kPa", "", 1, ShownOf::stressed},
-         [](P x, int) { return kilo * x(sc::S_xz); }},
-        {{"stress_yz", "kPa", "", 1, ShownOf::stressed},
-         [](P x, int) { return kilo * x(sc::S_yz); }},
-        {{"p", "kPa", "mean pressure, compression positive", 1, ShownOf::stressed},
-         [](P x, int) { return kilo * x.invariants.p; }},
-        {{"q", "kPa", "sqrt(3/2) |deviator|", 1, ShownOf::stressed},
-         [](P x, int) { return kilo * x.invariants.q; }},
-        {{"work_density", "kJ/m3", "stored energy, of sand the work done on it, by volume", 1,
-          ShownOf::stressed},
-         [](P x, int) {
-             return kilo * x.body.material->energy(x.view(), x.p) / x.view().volume(x.p);
-         }},
-        {{"friction_angle", "deg", "mobilised, asin((s1 - s3)/(s1 + s3))", 1, ShownOf::sand},
-         [](P x, int) { return x.invariants.mobilised_friction_angle / degree; }},
-        {{"lode_angle", "deg", "0 triaxial compression ... 60 triaxial extension", 1,
-          ShownOf::sand},
-         [](P x, int) { return x.invariants.lode_angle / degree; }},
-        {{"void_ratio", "-", "e", 1, ShownOf::sand},
-         [](P x, int) { return x.of_state(GRIT_SAND_VOID_RATIO); }},
-        {{"relative_density", "-", "(e_c - e)/(e_c - e_d) at the current p", 1, ShownOf::sand},
-         [](P x, int) { return x.invariants.relative_density; }},
-        {{"h_xx", "-", "intergranular strain, extension positive", 1, ShownOf::sand},
-         [](P x, int) { return x.of_state(0); }},
-        {{"h_yy", "-", "", 1, ShownOf::sand}, [](P x, int) { return x.of_state(1); }},
-        {{"h_zz", "-", "", 1, ShownOf::sand}, [](P x, int) { return x.of_state(2); }},
-        {{"h_xy", "-", "engineering shear", 1, ShownOf::sand},
-         [](P x, int) { return x.of_state(3); }},
-        {{"h_xz", "-", "", 1, ShownOf::sand}, [](P x, int) { return x.of_state(4); }},
-        {{"h_yz", "-", "", 1, ShownOf::sand}, [](P x, int) { return x.of_state(5); }},
-        {{"rho", "-", "|h|/R", 1, ShownOf::sand}, [](P x, int) { return x.invariants.rho; }},
-        {{"separation", "-", "opening to be closed before stress returns", 1, ShownOf::sand},
-         [](P x, int) { return x.of_state(GRIT_SAND_SEPARATION); }},
-    };
+    static const std::vector<Rule> all = joined<SpaceParticle>({
+        rules_of_numbers<SpaceParticle>(),
+        {{{"velocity", "m/s", "", 3, ShownOf::every_body},
+          [](P x, int k) { return x(sc::v_x + k); }},
+         {{"displacement", "m", "since the start", 3, ShownOf::every_body},
+          [](P x, int k) { return x(sc::x + k) - x.start[k]; }},
+         {{"mass", "kg", "", 1, ShownOf::every_body}, [](P x, int) { return x(sc::mass); }}},
+        rules_of_volume<SpaceParticle>(),
+        {{{"F_xx", "-", "deformation gradient", 1, ShownOf::every_body},
+          [](P x, int) { return x(sc::F_xx); }},
+         {{"F_xy", "-", "", 1, ShownOf::every_body}, [](P x, int) { return x(sc::F_xy); }},
+         {{"F_xz", "-", "", 1, ShownOf::every_body}, [](P x, int) { return x(sc::F_xz); }},
+         {{"F_yx", "-", "", 1, ShownOf::every_body}, [](P x, int) { return x(sc::F_yx); }},
+         {{"F_yy", "-", "", 1, ShownOf::every_body}, [](P x, int) { return x(sc::F_yy); }},
+         {{"F_yz", "-", "", 1, ShownOf::every_body}, [](P x, int) { return x(sc::F_yz); }},
+         {{"F_zx", "-", "", 1, ShownOf::every_body}, [](P x, int) { return x(sc::F_zx); }},
+         {{"F_zy", "-", "", 1, ShownOf::every_body}, [](P x, int) { return x(sc::F_zy); }},
+         {{"F_zz", "-", "", 1, ShownOf::every_body}, [](P x, int) { return x(sc::F_zz); }},
+         {{"stress_xx", "kPa", "Cauchy stress, tension positive", 1, ShownOf::stressed},
+          [](P x, int) { return kilo * x(sc::S_xx); }},
+         {{"stress_yy", "kPa", "", 1, ShownOf::stressed},
+          [](P x, int) { return kilo * x(sc::S_yy); }},
+         {{"stress_zz", "kPa", "", 1, ShownOf::stressed},
+          [](P x, int) { return kilo * x(sc::S_zz); }},
+         {{"stress_xy", "kPa", "", 1, ShownOf::stressed},
+          [](P x, int) { return kilo * x(sc::S_xy); }},
+         {{"stress_xz", "kPa", "", 1, ShownOf::stressed},
+          [](P x, int) { return kilo * x(sc::S_xz); }},
+         {{"stress_yz", "kPa", "", 1, ShownOf::stressed},
+          [](P x, int) { return kilo * x(sc::S_yz); }}},
+        rules_of_invariants<SpaceParticle>(),
+        {{{"h_xx", "-", "intergranular strain, extension positive", 1, ShownOf::sand},
+          [](P x, int) { return x.of_state(0); }},
+         {{"h_yy", "-", "", 1, ShownOf::sand}, [](P x, int) { return x.of_state(1); }},
+         {{"h_zz", "-", "", 1, ShownOf::sand}, [](P x, int) { return x.of_state(2); }},
+         {{"h_xy", "-", "engineering shear", 1, ShownOf::sand},
+          [](P x, int) { return x.of_state(3); }},
+         {{"h_xz", "-", "", 1, ShownOf::sand}, [](P x, int) { return x.of_state(4); }},
+         {{"h_yz", "-", "", 1, ShownOf::sand}, [](P x, int) { return x.of_state(5); }}},
+        rules_of_state<SpaceParticle>(),
+    });
     return all;
 }
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/process/markup.hpp"
 #include "cli/process/outputs.hpp"
 #include "cli/process/standard_streams.hpp"
 #include "cli/process/version.hpp"
@@ -23,17 +24,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_rows = 400;  // of a table of words
 
-std::string html(const std::string& text) {
-    std::string out;
-    for (const char c : text)
-        out += c == '&'   ? "&amp;"
-               : c == '<' ? "&lt;"
-               : c == '>' ? "&gt;"
-               : c == '"' ? "&quot;"
-                          : std::string(1, c);
-    return out;
-}
-
 // One page, written from its top.
 class Page {
   public:
@@ -42,10 +32,12 @@ class Page {
                                "charset=\"utf-8\"><meta name=\"viewport\" "
                                "content=\"width=device-width\"><title>{0}</title>\n<style>{1}</"
                                "style></head><body>\n<h1>{0}</h1>\n",
-                               html(title()), page_style()));
+                               escaped(title()), page_style()));
     }
 
-    void heading(const std::string& text) { file.write(fmt::format("<h2>{}</h2>\n", html(text))); }
+    void heading(const std::string& text) {
+        file.write(fmt::format("<h2>{}</h2>\n", escaped(text)));
+    }
 
     void show(Finding& finding, const std::string& sentence) {
         if (finding.shown) return;
@@ -57,10 +49,11 @@ class Page {
             } catch (const BadInput& error) {
                 problem = error.what();
             }
-        file.write(fmt::format("<section id=\"{0}\"><h3>{1}</h3>\n", html(finding.stem),
-                               html(table.title.empty() ? finding.stem : table.title)));
-        if (!sentence.empty()) file.write(fmt::format("<p>{}</p>\n", html(sentence)));
-        if (!problem.empty()) file.write(fmt::format("<p class=\"bad\">{}</p>\n", html(problem)));
+        file.write(fmt::format("<section id=\"{0}\"><h3>{1}</h3>\n", escaped(finding.stem),
+                               escaped(table.title.empty() ? finding.stem : table.title)));
+        if (!sentence.empty()) file.write(fmt::format("<p>{}</p>\n", escaped(sentence)));
+        if (!problem.empty())
+            file.write(fmt::format("<p class=\"bad\">{}</p>\n", escaped(problem)));
         if (!table.panels.empty()) data("curves", json_of(table.panels));
         if (!table.cells.empty()) cells(table.cells);
         if (!finding.frames.empty())
@@ -68,16 +61,16 @@ class Page {
                 data("player", frames);
         if (!finding.numbers.empty()) numbers(finding.numbers);
         if (!finding.words.empty())
-            file.write(fmt::format("<pre>{}</pre>\n", html(content_of(finding.words))));
+            file.write(fmt::format("<pre>{}</pre>\n", escaped(content_of(finding.words))));
         // Curves say all that a picture of theirs does; where there are none, the picture stays.
         if (!finding.picture.empty() && (table.panels.empty() || !curves_are_drawn()))
             picture(finding);
         if (!table.comments.empty()) {
             versions.insert(table.comments.front().substr(0, table.comments.front().find(", ")));
             std::string lines;
-            for (const std::string& each : table.comments) lines += html(each) + "\n";
+            for (const std::string& each : table.comments) lines += escaped(each) + "\n";
             file.write(fmt::format("<details><summary>{}</summary><pre>{}</pre></details>\n",
-                                   html(finding.table.filename().string()), lines));
+                                   escaped(finding.table.filename().string()), lines));
         }
         file.write("</section>\n");
         ++sections;
@@ -88,8 +81,8 @@ class Page {
         for (const std::string& each : versions) made += (made.empty() ? "" : ", ") + each;
         file.write(fmt::format(
             "<footer>Results of {}. Page by Grit {}: <code>grit report {}</code>.{}</footer>\n",
-            html(made.empty() ? "nobody knows which version" : made), html(version()),
-            html(request.folder.string()),
+            escaped(made.empty() ? "nobody knows which version" : made), escaped(version()),
+            escaped(request.folder.string()),
             curves_are_drawn() ? " Curves by Chart.js 3, © Chart.js Contributors, MIT licence."
                                : " This grit was built without Chart.js (libjs-chart.js): pictures "
                                  "stand in place of curves."));
@@ -128,10 +121,10 @@ class Page {
         for (std::size_t i = 0; i < std::min(rows.size(), most_rows); ++i) {
             const char* tag = i == 0 ? "th" : "td";
             std::string line = judged && i > 0
-                                   ? fmt::format("<tr class=\"{}\">", html(rows[i].back()))
+                                   ? fmt::format("<tr class=\"{}\">", escaped(rows[i].back()))
                                    : std::string("<tr>");
             for (const std::string& cell : rows[i])
-                line += fmt::format("<{0}>{1}</{0}>", tag, html(cell));
+                line += fmt::format("<{0}>{1}</{0}>", tag, escaped(cell));
             file.write(line + "</tr>\n");
         }
         file.write("</table></div>\n");
@@ -142,7 +135,7 @@ class Page {
 
     void picture(const Finding& finding) {
         file.write(fmt::format("<img alt=\"{}\" src=\"data:image/{};base64,{}\">\n",
-                               html(finding.stem),
+                               escaped(finding.stem),
                                finding.picture.extension() == ".svg" ? "svg+xml" : "png",
                                base64(content_of(finding.picture))));
     }
