@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/process/exit_code.hpp"
 #include "cli/sand/parameter_units.hpp"
 #include "element/atomic_file.hpp"
 #include "element/nearest.hpp"
