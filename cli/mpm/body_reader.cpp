@@ -75,10 +75,10 @@ RigidPlan read_rigid(TomlTable table, bool in_space) {
     const char* along_r = in_space ? "velocity_x_m_per_s" : "velocity_r_m_per_s";
     out.velocity_r = velocity(along_r);
     out.velocity_z = velocity("velocity_z_m_per_s");
-    if (in_space) out.velocity_y = velocity("velocity_y_m_per_s");
+    bool moves = table.has(along_r) || table.has("velocity_z_m_per_s");
+    if (in_space) moves = read_rigid_in_space(table, out) || moves;
     out.from_stage = table.string_if("from_stage").value_or("");
-    if (!table.has(along_r) && !table.has("velocity_z_m_per_s") &&
-        !(in_space && table.has("velocity_y_m_per_s")))
+    if (!moves)
         for (const char* key : {"time_s", "from_stage"})
             if (table.has(key))
                 table.fail(key, fmt::format("{} needs {} or velocity_z_m_per_s", table.full(key),
@@ -192,7 +192,7 @@ void read_density(TomlTable& table, BodyPlan& body) {
     const std::optional<std::string> key =
         table.one_of_if({"density_kg_per_m3", "grain_density_kg_per_m3"});
     if (!key) {
-        if (!body.rigid()) table.number("density_kg_per_m3");
+        if (!body.prescribed()) table.number("density_kg_per_m3");
         body.density = 1000.0;  // a rigid body's mass moves nothing
         return;
     }
@@ -241,7 +241,7 @@ void read_outlines(TomlTable& table, const Case& plan, BodyPlan& out) {
 BodyPlan read_body(TomlTable table, Case& plan, const std::filesystem::path& sand) {
     BodyPlan out;
     out.name = table.string("name");
-    if (plan.space) plan.space->bodies.push_back(read_solid(table));
+    if (plan.space) plan.space->bodies.push_back(read_solid(table, plan));
     else read_outlines(table, plan, out);
     read_material(table, out, sand, plan.space.has_value());
     if (plan.space && table.has("water")) refuse_in_space(table, "water");
@@ -254,7 +254,7 @@ BodyPlan read_body(TomlTable table, Case& plan, const std::filesystem::path& san
     if (out.geostatic && (out.rigid() || (elastic && elastic->neo_hooke)))
         table.fail("stress_at_rest", fmt::format("{}: sand and linear elastic bodies alone",
                                                  table.full("stress_at_rest")));
-    if (out.rigid() && table.has("velocity_m_per_s"))
+    if (out.prescribed() && table.has("velocity_m_per_s"))
         table.fail("velocity_m_per_s", fmt::format("{}: a rigid body moves as its table says",
                                                    table.full("velocity_m_per_s")));
     table.finish();

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/mpm/space_reader.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include <adapters/mpm/space/step/settings.hpp>
 #include <fmt/format.h>
 
+#include "cli/mpm/body_reader.hpp"
 #include "cli/mpm/grid_reader.hpp"
 #include "cli/mpm/words.hpp"
 
@@ -16,6 +22,12 @@ namespace {
 using namespace grit::mpm;
 
 constexpr const char* axis_names[] = {"x", "y", "z"};
+constexpr const CaseWord* per_cell_words[] = {&case_word("body", "particles_per_cell_x"),
+                                              &case_word("body", "particles_per_cell_y"),
+                                              &case_word("body", "particles_per_cell_z")};
+
+// Of a body or of one of its shapes.
+int per_cell(TomlTable& table, int d) { return integer_or_default(table, *per_cell_words[d]); }
 
 std::vector<double> ascending(TomlTable& table, const std::string& key) {
     std::vector<double> out = table.numbers(key, 2);
@@ -25,14 +37,13 @@ std::vector<double> ascending(TomlTable& table, const std::string& key) {
     return out;
 }
 
-BoxShape read_box(TomlTable table) {
+BoxShape read_box(TomlTable& table) {
     BoxShape out;
     for (int d = 0; d < 3; ++d) {
         const std::vector<double> range = ascending(table, axis_names[d] + std::string("_m"));
         out.from[d] = range[0];
         out.to[d] = range[1];
     }
-    table.finish();
     return out;
 }
 
@@ -41,30 +52,36 @@ ConeShape read_upright(TomlTable& table) {
     return {{centre[0], centre[1]}, {z[0], z[1]}, {0.0, 0.0}};
 }
 
-ConeShape read_cylinder(TomlTable table) {
+ConeShape read_cylinder(TomlTable& table) {
     ConeShape out = read_upright(table);
     out.radius[0] = out.radius[1] = number(table, case_word("body.cylinder", "radius_m"));
-    table.finish();
     return out;
 }
 
-ConeShape read_cone(TomlTable table) {
+ConeShape read_cone(TomlTable& table) {
     ConeShape out = read_upright(table);
     const std::vector<double> radii = table.numbers("radii_m", 2);
     if (!(radii[0] >= 0.0 && radii[1] >= 0.0 && radii[0] + radii[1] > 0.0))
         table.fail("radii_m", fmt::format("{} must not be negative, nor both 0, got [{:g}, {:g}]",
                                           table.full("radii_m"), radii[0], radii[1]));
     std::copy(radii.begin(), radii.end(), out.radius);
-    table.finish();
     return out;
 }
 
-SphereShape read_sphere(TomlTable table) {
+SphereShape read_sphere(TomlTable& table) {
     const std::vector<double> centre = table.numbers("centre_m", 3);
-    const SphereShape out{{centre[0], centre[1], centre[2]},
-                          number(table, case_word("body.sphere", "radius_m"))};
-    table.finish();
-    return out;
+    return {{centre[0], centre[1], centre[2]}, number(table, case_word("body.sphere", "radius_m"))};
+}
+
+SurfaceShape read_surface(TomlTable& table) {
+    const std::filesystem::path file = table.folder() / table.string("file");
+    const double unit = number_or_default(table, case_word("body.surface", "unit_m"));
+    const auto at = table.numbers_if("offset_m", 3).value_or(std::vector<double>(3, 0.0));
+    try {
+        return {std::make_shared<ClosedSurface>(read_stl(file, unit, {at[0], at[1], at[2]}))};
+    } catch (const std::invalid_argument& error) {
+        table.fail("file", error.what());
+    }
 }
 
 }  // namespace
@@ -111,28 +128,69 @@ void check_space_numerics(const TomlTable& table, const Case& plan) {
                    fmt::format("{}: {} is not there in space", table.full(found.key), found.what));
 }
 
-SolidPlan read_solid(TomlTable& body) {
+SolidPlan read_solid(TomlTable& body, const Case& plan) {
     SolidPlan out;
     if (body.has("polygon")) refuse_in_space(body, "polygon");
-    for (TomlTable& table : body.tables_if("box"))
-        out.shapes.emplace_back(read_box(std::move(table)));
-    for (TomlTable& table : body.tables_if("cylinder"))
-        out.shapes.emplace_back(read_cylinder(std::move(table)));
-    for (TomlTable& table : body.tables_if("cone"))
-        out.shapes.emplace_back(read_cone(std::move(table)));
-    for (TomlTable& table : body.tables_if("sphere"))
-        out.shapes.emplace_back(read_sphere(std::move(table)));
+    const SolidShape like = {BoxShape{}, {per_cell(body, 0), per_cell(body, 1), per_cell(body, 2)}};
+    const auto read = [&](const char* key, const auto& read_shape) {
+        for (TomlTable& table : body.tables_if(key)) {
+            SolidShape shape = like;
+            for (int d = 0; d < 3; ++d)
+                if (table.has(std::string(per_cell_words[d]->key))) shape.particles[d] = per_cell(table, d);
+            shape.of = read_shape(table);
+            table.finish();
+            out.shapes.push_back(shape);
+        }
+    };
+    read("box", read_box);
+    read("cylinder", read_cylinder);
+    read("cone", read_cone);
+    read("sphere", read_sphere);
+    read("surface", read_surface);
     if (out.shapes.empty())
-        body.fail("", fmt::format("{0} needs a [[body.box]], a [[body.cylinder]], a [[body.cone]] "
-                                  "or a [[body.sphere]]",
+        body.fail("", fmt::format("{0} needs a [[body.box]], a [[body.cylinder]], a [[body.cone]], "
+                                  "a [[body.sphere]] or a [[body.surface]]",
                                   body.full("")));
-    const CaseWord* per_cell[] = {&case_word("body", "particles_per_cell_x"),
-                                  &case_word("body", "particles_per_cell_y"),
-                                  &case_word("body", "particles_per_cell_z")};
-    for (int d = 0; d < 3; ++d) out.particles[d] = integer_or_default(body, *per_cell[d]);
+    for (const std::string& name : body.strings_or_none("outside_of")) {
+        const auto is_it = [&name](const BodyPlan& of) { return of.name == name; };
+        const auto found = std::find_if(plan.bodies.begin(), plan.bodies.end(), is_it);
+        if (found == plan.bodies.end())
+            body.fail("outside_of", fmt::format("{}: no body before this one is called \"{}\"",
+                                                body.full("outside_of"), name));
+        out.outside_of.push_back(static_cast<std::size_t>(found - plan.bodies.begin()));
+    }
     if (const auto v = body.numbers_if("velocity_m_per_s", 3))
         out.velocity = {(*v)[0], (*v)[1], (*v)[2]};
     return out;
+}
+
+bool read_rigid_in_space(TomlTable& table, RigidPlan& plan) {
+    bool moves = false;
+    const auto read = [&](const std::string& key, TimeTable& into) {
+        if (!table.has(key)) return;
+        into = read_time_table(table, key, 1.0);
+        moves = true;
+    };
+    read("velocity_y_m_per_s", plan.velocity_y);
+    for (std::size_t d = 0; d < 3; ++d)
+        read(fmt::format("angular_velocity_{}_rad_per_s", axis_names[d]), plan.spin[d]);
+    for (const std::string& name : table.strings_or_none("free")) {
+        const auto is_it = [&name](const Spelling& of) { return of.word == name; };
+        const auto* found = std::find_if(std::begin(words::degrees_of_freedom),
+                                         std::end(words::degrees_of_freedom), is_it);
+        if (found == std::end(words::degrees_of_freedom))
+            table.fail("free", fmt::format("{} must be of x, y, z, about_x, about_y and about_z, "
+                                           "got \"{}\"",
+                                           table.full("free"), name));
+        plan.free[static_cast<std::size_t>(found->value)] = true;
+    }
+    if (const auto x = table.numbers_if("centre_m", 3)) {
+        if (plan.any_free())
+            table.fail("centre_m", fmt::format("{}: what is free moves about the centre of mass",
+                                               table.full("centre_m")));
+        plan.centre = {(*x)[0], (*x)[1], (*x)[2]};
+    }
+    return moves;
 }
 
 FacePlan read_face(TomlTable& traction) {

@@ -14,7 +14,9 @@ void read_space_boundary(TomlTable table, grit::mpm::Case& plan);
 void check_space_numerics(const TomlTable& table, const grit::mpm::Case& plan);
 
 // Shapes, particles per cell and velocity of a body, which is not finished.
-grit::mpm::SolidPlan read_solid(TomlTable& body);
+grit::mpm::SolidPlan read_solid(TomlTable& body, const grit::mpm::Case& plan);
+// What a rigid body has in space besides; does anything of it move?
+bool read_rigid_in_space(TomlTable& table, grit::mpm::RigidPlan& plan);
 // Faces, range and direction of a traction, which is not finished.
 grit::mpm::FacePlan read_face(TomlTable& traction);
 

@@ -2,6 +2,8 @@
 // A run described by plain data: SI units, compression negative, z upwards.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
 #include <string>
@@ -38,7 +40,15 @@ struct ElasticPlan {
 struct RigidPlan {
     TimeTable velocity_r, velocity_z;  // in space r is x [m/s]
     std::string from_stage = {};       // at rest before, and time counts from there; empty: always
-    TimeTable velocity_y = {{0.0}, {0.0}};  // in space [m/s]
+    // In space: along y, and about x, y and z through the centre, which is that of mass if none is given; and which of
+    // the motions along and about x, y and z are left to weight, loads and contact.
+    TimeTable velocity_y = {{0.0}, {0.0}};                                 // [m/s]
+    TimeTable spin[3] = {{{0.0}, {0.0}}, {{0.0}, {0.0}}, {{0.0}, {0.0}}};  // [rad/s]
+    std::optional<Vector3> centre = {};                                    // [m]
+    std::array<bool, 6> free = {};
+    bool any_free() const {
+        return std::any_of(free.begin(), free.end(), [](bool x) { return x; });
+    }
 };
 
 struct SandPlan {
@@ -88,6 +98,8 @@ struct BodyPlan {
     std::optional<WaterPlan> water = {};
     Vector2 velocity{0.0, 0.0};  // at the start [m/s]
     bool rigid() const { return std::holds_alternative<RigidPlan>(material); }
+    // It has no mass that counts: nothing but its tables moves it.
+    bool prescribed() const { return rigid() && !std::get<RigidPlan>(material).any_free(); }
 };
 
 // Sides of the grid.

@@ -226,8 +226,8 @@ std::string heading(std::string_view section) {
     if (section == "body.box") return "`[[body.box]]`, `[[body.polygon]]`";
     if (section == "body.elastic") return "`[body.elastic]`, `[body.neo_hooke]`";
     if (section == "contact.stiff_line") return "`[contact.stiff_line]`, `[contact.soft_line]`";
-    for (const char* list : {"body", "body.cylinder", "body.cone", "body.sphere", "traction",
-                             "inflow", "contact", "stage"})
+    for (const char* list : {"body", "body.cylinder", "body.cone", "body.sphere", "body.surface",
+                             "traction", "inflow", "contact", "stage"})
         if (section == list) return "`[[" + name + "]]`";
     return name.empty() ? "top of the file" : "`[" + name + "]`";
 }

@@ -61,8 +61,8 @@ struct Unit {
     double si;
 };
 inline constexpr Unit none{"", 1.0}, metre{"m", 1.0}, second{"s", 1.0}, per_second{"1/s", 1.0},
-    metre_per_second{"m/s", 1.0}, metre_per_second_2{"m/s²", 1.0}, kg_per_m3{"kg/m³", 1.0},
-    kilopascal{"kPa", 1e3};
+    metre_per_second{"m/s", 1.0}, radian_per_second{"rad/s", 1.0}, metre_per_second_2{"m/s²", 1.0},
+    kg_per_m3{"kg/m³", 1.0}, kilopascal{"kPa", 1e3};
 
 constexpr CaseWord number(std::string_view section, std::string_view key, Interval range, Unit unit,
                           const char* text, const char* otherwise = "") {
@@ -176,6 +176,8 @@ inline constexpr CaseWord all[] = {
     a_table("body", "cylinder", "in space: any number of upright ones, besides boxes", "others"),
     a_table("body", "cone", "in space: upright", "others"),
     a_table("body", "sphere", "in space", "others"),
+    a_table("body", "surface", "in space: what a closed surface of triangles encloses", "others"),
+    texts("body", "outside_of", "in space: bodies before it, whose shapes it leaves out", "none"),
     a_table("body", "elastic", "a material: linear", "another one"),
     a_table("body", "neo_hooke", "a material, with the keys of `elastic`", "another one"),
     a_table("body", "rigid", "a material that moves as a table says", "another one"),
@@ -188,13 +190,16 @@ inline constexpr CaseWord all[] = {
     numbers("body.box", "z_m", metre, "... along z; a particle is inside if its centre is"),
     integer("body.box", "particles_per_cell_r", per_cell, "of this one alone", "as in the body"),
     integer("body.box", "particles_per_cell_z", per_cell, "", "as in the body"),
+    integer("body.box", "particles_per_cell_x", per_cell, "in space, of any shape",
+            "as in the body"),
+    integer("body.box", "particles_per_cell_y", per_cell, "in space, of any shape",
+            "as in the body"),
 
     numbers("body.box", "x_m", metre, "in space: from, to", "in the plane none"),
     numbers("body.box", "y_m", metre, "in space", "in the plane none"),
 
     numbers("body.cylinder", "centre_m", metre, "x and y of its axis"),
-    number("body.cylinder", "radius_m", above_zero, metre,
-           "a particle is inside if its centre is; beyond the grid it is cut off"),
+    number("body.cylinder", "radius_m", above_zero, metre, "what lies beyond the grid is cut off"),
     numbers("body.cylinder", "z_m", metre, "from, to"),
 
     numbers("body.cone", "centre_m", metre, "x and y of its axis"),
@@ -203,6 +208,10 @@ inline constexpr CaseWord all[] = {
 
     numbers("body.sphere", "centre_m", metre, "x, y and z"),
     number("body.sphere", "radius_m", above_zero, metre, ""),
+
+    a_text("body.surface", "file", "an STL file, binary or text; beside the case"),
+    number("body.surface", "unit_m", above_zero, metre, "of its numbers", "1"),
+    numbers("body.surface", "offset_m", metre, "x, y and z that are added", "0"),
 
     number("body.elastic", "youngs_modulus_kPa", above_zero, kilopascal, ""),
     number("body.elastic", "poissons_ratio", {-1.0, 0.5, true}, none, ""),
@@ -213,6 +222,15 @@ inline constexpr CaseWord all[] = {
     numbers("body.rigid", "velocity_z_m_per_s", metre_per_second, "", "0"),
     numbers("body.rigid", "velocity_x_m_per_s", metre_per_second, "in space", "0"),
     numbers("body.rigid", "velocity_y_m_per_s", metre_per_second, "in space", "0"),
+    numbers("body.rigid", "angular_velocity_x_rad_per_s", radian_per_second,
+            "in space, about the centre", "0"),
+    numbers("body.rigid", "angular_velocity_y_rad_per_s", radian_per_second, "in space", "0"),
+    numbers("body.rigid", "angular_velocity_z_rad_per_s", radian_per_second, "in space", "0"),
+    numbers("body.rigid", "centre_m", metre, "in space, x, y and z", "of mass"),
+    texts("body.rigid", "free",
+          "in space: motions that weight, loads and contact decide, of x, y, z, about_x, about_y, "
+          "about_z",
+          "none"),
     a_text("body.rigid", "from_stage", "at rest before, time counts from its begin", "the run's"),
 
     a_text("body.sand", "name",

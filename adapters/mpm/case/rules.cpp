@@ -92,7 +92,7 @@ Objections objection_to(const PulseTrain& pulses, const KeyName& name) {
 }
 
 Objections objection_to(const Case& plan, const TractionPlan& traction) {
-    if (plan.bodies[plan.body(traction.body)].rigid())
+    if (plan.bodies[plan.body(traction.body)].prescribed())
         return Objection{"body", ": \"" + traction.body + "\" is rigid, no load moves it"};
     if (traction.on_mixture && !plan.bodies[plan.body(traction.body)].water)
         return Objection{"acts_on", ": \"" + traction.body + "\" has no pore water"};

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <variant>
 #include <vector>
 
+#include "adapters/mpm/case/closed_surface.hpp"
 #include "adapters/mpm/grid/graded_axis.hpp"
 #include "support/vector.hpp"
 
@@ -19,7 +21,6 @@ enum class Boundary {
     platen      // bodies move as one across
 };
 
-// A particle is in a shape if its centre is.
 struct BoxShape {
     Vector3 from, to;  // [m]
 };
@@ -32,13 +33,22 @@ struct SphereShape {
     Vector3 centre;
     double radius;  // [m]
 };
-using Shape3 = std::variant<BoxShape, ConeShape, SphereShape>;
+// Within any closed surface, which need not be convex.
+struct SurfaceShape {
+    std::shared_ptr<const ClosedSurface> surface;
+};
+using Shape3 = std::variant<BoxShape, ConeShape, SphereShape, SurfaceShape>;
 
-// Of a body: it has what lies in any of its shapes.
+struct SolidShape {
+    Shape3 of;
+    int particles[3] = {2, 2, 2};  // per cell along x, y and z
+};
+
+// Of a body: it has what lies in any of its shapes, and in none of those of the bodies that it is outside of.
 struct SolidPlan {
-    std::vector<Shape3> shapes = {};
-    int particles[3] = {2, 2, 2};     // per cell along x, y and z
-    Vector3 velocity{0.0, 0.0, 0.0};  // at the start [m/s]
+    std::vector<SolidShape> shapes = {};
+    std::vector<std::size_t> outside_of = {};  // bodies
+    Vector3 velocity{0.0, 0.0, 0.0};           // at the start [m/s]
 };
 
 // Of a traction: the outermost faces of particles, across a direction on its upper or its lower side, whose centres are

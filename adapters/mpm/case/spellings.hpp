@@ -23,6 +23,10 @@ inline constexpr Spelling sides[] = {
     spelling("left", Side::left, ""), spelling("right", Side::right, ""),
     spelling("bottom", Side::bottom, ""), spelling("top", Side::top, "")};
 // Twice the direction, and one on the upper side.
+// Of a rigid body in space.
+inline constexpr Spelling degrees_of_freedom[] = {
+    spelling("x", 0, ""),       spelling("y", 1, ""),       spelling("z", 2, ""),
+    spelling("about_x", 3, ""), spelling("about_y", 4, ""), spelling("about_z", 5, "")};
 inline constexpr Spelling sides_in_space[] = {spelling("left", 0, ""),   spelling("right", 1, ""),
                                               spelling("front", 2, ""),  spelling("back", 3, ""),
                                               spelling("bottom", 4, ""), spelling("top", 5, "")};

@@ -50,7 +50,7 @@ inline Body make_brick(const Brick& brick, std::unique_ptr<Material> material) {
 // At rest.
 inline Body make_floor(const Brick& brick) {
     Body body = make_brick(brick, nullptr);
-    body.prescribed_velocity = [](double) { return Vector3{0.0, 0.0, 0.0}; };
+    body.make_rigid({});
     return body;
 }
 

@@ -68,7 +68,7 @@ struct Lattice {
                 std::min<std::ptrdiff_t>(begin + Increments::capacity, particles.size());
             out.emplace_back();
             by.gather(shape,
-                      {grid(), particles.view(), begin, end, motions.data(), 1.0, 0.0, false},
+                      {grid(), particles.view(), begin, end, motions.data(), 1.0, 0.0},
                       out.back(), sums);
         }
     }

@@ -95,7 +95,7 @@ struct Hertz {
                 add_brick(plane.particles, {{across[i], across[j], -2.0 * h},
                                             {across[i + 1], across[j + 1], 0.0},
                                             {2, 2, 4}});
-        plane.prescribed_velocity = [](double) { return Vector3{0.0, 0.0, 0.0}; };
+        plane.make_rigid({});
         simulation.add_body(std::move(plane));
         simulation.add_body(make_body(across, up, extent));
         for (const int d : {0, 1}) simulation.fix_below(d, 0.0);

@@ -44,15 +44,22 @@ void set_start(const BodyPlan& body, double gravity, Particles& particles) {
     }
 }
 
-std::function<Vector3(double)> velocity_of(const Case& plan, const BodyPlan& body,
-                                           const std::shared_ptr<Clock>& clock) {
-    const auto& motion = std::get<RigidPlan>(body.material);
-    return [since = Since(plan, clock, motion.from_stage), motion](double t) {
-        const double s = since(t);
-        return s < 0.0 ? Vector3{0.0, 0.0, 0.0}
-                       : Vector3{motion.velocity_r.at(s), motion.velocity_y.at(s),
-                                 motion.velocity_z.at(s)};
+RigidCourse course_of(const Case& plan, std::size_t body, const std::shared_ptr<Clock>& clock) {
+    const auto& motion = std::get<RigidPlan>(plan.bodies[body].material);
+    const auto over_time = [since = Since(plan, clock, motion.from_stage)](
+                               const TimeTable& x, const TimeTable& y, const TimeTable& z) {
+        return [since, x, y, z](double t) {
+            const double s = since(t);
+            return s < 0.0 ? Vector3{0.0, 0.0, 0.0} : Vector3{x.at(s), y.at(s), z.at(s)};
+        };
     };
+    RigidCourse out;
+    out.velocity = over_time(motion.velocity_r, motion.velocity_y, motion.velocity_z);
+    out.spin = over_time(motion.spin[0], motion.spin[1], motion.spin[2]);
+    out.free = motion.free;
+    out.centre = motion.centre;
+    out.start.along = plan.space->bodies[body].velocity;
+    return out;
 }
 
 void add_bodies(const Case& plan, const Axes& axes, const std::shared_ptr<Clock>& clock,
@@ -65,11 +72,14 @@ void add_bodies(const Case& plan, const Axes& axes, const std::shared_ptr<Clock>
         Body body;
         body.name = body_plan.name;
         body.material = material_of(body_plan);
-        body.particles = fill(plan.space->bodies[b], body.name, body_plan.density, axes,
+        body.particles = fill(*plan.space, b, body.name, body_plan.density, axes,
                               body.material ? body.material->own_columns() : 0);
         if (!body_plan.rigid()) set_start(body_plan, plan.gravity, body.particles);
-        else body.prescribed_velocity = velocity_of(plan, body_plan, clock);
+        else body.make_rigid(course_of(plan, b, clock));
         for (std::size_t i = 0; i < b; ++i) {
+            const auto& left_out =
+                plan.space->bodies[b].outside_of;  // bricks of cut particles overlap
+            if (std::find(left_out.begin(), left_out.end(), i) != left_out.end()) continue;
             Body& other = simulation.body(i);
             const std::string names = other.name + " and " + body.name;
             check_apart(other.particles, body.particles, axes, names);
@@ -123,6 +133,13 @@ std::unique_ptr<Simulation> build(const Case& plan, const std::shared_ptr<Clock>
         if (contact.penalty || contact.at_surfaces)
             throw std::invalid_argument("contact of " + contact.stiff + " and " + contact.soft +
                                         ": in space there are the laws geo and frictional alone");
+        const bool pushes = std::any_of(plan.bodies.begin(), plan.bodies.end(), [&](const auto& b) {
+            return (b.name == contact.stiff || b.name == contact.soft) && b.rigid() &&
+                   !b.prescribed();
+        });
+        if (pushes && contact.contact_stiffness_multiple > 0.0)
+            throw std::invalid_argument("contact of " + contact.stiff + " and " + contact.soft +
+                                        ": a rigid body that is free has no contact stiffness");
         out->add_contact(nodal_law(plan, contact, out->shortest_cell()));
     }
     return out;

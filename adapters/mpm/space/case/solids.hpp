@@ -13,12 +13,13 @@ namespace grit::mpm::space {
 
 using Axes = std::array<Axis, 3>;
 
-// Bricks in cells that are cut where a shape begins or ends along x, y and z, so that a box is filled exactly; they are
-// in a cone or a sphere if their centre is. Where shapes overlap, the first one has it. In the part of a cell that a
-// shape fills along a direction, there are as many particles as its share of the cell asks for, one at least. Throws
-// std::invalid_argument if nothing is inside, or a shape reaches out of the grid.
-Particles fill(const SolidPlan& plan, const std::string& name, double density, const Axes& axes,
-               int own_columns);
+// Bricks in cells that are cut where a shape begins or ends along x, y and z, so that a box is filled exactly. Where
+// shapes overlap, the first one has it. In the part of a cell that a shape fills along a direction, there are as many
+// particles as its share of the cell asks for, one at least. A brick that the surface of a shape goes through becomes the
+// one of the part within: of its volume, about its centre of mass, its sides in the ratio of that part's radii of gyration.
+// body: of the plan's. Throws std::invalid_argument if nothing is inside, or a shape reaches out of the grid.
+Particles fill(const SpacePlan& plan, std::size_t body, const std::string& name, double density,
+               const Axes& axes, int own_columns);
 
 // Particles, by id, one face of which has no particle beyond, with their centre in the range. Throws
 // std::invalid_argument if there is none.

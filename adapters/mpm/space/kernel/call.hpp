@@ -114,9 +114,8 @@ struct GatherCall {
     ParticleView particles;
     std::ptrdiff_t begin, end;  // no more than Increments::capacity
     const NodeMotion* nodes;
-    double dt;          // [s]
-    double pic;         // PIC share of this step [-]
-    bool carries_only;  // positions alone: of rigid bodies
+    double dt;   // [s]
+    double pic;  // PIC share of this step [-]
     Separation separation = {};
     CellMean mean = {};  // with cells, deformation stops there
 };

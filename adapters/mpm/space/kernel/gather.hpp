@@ -78,7 +78,6 @@ void gather_by(const GatherCall& call, Increments& increments, GatherSums& sums)
         const Stencil w(call.grid, place);
         const Gathered g = gather_point_values(w, call.nodes);
         move_position(call, g, p, sums);
-        if (call.carries_only) continue;
         move_velocity(call, g, p, sums);
         const Gradient L = gradient_of(g, call.dt);
         if constexpr (mean) defer(call, place, p, L);

@@ -78,7 +78,7 @@ double SpaceSubject::level(std::size_t body, DepthOf what) {
 
 double SpaceSubject::velocity_z(std::size_t body) {
     Body& of = simulation.body(body);
-    if (of.rigid()) return of.prescribed_velocity(time())[2];
+    if (of.rigid()) return of.motion->velocity().along[2];
     const ParticleView q = of.particles.view();
     double mass = 0.0, momentum = 0.0;
     for (std::ptrdiff_t p = 0; p < of.particles.size(); ++p) {

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numeric>
 
+#include <Eigen/Dense>
+
 #include "adapters/mpm/space/kernel/place.hpp"
 #include "adapters/mpm/step/require.hpp"
 
@@ -51,6 +53,58 @@ class Domains {
   private:
     std::vector<double> position, sides;
     std::vector<std::ptrdiff_t> offset{0}, node;
+};
+
+// The velocity of a rigid body with its impulses from nodes, linear in it: six equations.
+class FreeMeeting {
+  public:
+    explicit FreeMeeting(const RigidMotion& of) : rigid(of) {
+        const Matrix6 mass = rigid.mass_matrix();
+        for (int i = 0; i < 6; ++i)
+            for (int j = 0; j < 6; ++j)
+                matrix(i, j) = mass[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+    }
+    // A node at x of mass m that the body presses along n by the share f of w . n; friction: infinite where it sticks.
+    void add(const Vector3& x, const Vector3& n, const Vector3& w, double m, double f,
+             double friction) {
+        const Vector3 across = w - dot(w, n) * n;
+        const double slip = norm(across);
+        const Row along = row(x, n);
+        const double sliding = std::isfinite(friction) && slip > 0.0 ? friction / slip : 0.0;
+        add(m * f * (along + row(x, sliding * across)), along, dot(n, w));
+        if (std::isfinite(friction)) return;
+        for (int k = 0; k < 3; ++k) {
+            Vector3 t = -n[k] * n;  // I - n n, row by row
+            t[k] += 1.0;
+            Vector3 e{0.0, 0.0, 0.0};
+            e[k] = 1.0;
+            add(m * row(x, e), row(x, t), dot(t, w));
+        }
+    }
+    Twist solve() const {
+        const Row u = matrix.partialPivLu().solve(right);
+        return {{u[0], u[1], u[2]}, {u[3], u[4], u[5]}};
+    }
+
+  private:
+    using Row = Eigen::Matrix<double, 6, 1>;
+    // What the velocities that are free give along n at x.
+    Row row(const Vector3& x, const Vector3& n) const {
+        const Vector3 about = baseline::cross(x - rigid.centre(), n);
+        Row out;
+        out << n[0], n[1], n[2], about[0], about[1], about[2];
+        for (int i = 0; i < 6; ++i)
+            if (!rigid.free()[static_cast<std::size_t>(i)]) out[i] = 0.0;
+        return out;
+    }
+    void add(const Row& impulse, const Row& of, double w) {
+        matrix += impulse * of.transpose();
+        right -= w * impulse;
+    }
+
+    const RigidMotion& rigid;
+    Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Zero();
+    Row right = Row::Zero();
 };
 
 }  // namespace
@@ -385,6 +439,8 @@ void ContactPair::remember() {
 }
 
 void ContactPair::correct(Model& model) {
+    found = {};
+    step_size = model.dt;
     step_totals = {};
     step_totals.struct_size = sizeof step_totals;
     step_measured = {};
@@ -418,27 +474,29 @@ void ContactPair::correct(Model& model) {
     remember();
 }
 
-// What the stiffer body's surface has of a node's weight, across the normal, is the area of a stiffness: its gradient
-// is the integral of the weight over the surface.
-void ContactPair::apply(const Model& model) {
-    const bool geo = pair_law.options.law == GRIT_CONTACT_GEO;
-    const bool stiff = pair_law.options.contact_stiffness > 0.0;
+grit_contact_options ContactPair::options_of(const Model& model) const {
     grit_contact_options options = pair_law.options;
     options.time_step = model.dt;
     options.rigid = model.parts[pair_law.a].body.rigid()   ? GRIT_CONTACT_A_RIGID
                     : model.parts[pair_law.b].body.rigid() ? GRIT_CONTACT_B_RIGID
                                                            : GRIT_CONTACT_NONE_RIGID;
+    return options;
+}
+
+// What the stiffer body's surface has of a node's weight, across the normal, is the area of a stiffness: its gradient
+// is the integral of the weight over the surface.
+grit_contact_nodes ContactPair::nodes_of() {
     grit_contact_nodes q{};
     q.struct_size = sizeof q;
     q.mass_a = grit_view_of(mass_a.data(), 1, 1);
     q.mass_b = grit_view_of(mass_b.data(), 1, 1);
     q.normal = grit_view_of(normal.data(), 3, 1);
-    if (geo) {
+    if (pair_law.options.law == GRIT_CONTACT_GEO) {
         q.distance = grit_view_of(distance.data(), 1, 1);
         q.cell_size = grit_view_of(reach.data(), 1, 1);
     }
     if (pair_law.gated) q.gap = grit_view_of(gate_gap.data(), 1, 1);
-    if (stiff) {
+    if (pair_law.options.contact_stiffness > 0.0) {
         for (std::size_t i = 0; i < area.size(); ++i)
             area[i] = std::fabs(dot(Vector3{slope_a[slope::size * i], slope_a[slope::size * i + 1],
                                             slope_a[slope::size * i + 2]},
@@ -450,6 +508,60 @@ void ContactPair::apply(const Model& model) {
     q.previous_velocity_a = grit_view_of(motion_a.data() + motion::other_x, motion::size, 1);
     q.previous_velocity_b = grit_view_of(motion_b.data() + motion::other_x, motion::size, 1);
     q.position = grit_view_of(position.data(), 3, 1);
+    return q;
+}
+
+// A rigid body that contact moves has the velocity which the impulses that belong to it leave: with those of the nodes
+// that are found to touch, M du = -sum m f_p (n . w) n with w of u + du, and with friction, sticking or along the way of
+// sliding; until the same nodes touch alike.
+void ContactPair::meet_freely(const Model& model, const grit_contact_options& options) {
+    const bool is_a = options.rigid == GRIT_CONTACT_A_RIGID;
+    const RigidMotion& rigid = *model.parts[is_a ? pair_law.a : pair_law.b].body.motion;
+    found = rigid.velocity();
+    if (!rigid.any_free()) return;
+    std::vector<double>&own = is_a ? motion_a : motion_b, &other = is_a ? motion_b : motion_a;
+    const std::vector<double>& mass = is_a ? mass_b : mass_a;
+    const std::vector<double> own_start = own, other_start = other;
+    const Twist trial = found;
+    std::vector<int> states, before;
+    constexpr int most = 8;
+    for (int round = 0; round < most; ++round) {
+        const grit_contact_nodes q = nodes_of();
+        grit_error error;
+        require(grit_contact_correct(&options, static_cast<std::ptrdiff_t>(active.size()), &q,
+                                     reports.data(), nullptr, &error),
+                error, "contact");
+        other = other_start;
+        states.clear();
+        for (const grit_contact_report& report : reports) states.push_back(report.state);
+        if (states == before) break;
+        before = states;
+        FreeMeeting meeting(rigid);
+        for (std::size_t i = 0; i < active.size(); ++i) {
+            if (states[i] != GRIT_CONTACT_STICK && states[i] != GRIT_CONTACT_SLIP) continue;
+            const Vector3 n = is_a ? at(normal, i) : -1.0 * at(normal, i);
+            Vector3 w;
+            for (std::size_t k = 0; k < 3; ++k)
+                w[static_cast<int>(k)] =
+                    own_start[motion::size * i + k] - other_start[motion::size * i + k];
+            meeting.add(at(position, i), n, w, mass[i], reports[i].penalty_factor,
+                        states[i] == GRIT_CONTACT_STICK ? INFINITY : options.friction_coefficient);
+        }
+        const Twist change = meeting.solve();
+        found = {trial.along + change.along, trial.about + change.about};
+        for (std::size_t i = 0; i < active.size(); ++i) {
+            const Vector3 v =
+                found.along + baseline::cross(found.about, at(position, i) - rigid.centre());
+            std::copy_n(v.c, 3, &own[motion::size * i]);
+        }
+    }
+}
+
+void ContactPair::apply(const Model& model) {
+    const bool geo = pair_law.options.law == GRIT_CONTACT_GEO;
+    const grit_contact_options options = options_of(model);
+    if (options.rigid != GRIT_CONTACT_NONE_RIGID) meet_freely(model, options);
+    const grit_contact_nodes q = nodes_of();
     grit_contact_sums sums{};
     grit_error error;
     require(grit_contact_correct(&options, static_cast<std::ptrdiff_t>(active.size()), &q,
@@ -465,6 +577,14 @@ void ContactPair::apply(const Model& model) {
         if ((geo || pair_law.gated) && std::isfinite(gap[i]))
             step_measured.largest_gap = std::fmax(step_measured.largest_gap, gap[i]);
     }
+}
+
+Twist ContactPair::impulse_on(std::size_t body, const Vector3& about) const {
+    const bool is_a = body == pair_law.a;
+    const double* J = is_a ? step_totals.impulse_on_a : step_totals.impulse_on_b;
+    const double* M = is_a ? step_totals.moment_on_a : step_totals.moment_on_b;
+    const Vector3 impulse{J[0], J[1], J[2]};
+    return {impulse, step_size * Vector3{M[0], M[1], M[2]} - baseline::cross(about, impulse)};
 }
 
 void ContactPair::write_back(Model& model) const {

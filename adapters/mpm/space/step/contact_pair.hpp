@@ -32,6 +32,10 @@ class ContactPair {
         double largest_gap;
     };
     const Measured& measured() const { return step_measured; }
+    // Impulse on a body of the pair in the last step, its moment about a place [N s], [N m s].
+    Twist impulse_on(std::size_t body, const Vector3& about) const;
+    // The velocity of its rigid body that the impulses of the last step were found with.
+    const Twist& velocity_found() const { return found; }
     template <class Self, class Archive> static void visit(Self& pair, Archive& archive) {
         archive.value(pair.step_totals);
         archive.value(pair.step_measured);
@@ -63,7 +67,10 @@ class ContactPair {
     grit_contact_surfaces along_direction(int k);
     void find_reaches();
     void find_gates();
+    grit_contact_options options_of(const Model& model) const;
+    grit_contact_nodes nodes_of();
     void apply(const Model& model);
+    void meet_freely(const Model& model, const grit_contact_options& options);
     void write_back(Model& model) const;
     void remember();
 
@@ -84,6 +91,8 @@ class ContactPair {
     std::vector<char> touched;  // pressed in the step before
     std::vector<char> near;     // cells from which a domain may reach a node in contact
     std::vector<std::ptrdiff_t> near_cells;
+    Twist found;
+    double step_size = 0.0;  // [s]
     grit_contact_totals step_totals{};
     Measured step_measured{};
 };

@@ -29,7 +29,8 @@ void Gather::gather(std::size_t body, int pencil) {
     const Settings& settings = model.settings;
     OfPencil& sums = bodies[body][static_cast<std::size_t>(pencil)];
     const ParticleView q = part.body.particles.view();
-    const bool rigid = part.body.rigid(), updates = !rigid && !means.has(body);
+    if (part.body.rigid()) return carry(part, pencil, sums.sums);
+    const bool updates = !means.has(body);
     double fastest = 0.0;
     Increments increments;
     each_range(
@@ -41,7 +42,6 @@ void Gather::gather(std::size_t body, int pencil) {
                                   part.motions.data(),
                                   model.dt,
                                   std::min(settings.pic_rate * model.dt, 1.0),
-                                  rigid,
                                   part.separation,
                                   means.of(body)};
             kernels().gather(settings.shape, call, increments, sums.sums);
@@ -49,6 +49,27 @@ void Gather::gather(std::size_t body, int pencil) {
                 fastest = std::max(fastest, update(body, sums, {q, begin, stop}, increments));
         });
     if (updates) sums.speed = std::sqrt(fastest);
+}
+
+// Particles of a rigid body.
+void Gather::carry(Part& part, int pencil, GatherSums& sums) const {
+    const RigidMotion& motion = *part.body.motion;
+    const ParticleView q = part.body.particles.view();
+    const GridView grid = model.grid();
+    for (std::ptrdiff_t p = part.pencils.begin(pencil); p < part.pencils.begin(pencil + 1); ++p) {
+        const Vector3 from = q.position(p), to = motion.moved(from), v = motion.velocity_at(to);
+        for (int k = 0; k < 3; ++k) {
+            const Vector3 side = motion.turned({q.F(0, k, p), q.F(1, k, p), q.F(2, k, p)});
+            for (int j = 0; j < 3; ++j) q[column::F_xx + 3 * j + k][p] = side[j];
+            q[column::x + k][p] = to[k];
+            q[column::v_x + k][p] = v[k];
+        }
+        for (int k = 1; k < 3; ++k) {
+            double& farthest = sums.farthest[k - 1];
+            farthest = std::max(farthest, std::fabs(to[k] - from[k]));
+        }
+        sums.outside += !grid.has(to);
+    }
 }
 
 // The rest of deformation, with the means of cells.

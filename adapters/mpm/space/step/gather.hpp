@@ -28,6 +28,7 @@ class Gather {
 
   private:
     void gather(std::size_t body, int pencil);
+    void carry(Part& part, int pencil, GatherSums& sums) const;
     void deform(std::size_t body, int pencil);
     double update(std::size_t body, OfPencil& sums, const Range& range, const Increments& d);
     double update_viscosity(OfPencil& sums, const Increments& d, const Range& range,

@@ -42,6 +42,16 @@ void Model::add_body(Body body) {
     parts.push_back(std::move(part));
 }
 
+void Model::set_rigid_nodes(Part& part, std::size_t begin, std::size_t end) const {
+    const RigidMotion& rigid = *part.body.motion;
+    for (std::size_t node = begin; node < end; ++node) {
+        if (!(part.records[node][record::m] > 0.0)) continue;
+        const Vector3 x = place_of_node(node);
+        const Vector3 now = rigid.velocity_at(x), before = rigid.velocity_before_at(x);
+        part.motions[node] = {now[0], now[1], now[2], 0.0, before[0], before[1], before[2], 0.0};
+    }
+}
+
 void Model::sort_if_moved() {
     if (drift[0] > 0.5 * axis[1].shortest() || drift[1] > 0.5 * axis[2].shortest()) sort();
 }

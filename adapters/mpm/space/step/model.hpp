@@ -32,6 +32,7 @@ struct Part {
         Particles::visit(part.body.particles, archive);
         Pencils::visit(part.pencils, archive);
         archive.nodes(part.motions);
+        if (part.body.rigid()) RigidMotion::visit(*part.body.motion, archive);
     }
 };
 
@@ -70,6 +71,18 @@ class Model {
                 work(k / some.size(), some[k % some.size()]);
             });
     }
+    Vector3 place_of_node(std::size_t node) const {
+        Vector3 out;
+        for (int d = 0; d < 3; ++d) {
+            const Axis& along = axis[static_cast<std::size_t>(d)];
+            const auto count = static_cast<std::size_t>(along.nodes());
+            out[d] = along[static_cast<int>(node % count)];
+            node /= count;
+        }
+        return out;
+    }
+    // The velocities of a rigid body at nodes, now and before.
+    void set_rigid_nodes(Part& part, std::size_t begin, std::size_t end) const;
     // work(body, chunk, begin, end) for nodes of all bodies, in chunks that no number of threads changes.
     static constexpr std::size_t chunk_size = 8192;
     std::size_t chunks() const { return (nodes() + chunk_size - 1) / chunk_size; }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "adapters/mpm/space/kernel/material.hpp"
+#include "adapters/mpm/space/step/rigid_motion.hpp"
 #include "adapters/mpm/step/settings.hpp"
 
 namespace grit::mpm::space {
@@ -30,9 +31,12 @@ struct Body {
     std::string name;
     Particles particles;
     std::unique_ptr<Material> material;
-    // A rigid body moves as this says, over time [s]; empty: free.
-    std::function<Vector3(double)> prescribed_velocity;
-    bool rigid() const { return static_cast<bool>(prescribed_velocity); }
+    std::optional<RigidMotion> motion = {};  // of a rigid body; none: it deforms
+    bool rigid() const { return motion.has_value(); }
+    // From now on; what its particles are is known.
+    void make_rigid(const RigidCourse& course) {
+        motion.emplace(course, particles.view(), particles.size());
+    }
 };
 
 }  // namespace grit::mpm::space

@@ -82,15 +82,29 @@ NodeCall Simulation::node_call(std::size_t body, std::size_t begin, std::size_t 
 
 // v = v_old + dt (f/m + g); rigid bodies have the velocity of the end of the step.
 void Simulation::advance() {
+    for (std::size_t body = 0; body < model.parts.size(); ++body)
+        if (model.parts[body].body.rigid()) begin_rigid(body);
     model.for_nodes(
         [this](std::size_t body, std::size_t chunk, std::size_t begin, std::size_t end) {
             NodeSums& sums = node_sums[body][chunk] = {};
             Part& part = model.parts[body];
             if (!part.body.rigid()) return advance_nodes(node_call(body, begin, end), sums);
-            const Vector3 v = part.body.prescribed_velocity(model.t + model.dt);
-            std::fill(part.motions.data() + begin, part.motions.data() + end,
-                      NodeMotion{v[0], v[1], v[2], 0.0, v[0], v[1], v[2], 0.0});
+            model.set_rigid_nodes(part, begin, end);
         });
+}
+
+void Simulation::begin_rigid(std::size_t body) {
+    RigidMotion& motion = *model.parts[body].body.motion;
+    Twist load;
+    if (const Vector3* force = motion.any_free() ? loads.forces(body) : nullptr)
+        for (std::size_t node = 0; node < model.nodes(); ++node) {
+            if (force[node][0] == 0.0 && force[node][1] == 0.0 && force[node][2] == 0.0) continue;
+            const Vector3 impulse = model.dt * force[node];
+            load.along = load.along + impulse;
+            load.about =
+                load.about + baseline::cross(model.place_of_node(node) - motion.centre(), impulse);
+        }
+    motion.begin(model.t + model.dt, model.dt, model.gravity, load);
 }
 
 void Simulation::correct_contacts() {
@@ -98,15 +112,44 @@ void Simulation::correct_contacts() {
         pair.correct(model);
         const grit_contact_totals& totals = pair.totals();
         energies.contact += totals.dissipation_normal + totals.dissipation_tangential;
-        for (const std::size_t which : {pair.law().a, pair.law().b}) {
-            const Body& of = model.parts[which].body;
-            if (!of.rigid()) continue;
-            // What moves a rigid body works against the force that the body feels.
-            const double* J = which == pair.law().a ? totals.impulse_on_a : totals.impulse_on_b;
-            energies.rigid_work -=
-                dot(Vector3{J[0], J[1], J[2]}, of.prescribed_velocity(model.t + model.dt));
-        }
+        for (const std::size_t which : {pair.law().a, pair.law().b})
+            if (model.parts[which].body.rigid()) push_rigid(which, pair);
     }
+    for (std::size_t body = 0; body < model.parts.size(); ++body)
+        if (model.parts[body].body.rigid()) finish_rigid(body);
+}
+
+// What moves a rigid body works against the force that the body feels; where that moves it, contact took what it has
+// for the velocity that it was found with, and the body ends with another one.
+void Simulation::push_rigid(std::size_t body, const ContactPair& pair) {
+    RigidMotion& motion = *model.parts[body].body.motion;
+    const Twist impulse = pair.impulse_on(body, motion.centre());
+    const Twist found = pair.velocity_found(), trial = motion.velocity();
+    motion.push(impulse);
+    for (int k = 0; k < 3; ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        const double along = impulse.along[k], about = impulse.about[k];
+        if (motion.free()[i])
+            energies.contact += 0.5 * along * (found.along[k] - motion.velocity().along[k]);
+        else energies.rigid_work -= along * trial.along[k];
+        if (motion.free()[i + 3])
+            energies.contact += 0.5 * about * (found.about[k] - motion.velocity().about[k]);
+        else energies.rigid_work -= about * trial.about[k];
+    }
+    if (!motion.any_free()) return;
+    model.for_nodes([this, body](std::size_t of, std::size_t, std::size_t begin, std::size_t end) {
+        if (of == body) model.set_rigid_nodes(model.parts[of], begin, end);
+    });
+}
+
+void Simulation::finish_rigid(std::size_t body) {
+    RigidMotion& motion = *model.parts[body].body.motion;
+    for (int k = 0; k < 3; ++k)
+        if (motion.free()[static_cast<std::size_t>(k)])
+            energies.external_work +=
+                0.5 * model.dt * motion.mass() * model.gravity[k] *
+                (motion.velocity().along[k] + motion.velocity_before().along[k]);
+    motion.finish(model.dt);
 }
 
 void Simulation::damp_and_close() {
@@ -186,11 +229,10 @@ double Simulation::fastest_rigid(double at) const {
     double fastest = 0.0;
     for (const Part& part : model.parts) {
         if (!part.body.rigid()) continue;
-        const double size = norm(part.body.prescribed_velocity(at));
+        const double size = part.body.motion->speed(at);
         if (!std::isfinite(size))
             throw std::runtime_error("body " + part.body.name +
-                                     ": its prescribed velocity at t = " + text(at) +
-                                     " s is no number");
+                                     ": its velocity at t = " + text(at) + " s is no number");
         fastest = std::max(fastest, size);
     }
     return fastest;
@@ -221,7 +263,10 @@ void Simulation::decide_step() {
 void Simulation::measure_energy() {
     energies.kinetic = energies.stored = 0.0;
     for (Part& part : model.parts) {
-        if (part.body.rigid()) continue;
+        if (part.body.rigid()) {
+            energies.kinetic += part.body.motion->kinetic_energy();
+            continue;
+        }
         const ParticleView q = part.body.particles.view();
         for (std::ptrdiff_t p = 0; p < part.body.particles.size(); ++p) {
             const Vector3 v = q.vector(column::v_x, p);

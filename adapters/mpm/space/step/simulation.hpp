@@ -102,6 +102,9 @@ class Simulation {
     void measure_speeds();
     void decide_step();
     double fastest_rigid(double at) const;
+    void begin_rigid(std::size_t body);
+    void push_rigid(std::size_t body, const ContactPair& pair);
+    void finish_rigid(std::size_t body);
     void measure_energy();
     [[noreturn]] void report_lost(std::ptrdiff_t count) const;
     NodeCall node_call(std::size_t body, std::size_t begin, std::size_t end);

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/mpm/case/closed_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "adapters/mpm/step/text.hpp"
+
+namespace grit::mpm {
+namespace {
+
+using Corner = std::array<double, 3>;
+Corner corner_of(const Vector3& x) { return {x[0], x[1], x[2]}; }
+
+std::string place_of(const Corner& x) {
+    return "(" + text(x[0]) + ", " + text(x[1]) + ", " + text(x[2]) + ") m";
+}
+
+// Six times the volume of the tetrahedron over the origin.
+double volume_over_origin(const ClosedSurface::Triangle& t) {
+    double sum = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        sum += t[0][i] * (t[1][j] * t[2][k] - t[1][k] * t[2][j]);
+    }
+    return sum;
+}
+
+// Twice the area of a, b and (x, y), from the same two corners in the same order for both neighbours of an edge, so that
+// no place falls between them or into both.
+double side_of(const Vector3& a, const Vector3& b, double x, double y) {
+    const bool ordered = corner_of(a) < corner_of(b);
+    const Vector3 &p = ordered ? a : b, &q = ordered ? b : a;
+    const double area = (q[0] - p[0]) * (y - p[1]) - (q[1] - p[1]) * (x - p[0]);
+    return ordered ? area : -area;
+}
+
+// Is the triangle above the place? An edge belongs to the side of positive areas.
+bool is_above(const ClosedSurface::Triangle& t, const Vector3& at) {
+    double side[3];
+    for (std::size_t i = 0; i < 3; ++i)
+        side[i] = side_of(t[(i + 1) % 3], t[(i + 2) % 3], at[0], at[1]);
+    const auto positive = [&t](std::size_t i, double area) {
+        const Vector3 &a = t[(i + 1) % 3], &b = t[(i + 2) % 3];
+        return area > 0.0 || (area == 0.0 && corner_of(a) < corner_of(b));
+    };
+    const bool first = positive(0, side[0]);
+    if (positive(1, side[1]) != first || positive(2, side[2]) != first) return false;
+    const double sum = side[0] + side[1] + side[2];
+    if (sum == 0.0) return false;
+    const double z = (side[0] * t[0][2] + side[1] * t[1][2] + side[2] * t[2][2]) / sum;
+    return z > at[2];
+}
+
+}  // namespace
+
+ClosedSurface::ClosedSurface(std::vector<Triangle> of) : triangles(std::move(of)) {
+    if (triangles.empty()) throw std::invalid_argument("a surface of no triangles");
+    least = most = triangles[0][0];
+    for (const Triangle& t : triangles) {
+        enclosed += volume_over_origin(t) / 6.0;
+        for (const Vector3& x : t)
+            for (int d = 0; d < 3; ++d) {
+                if (!std::isfinite(x[d]))
+                    throw std::invalid_argument("a corner of a surface that is no number");
+                least[d] = std::min(least[d], x[d]);
+                most[d] = std::max(most[d], x[d]);
+            }
+    }
+    check_edges();
+    const Vector3 size = most - least;
+    enclosed = std::fabs(enclosed);
+    if (!(enclosed > 1e-9 * size[0] * size[1] * size[2]))
+        throw std::invalid_argument("a surface that encloses nothing");
+    sort_into_columns();
+}
+
+void ClosedSurface::check_edges() const {
+    std::map<std::pair<Corner, Corner>, int> along;  // less those against it
+    for (const Triangle& t : triangles)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Corner a = corner_of(t[i]), b = corner_of(t[(i + 1) % 3]);
+            if (a < b) ++along[{a, b}];
+            else if (b < a) --along[{b, a}];
+        }
+    for (const auto& [edge, count] : along)
+        if (count != 0)
+            throw std::invalid_argument("a surface that is not closed: the edge from " +
+                                        place_of(edge.first) + " to " + place_of(edge.second) +
+                                        " has no triangle on one of its sides");
+}
+
+std::size_t ClosedSurface::column(double x, int d) const {
+    const auto k = static_cast<std::size_t>(d);
+    const double share = (x - least[d]) / (most[d] - least[d]);
+    const double place = std::floor(share * static_cast<double>(columns[k]));
+    return std::min(columns[k] - 1, static_cast<std::size_t>(std::max(0.0, place)));
+}
+
+// About as many columns as triangles.
+void ClosedSurface::sort_into_columns() {
+    const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(triangles.size())));
+    columns[0] = columns[1] = std::clamp<std::size_t>(side, 1, 2000);
+    first.assign(columns[0] * columns[1] + 1, 0);
+    const auto each_column = [this](const Triangle& t, const auto& work) {
+        std::size_t from[2], to[2];
+        for (int d = 0; d < 2; ++d) {
+            const auto [low, high] = std::minmax({t[0][d], t[1][d], t[2][d]});
+            from[d] = column(low, d);
+            to[d] = column(high, d);
+        }
+        for (std::size_t j = from[1]; j <= to[1]; ++j)
+            for (std::size_t i = from[0]; i <= to[0]; ++i) work(j * columns[0] + i);
+    };
+    for (const Triangle& t : triangles) each_column(t, [this](std::size_t c) { ++first[c + 1]; });
+    for (std::size_t c = 1; c < first.size(); ++c) first[c] += first[c - 1];
+    order.resize(first.back());
+    std::vector<std::size_t> next = first;
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+        each_column(triangles[i], [&](std::size_t c) { order[next[c]++] = i; });
+}
+
+bool ClosedSurface::has(const Vector3& x) const {
+    for (int d = 0; d < 3; ++d)
+        if (!(x[d] >= least[d] && x[d] <= most[d])) return false;
+    const std::size_t c = column(x[1], 1) * columns[0] + column(x[0], 0);
+    bool inside = false;
+    for (std::size_t i = first[c]; i < first[c + 1]; ++i)
+        inside ^= is_above(triangles[order[i]], x);
+    return inside;
+}
+
+namespace {
+
+constexpr std::size_t most_triangles = 10'000'000, binary_head = 84, binary_triangle = 50;
+
+[[noreturn]] void fail(const std::filesystem::path& file, const std::string& what) {
+    throw std::invalid_argument(file.filename().string() + ": " + what);
+}
+
+template <class Number> Number number_at(const std::string& bytes, std::size_t at) {
+    Number out;
+    std::memcpy(&out, bytes.data() + at, sizeof out);
+    return out;
+}
+
+// A binary file may begin with "solid" as well; its length gives it away.
+bool is_binary(const std::string& bytes) {
+    return bytes.size() >= binary_head &&
+           bytes.size() ==
+               binary_head +
+                   binary_triangle * std::size_t{number_at<std::uint32_t>(bytes, binary_head - 4)};
+}
+
+std::vector<ClosedSurface::Triangle> triangles_of_bytes(const std::string& bytes) {
+    std::vector<ClosedSurface::Triangle> out((bytes.size() - binary_head) / binary_triangle);
+    std::size_t at = binary_head;
+    for (ClosedSurface::Triangle& t : out) {
+        at += 3 * sizeof(float);  // its normal
+        for (Vector3& x : t)
+            for (int d = 0; d < 3; ++d, at += sizeof(float)) x[d] = number_at<float>(bytes, at);
+        at += 2;
+    }
+    return out;
+}
+
+std::vector<ClosedSurface::Triangle> triangles_of_text(const std::filesystem::path& file,
+                                                       const std::string& bytes) {
+    std::istringstream in(bytes);
+    std::string word;
+    in >> word;
+    if (word != "solid")
+        fail(file, "is no STL file: it neither begins with solid nor has the length that a binary "
+                   "one says");
+    std::vector<ClosedSurface::Triangle> out;
+    ClosedSurface::Triangle t;
+    for (std::size_t corner = 0; in >> word;) {
+        if (word == "facet" && corner % 3 != 0) fail(file, "a facet of fewer than three corners");
+        if (word != "vertex") continue;
+        Vector3& x = t[corner % 3];
+        if (!(in >> x[0] >> x[1] >> x[2]))
+            fail(file, "corner " + std::to_string(corner + 1) + " has not three numbers");
+        if (++corner % 3 == 0) out.push_back(t);
+    }
+    return out;
+}
+
+}  // namespace
+
+ClosedSurface read_stl(const std::filesystem::path& file, double unit, const Vector3& moved) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) fail(file, "cannot be read");
+    std::error_code unknown;
+    const auto size = std::filesystem::file_size(file, unknown);
+    constexpr std::size_t longest = 300 * most_triangles;  // of a text
+    if (unknown || size > longest)
+        fail(file, "is no file, or longer than " + std::to_string(longest) + " bytes");
+    const std::string bytes(std::istreambuf_iterator<char>(in), {});
+    auto triangles = is_binary(bytes) ? triangles_of_bytes(bytes) : triangles_of_text(file, bytes);
+    if (triangles.size() > most_triangles)
+        fail(file, "has " + std::to_string(triangles.size()) + " triangles, at most " +
+                       std::to_string(most_triangles) + " are possible");
+    for (ClosedSurface::Triangle& t : triangles)
+        for (Vector3& x : t) x = unit * x + moved;
+    try {
+        return ClosedSurface(std::move(triangles));
+    } catch (const std::invalid_argument& error) {
+        fail(file, error.what());
+    }
+}
+
+}  // namespace grit::mpm

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A closed surface of triangles, as STL files have them, and what lies within it.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <vector>
+
+#include "support/vector.hpp"
+
+namespace grit::mpm {
+
+class ClosedSurface {
+  public:
+    using Triangle = std::array<Vector3, 3>;
+
+    // Corners of neighbours are the same numbers. Throws std::invalid_argument where an edge has not as many triangles
+    // along it as against it, or no volume is enclosed.
+    explicit ClosedSurface(std::vector<Triangle> of);
+
+    // On which side of the surface a place is that lies on it, rounding decides.
+    bool has(const Vector3& x) const;
+    const Vector3& from() const { return least; }
+    const Vector3& to() const { return most; }
+    double volume() const { return enclosed; }
+    std::size_t size() const { return triangles.size(); }
+
+  private:
+    void check_edges() const;
+    void sort_into_columns();
+    std::size_t column(double x, int d) const;
+
+    std::vector<Triangle> triangles;
+    Vector3 least, most;
+    double enclosed = 0.0;
+    // Triangles over each rectangle of a raster in x and y: those of column c are order[first[c]] to order[first[c + 1] - 1].
+    std::size_t columns[2] = {};
+    std::vector<std::size_t> first, order;
+};
+
+// An STL file, binary or text, its numbers times unit [m] and then moved. Throws std::invalid_argument naming the file and
+// what is wrong with it.
+ClosedSurface read_stl(const std::filesystem::path& file, double unit, const Vector3& moved);
+
+}  // namespace grit::mpm

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/mpm/space/step/rigid_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <Eigen/Dense>
+
+#include "adapters/mpm/space/kernel/place.hpp"
+
+namespace grit::mpm::space {
+namespace {
+
+using baseline::cross;
+
+using Matrix3 = std::array<Vector3, 3>;
+
+Vector3 times(const Matrix3& a, const Vector3& x) {
+    return {dot(a[0], x), dot(a[1], x), dot(a[2], x)};
+}
+
+Matrix3 times(const Matrix3& a, const Matrix3& b) {
+    Matrix3 out;
+    for (std::size_t i = 0; i < 3; ++i) out[i] = a[i][0] * b[0] + a[i][1] * b[1] + a[i][2] * b[2];
+    return out;
+}
+
+constexpr Matrix3 unit{Vector3{1.0, 0.0, 0.0}, Vector3{0.0, 1.0, 0.0}, Vector3{0.0, 0.0, 1.0}};
+
+// Rotation by the angle |w| about w (Rodrigues).
+Matrix3 rotation(const Vector3& w) {
+    const double angle = norm(w);
+    if (!(angle > 0.0)) return unit;
+    const double half = std::sin(0.5 * angle) / angle;
+    const double a = std::sin(angle) / angle, b = 2.0 * half * half;
+    Matrix3 out;
+    for (int k = 0; k < 3; ++k) {
+        const Vector3 e = unit[static_cast<std::size_t>(k)], first = cross(w, e);
+        const Vector3 column = e + a * first + b * cross(w, first);
+        for (std::size_t i = 0; i < 3; ++i) out[i][k] = column[static_cast<int>(i)];
+    }
+    return out;
+}
+
+}  // namespace
+
+RigidMotion::RigidMotion(const RigidCourse& of, const ParticleView& q, std::ptrdiff_t count)
+    : plan(of), orientation(unit), turn(unit) {
+    Vector3 sum{0.0, 0.0, 0.0};
+    for (std::ptrdiff_t p = 0; p < count; ++p) {
+        total += q[column::mass][p];
+        sum = sum + q[column::mass][p] * q.position(p);
+    }
+    const Vector3 of_mass = (1.0 / total) * sum;
+    middle = plan.centre.value_or(of_mass);
+    for (std::ptrdiff_t p = 0; p < count; ++p) {
+        const Vector3 r = q.position(p) - middle, l = q.vector(column::l_x, p);
+        const double m = q[column::mass][p];
+        reach = std::max(reach, norm(r) + norm(l));
+        // Of a brick about its own centre, and about this one.
+        const Vector3 own = (m / 3.0) * Vector3{l[0] * l[0], l[1] * l[1], l[2] * l[2]};
+        const double all = own[0] + own[1] + own[2] + m * dot(r, r);
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+                inertia_at_start[static_cast<std::size_t>(i)][j] +=
+                    (i == j ? all - own[i] : 0.0) - m * r[i] * r[j];
+    }
+    if (any_free() && norm(middle - of_mass) > 1e-9 * reach)
+        throw std::invalid_argument(
+            "what is free moves about the centre of mass, another one was given");
+    now = plan.start;
+    for (int k = 0; k < 3; ++k) {
+        if (!plan.free[static_cast<std::size_t>(k)])
+            now.along[k] = plan.velocity ? plan.velocity(0.0)[k] : 0.0;
+        if (!plan.free[static_cast<std::size_t>(k) + 3])
+            now.about[k] = plan.spin ? plan.spin(0.0)[k] : 0.0;
+    }
+    before = now;
+    spin_momentum = times(inertia(), now.about);
+}
+
+bool RigidMotion::any_free() const {
+    return std::any_of(plan.free.begin(), plan.free.end(), [](bool x) { return x; });
+}
+
+Vector3 RigidMotion::at(const Twist& u, const Vector3& x) const {
+    return u.along + cross(u.about, x - middle);
+}
+
+RigidMotion::Matrix3 RigidMotion::inertia() const {
+    Matrix3 back;  // the transpose of the orientation
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j)
+            back[i][static_cast<int>(j)] = orientation[j][static_cast<int>(i)];
+    return times(orientation, times(inertia_at_start, back));
+}
+
+// Of the momentum about free axes, and of the spin about the others.
+void RigidMotion::find_spin() {
+    const Matrix3 I = inertia();
+    Eigen::Matrix3d of = Eigen::Matrix3d::Identity();
+    Eigen::Vector3d right;
+    for (int i = 0; i < 3; ++i) {
+        const bool is_free = plan.free[static_cast<std::size_t>(i) + 3];
+        right[i] = is_free ? spin_momentum[i] : now.about[i];
+        for (int j = 0; j < 3 && is_free; ++j) of(i, j) = I[static_cast<std::size_t>(i)][j];
+    }
+    const Eigen::Vector3d spin = of.partialPivLu().solve(right);
+    for (int i = 0; i < 3; ++i)
+        if (plan.free[static_cast<std::size_t>(i) + 3]) now.about[i] = spin[i];
+    const Vector3 momentum = times(I, now.about);
+    for (int i = 0; i < 3; ++i)
+        if (!plan.free[static_cast<std::size_t>(i) + 3]) spin_momentum[i] = momentum[i];
+}
+
+void RigidMotion::begin(double t, double dt, const Vector3& gravity, const Twist& load) {
+    before = now;
+    const Vector3 none{0.0, 0.0, 0.0};
+    const Vector3 velocity = plan.velocity ? plan.velocity(t) : none;
+    const Vector3 spin = plan.spin ? plan.spin(t) : none;
+    for (int k = 0; k < 3; ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        if (plan.free[i]) now.along[k] += dt * gravity[k] + load.along[k] / total;
+        else before.along[k] = now.along[k] = velocity[k];
+        if (plan.free[i + 3]) spin_momentum[k] += load.about[k];
+        else before.about[k] = now.about[k] = spin[k];
+    }
+    if (any_free()) find_spin();
+}
+
+void RigidMotion::push(const Twist& impulse) {
+    for (int k = 0; k < 3; ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        if (plan.free[i]) now.along[k] += impulse.along[k] / total;
+        if (plan.free[i + 3]) spin_momentum[k] += impulse.about[k];
+    }
+    find_spin();
+}
+
+Matrix6 RigidMotion::mass_matrix() const {
+    Matrix6 out{};
+    const Matrix3 I = inertia();
+    for (std::size_t i = 0; i < 3; ++i) {
+        out[i][i] = plan.free[i] ? total : 1.0;
+        for (std::size_t j = 0; j < 3; ++j)
+            out[i + 3][j + 3] = plan.free[i + 3] && plan.free[j + 3] ? I[i][static_cast<int>(j)]
+                                : i == j                             ? 1.0
+                                                                     : 0.0;
+    }
+    return out;
+}
+
+// The rotation of a step is by the spin in its middle, where the inertia is that of half of it.
+void RigidMotion::finish(double dt) {
+    middle_before = middle;
+    middle = middle + dt * now.along;
+    turn = unit;
+    if (norm(now.about) == 0.0) return;
+    const bool turns_freely = plan.free[3] || plan.free[4] || plan.free[5];
+    if (turns_freely) {
+        const Matrix3 at_start = orientation;
+        orientation = times(rotation(0.5 * dt * now.about), at_start);
+        find_spin();
+        orientation = at_start;
+    }
+    turn = rotation(dt * now.about);
+    orientation = times(turn, orientation);
+    if (turns_freely) find_spin();
+}
+
+Vector3 RigidMotion::moved(const Vector3& x) const {
+    if (norm(now.about) == 0.0) return x + (middle - middle_before);
+    return middle + turned(x - middle_before);
+}
+
+Vector3 RigidMotion::turned(const Vector3& r) const { return times(turn, r); }
+
+double RigidMotion::kinetic_energy() const {
+    double out = 0.0;
+    for (int k = 0; k < 3; ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        if (plan.free[i]) out += 0.5 * total * now.along[k] * now.along[k];
+        if (plan.free[i + 3]) out += 0.5 * spin_momentum[k] * now.about[k];
+    }
+    return out;
+}
+
+double RigidMotion::speed(double t) const {
+    Twist u = now;
+    for (int k = 0; k < 3; ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        if (!plan.free[i]) u.along[k] = plan.velocity ? plan.velocity(t)[k] : 0.0;
+        if (!plan.free[i + 3]) u.about[k] = plan.spin ? plan.spin(t)[k] : 0.0;
+    }
+    return norm(u.along) + norm(u.about) * reach;
+}
+
+}  // namespace grit::mpm::space

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The motion of a rigid body in space. Each of its six degrees of freedom is prescribed over time, or free: then weight,
+// loads and contact move it, by Newton's and Euler's laws for the mass of its particles.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+
+#include "adapters/mpm/space/kernel/particles.hpp"
+
+namespace grit::mpm::space {
+
+// Along and about x, y and z.
+using Motion6 = std::array<double, 6>;
+using Matrix6 = std::array<Motion6, 6>;
+
+// Velocity of a body and its angular velocity about the centre [m/s], [rad/s]; or impulse and its moment [N s], [N m s].
+struct Twist {
+    Vector3 along{0.0, 0.0, 0.0}, about{0.0, 0.0, 0.0};
+};
+
+struct RigidCourse {
+    std::function<Vector3(double)> velocity = {};  // over time [m/s]
+    std::function<Vector3(double)> spin = {};      // about the centre [rad/s]; empty: none
+    std::array<bool, 6> free = {};                 // ... but these, which ask for neither
+    std::optional<Vector3> centre = {};            // at the start [m]; none: of mass
+    Twist start = {};                              // of what is free
+};
+
+class RigidMotion {
+  public:
+    // Mass and inertia are those of the particles, as bricks. Throws std::invalid_argument where something is free and the
+    // centre is not that of mass.
+    RigidMotion(const RigidCourse& plan, const ParticleView& particles, std::ptrdiff_t count);
+
+    bool any_free() const;
+    // To the velocities of the end of a step of dt that ends at t: prescribed ones as they are then, free ones as weight
+    // and loads (force and moment about the centre, over dt) leave them.
+    void begin(double t, double dt, const Vector3& gravity, const Twist& load_impulse);
+    // An impulse of contact in this step, its moment about the centre.
+    void push(const Twist& impulse);
+    // What a unit of each free velocity takes of impulse: the mass matrix; rows and columns of what is prescribed are
+    // those of the unit matrix.
+    Matrix6 mass_matrix() const;
+    // Moves centre and orientation on to the end of the step.
+    void finish(double dt);
+
+    // Now, at the end of the step that has begun; before its weight, loads and contact.
+    const Twist& velocity() const { return now; }
+    const Twist& velocity_before() const { return before; }
+    Vector3 velocity_at(const Vector3& x) const { return at(now, x); }
+    Vector3 velocity_before_at(const Vector3& x) const { return at(before, x); }
+    // Of the last step that was finished: x -> centre + turn (x - centre before).
+    Vector3 moved(const Vector3& x) const;
+    Vector3 turned(const Vector3& r) const;
+
+    const std::array<bool, 6>& free() const { return plan.free; }
+    const Vector3& centre() const { return middle; }
+    double mass() const { return total; }
+    double kinetic_energy() const;
+    // No point of it is faster [m/s]: as prescribed at t, as free now.
+    double speed(double t) const;
+
+    template <class Self, class Archive> static void visit(Self& body, Archive& archive) {
+        archive.value(body.middle);
+        archive.value(body.now);
+        archive.value(body.spin_momentum);
+        archive.value(body.orientation);
+    }
+
+  private:
+    using Matrix3 = std::array<Vector3, 3>;  // rows
+    Vector3 at(const Twist& u, const Vector3& x) const;
+    Matrix3 inertia() const;
+    void find_spin();
+
+    RigidCourse plan;
+    double total = 0.0, reach = 0.0;
+    Matrix3 inertia_at_start = {};
+    Vector3 middle{0.0, 0.0, 0.0}, middle_before{0.0, 0.0, 0.0};
+    Matrix3 orientation = {}, turn = {};
+    Twist now, before;
+    Vector3 spin_momentum{0.0, 0.0,
+                          0.0};  // about the centre; of what is free alone it is kept [kg m2/s]
+};
+
+}  // namespace grit::mpm::space
