@@ -14,6 +14,7 @@ import re
 import shutil
 import subprocess
 import sys
+import time
 
 grit, source, work, build = pathlib.Path(sys.argv[1]), *map(pathlib.Path, sys.argv[2:5])
 write = "--write" in sys.argv
@@ -21,7 +22,7 @@ shutil.rmtree(work, ignore_errors=True)
 work.mkdir(parents=True)
 fence = re.compile(r"^```([\w-]*)\n(.*?)^```$", flags=re.DOTALL | re.MULTILINE)
 long = re.compile(r"^\S*grit (mpm|calibrate) ")
-done, left = {}, []
+done, left, took = {}, [], []
 
 
 def count(kind, n=1):
@@ -246,9 +247,18 @@ for page in [source / "README.md", *sorted((source / "docs").glob("*.md"))]:
                 run(page, place, f"{grit} element verification/cases/karlsruhe_drained_triaxial.toml --no-plot --quiet --out results")
             run(page, place, re.sub(r"^\S*grit", str(grit), line))
             count("commands")
+libraries = {"abaqus": "grit/abaqus/classic/libstandardU.so", "opensees": "libGRITUMAT.so", "mgis": "libGritMGIS.so"}
 for page in sorted((source / "docs/start").glob("*.md")) + sorted((source / "docs/how").glob("*.md")):
-    if page.stem != "index":
-        walk(page)
+    if page.stem == "index":
+        continue
+    library = libraries.get(page.stem)
+    if library and not (pathlib.Path(environment()["GRIT_LIBS"]) / library).exists():
+        left.append(f"{page.stem}: the page, for {library} was not built")
+        continue
+    started = time.monotonic()
+    walk(page)
+    took.append(f"{page.stem} {time.monotonic() - started:.1f} s")
 if not write and (done.get("commands", 0) < 40 or done.get("files", 0) < 12 or done.get("outputs", 0) < 8):
     sys.exit(f"{done} only: are they still written as blocks?")
-print(", ".join(f"{n} {kind}" for kind, n in sorted(done.items())), "executed; left:", *left, sep="\n  ")
+print(", ".join(f"{n} {kind}" for kind, n in sorted(done.items())) + " executed; pages walked: " + ", ".join(took))
+print("left:", *left, sep="\n  ")
