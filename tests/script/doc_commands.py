@@ -239,6 +239,8 @@ for page in [source / "README.md", *sorted((source / "docs").glob("*.md"))]:
             continue
         for line in block.replace("\\\n", " ").splitlines():
             if not re.match(r"(build/\w+/cli/)?grit ", line):
+                if re.match(r"(script|build|verification|venv)/|(cmake|python3|ctest) ", line):
+                    left.append(f"{page.stem}: {line}")
                 continue
             if long.match(line):
                 left.append(f"{page.stem}: {line}")
