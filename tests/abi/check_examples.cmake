@@ -10,10 +10,10 @@ run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${WORK}/outside -B ${WORK}/build
     -DCMAKE_C_COMPILER=${CC} -DCMAKE_PREFIX_PATH=${WORK}/prefix)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/first_update)
-file(READ ${SOURCE}/../README.md readme)
-string(FIND "${readme}" "${output}" at)
+file(READ ${SOURCE}/../docs/interface.md page)
+string(FIND "${page}" "${output}" at)
 if(at EQUAL -1)
-  message(FATAL_ERROR "first_update printed\n${output}, the README says otherwise")
+  message(FATAL_ERROR "first_update printed\n${output}, docs/interface.md says otherwise")
 endif()
 
 foreach(example host_loop contact_step)

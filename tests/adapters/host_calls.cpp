@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How three hosts call a UMAT, replayed: the arguments they leave null or unset, the states they start
-// from, what they repeat, and how they learn of a failure.
+// How two hosts call a UMAT, replayed: the arguments they leave null or unset, the states they start
+// from, what they repeat, and how they learn of a failure. A third: opensees.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,18 +33,6 @@ const std::vector<double> props = {33.0, 0.0, 1e6, 0.25, 0.55, 0.95, 1.05, 0.25,
 
 UmatWithoutLength function(const char* name, const char* library = GRIT_UMAT_LIBRARY) {
     return reinterpret_cast<UmatWithoutLength>(symbol_of(library, name));
-}
-
-// What an Abaqus-like host gets: increments from the start, one call each.
-UmatCall usual(const Six& stress, const std::vector<Six>& increments) {
-    UmatCall call = UmatCall::hochstetten();
-    std::copy(stress.begin(), stress.end(), call.stress.data());
-    for (const Six& d : increments) {
-        call.set_dstran(d[0], d[1], d[2], d[3], d[4], d[5]);
-        call.run();
-        EXPECT_EQ(call.pnewdt, 1.0);
-    }
-    return call;
 }
 
 constexpr Six k0 = {-100, -50, -50, 0, 0, 0};
@@ -93,7 +81,7 @@ struct Kratos {
 TEST(HostCalls, OfKratosGiveWhatTheUsualCallsGiveInItsOrder) {
     const std::vector<Six> increments = {{-2e-4, 5e-5, 0, 1e-4, 3e-5, -7e-5},
                                          {1e-4, 0, 1e-5, -3e-5, 0, 2e-5}};
-    const UmatCall expected = usual(k0, increments);
+    const UmatCall expected = UmatCall::after(k0, increments);
     constexpr std::size_t order[6] = {0, 1, 2, 3, 5, 4};
     for (const bool fortran : {true, false}) {
         Kratos kratos(fortran);
@@ -191,7 +179,7 @@ struct Moose {
 TEST(HostCalls, OfMooseStartFromZeroAndKeepTheirLargePnewdt) {
     const std::vector<Six> increments = {{-2e-4, 5e-5, 0, 1e-4, 3e-5, -7e-5},
                                          {1e-4, 0, 1e-5, -3e-5, 0, 2e-5}};
-    const UmatCall expected = usual(k0, increments);
+    const UmatCall expected = UmatCall::after(k0, increments);
     Moose moose;
     moose.call({}, 0.0);  // the first residual: no strain, no time, no stress, no state
     EXPECT_EQ(moose.pnewdt, std::numeric_limits<double>::max());
@@ -223,63 +211,6 @@ TEST(HostCalls, OfMooseAreToldHowMuchShorterTheStepMustBe) {
     EXPECT_GT(moose.pnewdt, 0.0);
     EXPECT_LT(moose.pnewdt, 1.0);
     EXPECT_EQ(moose.stress, k0);
-}
-
-// OpenSees: 11 22 33 12 23 13, which its wrapper puts in Abaqus' order and back; trial states start
-// from the committed one; PNEWDT < 1 is a failure, upon which the analysis tries a smaller step.
-struct OpenSees {
-    static constexpr std::size_t order[6] = {0, 1, 2, 3, 5, 4};
-    Six committed{}, trial{};  // in its own order
-    UmatCall point = UmatCall::hochstetten(), kept = point;
-
-    bool set_trial_strain_increment(const Six& d) {
-        point = kept;
-        point.pnewdt = 1.0;
-        for (std::size_t c = 0; c < 6; ++c) {
-            const int at = static_cast<int>(c);
-            point.dstran[at] = d[order[c]];
-            point.stress[at] = committed[order[c]];
-        }
-        point.run();
-        for (std::size_t c = 0; c < 6; ++c) trial[order[c]] = point.stress[static_cast<int>(c)];
-        return point.pnewdt >= 1.0;
-    }
-    void commit() {
-        committed = trial;
-        kept = point;
-    }
-};
-
-TEST(HostCalls, OfOpenSeesComeToTheSameInItsOwnOrder) {
-    const std::vector<Six> increments = {{-2e-4, 5e-5, 0, 1e-4, 3e-5, -7e-5},
-                                         {1e-4, 0, 1e-5, -3e-5, 0, 2e-5}};
-    const UmatCall expected = usual(k0, increments);
-    OpenSees opensees;
-    opensees.committed = k0;
-    for (const Six& d : increments) {
-        const Six own = {d[0], d[1], d[2], d[3], d[5], d[4]};
-        Six off = own;
-        for (double& x : off) x *= 1.3;
-        ASSERT_TRUE(opensees.set_trial_strain_increment(off));
-        ASSERT_TRUE(opensees.set_trial_strain_increment(own));
-        opensees.commit();
-    }
-    EXPECT_EQ(opensees.committed[4], expected.stress[5]);
-    EXPECT_EQ(opensees.committed[5], expected.stress[4]);
-    EXPECT_EQ(opensees.committed[0], expected.stress[0]);
-}
-
-TEST(HostCalls, OfOpenSeesRecoverFromAFailureByASmallerStep) {
-    OpenSees opensees;
-    opensees.committed = k0;
-    const Six whole = {-0.3, 0.1, 0.1, 0, 0, 0};
-    ASSERT_FALSE(opensees.set_trial_strain_increment(whole));
-    EXPECT_EQ(opensees.trial, k0) << "the failed trial has changed nothing";
-    const double share = opensees.point.pnewdt;
-    ASSERT_LT(share, 1.0);
-    Six part = whole;
-    for (double& x : part) x *= share;
-    EXPECT_TRUE(opensees.set_trial_strain_increment(part));
 }
 
 }  // namespace

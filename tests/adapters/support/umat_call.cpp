@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -20,6 +21,18 @@ UmatCall UmatCall::hochstetten() {
     for (int c = 0; c < 3; ++c) call.stress[c] = -100.0;
     call.statev.close_beyond(call.nstatv);
     call.props.close_beyond(call.nprops);  // a canary is no tolerance: who reads it is refused
+    return call;
+}
+
+UmatCall UmatCall::after(const std::array<double, 6>& stress,
+                         const std::vector<std::array<double, 6>>& increments) {
+    UmatCall call = hochstetten();
+    std::copy(stress.begin(), stress.end(), call.stress.data());
+    for (const std::array<double, 6>& d : increments) {
+        call.set_dstran(d[0], d[1], d[2], d[3], d[4], d[5]);
+        call.run();
+        EXPECT_EQ(call.pnewdt, 1.0);
+    }
     return call;
 }
 

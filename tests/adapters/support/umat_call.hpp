@@ -2,8 +2,10 @@
 // One call of umat_ as a host makes it: the library opened with dlopen, Fortran's argument list.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "support/guarded.hpp"
 
@@ -43,6 +45,9 @@ struct UmatCall {
 
     // Hochstetten sand (kPa) at p = 100 kPa, e = 0.70, h = 0: verification of the literature.
     static UmatCall hochstetten();
+    // What an Abaqus-like host gets: that sand under stress, one call for each increment of strain.
+    static UmatCall after(const std::array<double, 6>& stress,
+                          const std::vector<std::array<double, 6>>& increments);
 
     // 11 22 33 12, or 11 22 33 alone: the rest of the arrays becomes out of bounds.
     void use_components(int n);

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""site_in_browser.py GRIT SOURCE WORK: script/site makes a site whose links lead to pages and headings that are there and whose
+pages fetch nothing from elsewhere; in headless Chromium, opened from the folder, its search finds a function, an equation, a key
+and a symbol in Greek, and a click on a result comes to its heading."""
+
+import html.parser
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import urllib.parse
+
+grit, source, work = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+if subprocess.run(["/usr/bin/python3", "-c", "import mkdocs"], capture_output=True).returncode:
+    print("not tested: no MkDocs, script/test --all installs mkdocs")
+    sys.exit(0)
+shutil.rmtree(work, ignore_errors=True)
+work.mkdir(parents=True)
+site = work / "site"
+built = subprocess.run([source / "script/site", "--grit", grit, "--out", site], capture_output=True, text=True)
+assert built.returncode == 0, built.stdout + built.stderr
+
+
+class Page(html.parser.HTMLParser):
+    """Headings by their names, links, and what a browser fetches by itself."""
+
+    def __init__(self, file):
+        super().__init__()
+        self.names, self.links, self.fetched = set(), [], []
+        self.feed(file.read_text())
+
+    def handle_starttag(self, tag, attributes):
+        attributes = dict(attributes)
+        self.names.add(attributes.get("id"))
+        if tag == "a" and "href" in attributes:
+            self.links.append(attributes["href"])
+        self.fetched += [attributes[name] for name in ("src", "href", "srcset", "poster", "data", "action")
+                         if name in attributes and not (tag == "a" and name == "href")]
+
+
+files = sorted(site.rglob("*.html"))
+pages = {file.resolve(): Page(file) for file in files}
+wrong, followed = [], 0
+for file, page in pages.items():
+    for target in page.fetched + page.links:
+        if file.name == "404.html" or target == "." or target.startswith("#") and target[1:] in ("", *filter(None, page.names)):
+            continue
+        place, _, name = urllib.parse.unquote(target).partition("#")
+        if re.match(r"[a-z]+:|//", target):
+            if target in page.fetched:
+                wrong.append(f"{file.name} fetches {target}")
+            continue
+        followed += 1
+        other = (file.parent / place).resolve() if place else file
+        if not other.is_file():
+            wrong.append(f"{file.relative_to(site)}: {target}: there is no such file")
+        elif name and other in pages and name not in pages[other].names:
+            wrong.append(f"{file.relative_to(site)}: {target}: no heading is called so")
+for file in [*site.rglob("*.css"), *site.glob("js/*.js"), *site.glob("search/*.js")]:
+    text = file.read_text()
+    for target in re.findall(r"url\(\s*['\"]?([^'\")]+)|@import\s+['\"]([^'\"]+)", text) if file.suffix == ".css" else []:
+        target = "".join(target)
+        if re.match(r"https?:|//", target):
+            wrong.append(f"{file.name} fetches {target}")
+        elif not target.startswith("data:") and not (file.parent / re.split(r"[?#]", target)[0]).resolve().is_file():
+            wrong.append(f"{file.name}: {target}: there is no such file")
+assert not wrong, "\n".join(wrong[:40])
+assert len(files) > 100 and followed > 5000, (len(files), followed)
+words = (site / "reference/sand.html").read_text()
+assert "The increment" not in words and 'id="grit_sand_update"' in words, "a page of a header"
+assert "relaxation_time_s" in (site / "keys/mpm.html").read_text(), "keys that the program prints"
+print(f"{len(files)} pages, {followed} links")
+
+try:
+    from selenium import webdriver
+    from selenium.webdriver.common.by import By
+except ImportError:
+    webdriver = None
+driver = shutil.which("chromedriver")
+if not webdriver or not driver:
+    print("search not tested: no Chromium or Selenium, script/test --all installs chromium-driver and python3-selenium")
+    sys.exit(0)
+from selenium.webdriver.chrome.service import Service
+
+options = webdriver.ChromeOptions()
+for each in ("--headless=new", "--no-sandbox", "--disable-gpu", "--window-size=1300,1000", f"--user-data-dir={work}/profile"):
+    options.add_argument(each)
+options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+browser = webdriver.Chrome(service=Service(driver), options=options)
+try:
+    def search(words):
+        """Typed into the box of the page that is open; titles of what is found."""
+        box = browser.find_element(By.CSS_SELECTOR, "#rtd-search-form input")
+        box.clear()
+        box.send_keys(words)
+        box.submit()
+        return [each.text for each in browser.find_elements(By.CSS_SELECTOR, "#mkdocs-search-results h3 a")]
+
+    browser.get((site / "index.html").as_uri())
+    browser.set_window_size(1300, 1000)
+    browser.save_screenshot(str(work / "home.png"))
+    assert browser.execute_script("return typeof jQuery") == "function", "the theme's own script"
+    found = search("grit_contact_correct")
+    assert found[0] == "grit_contact_correct", found[:5]
+    browser.save_screenshot(str(work / "search.png"))
+    browser.find_element(By.LINK_TEXT, "grit_contact_correct").click()
+    assert browser.current_url.endswith("reference/contact.html#grit_contact_correct"), browser.current_url
+    top = browser.execute_script("return document.getElementById('grit_contact_correct').getBoundingClientRect().top")
+    assert -5 < top < 900, f"the heading is at {top}"
+    browser.save_screenshot(str(work / "clicked.png"))
+    assert any("Material points" in each or "Hypoplasticity" in each for each in search("(H9)")), "an equation"
+    assert search("φ_c degree"), "a symbol"
+    assert "Oedometer, loaded" not in search("oedometer") and len(search("oedometer")) > 5
+    assert search("no_such_word_anywhere") == []
+    assert "No section" in browser.find_element(By.ID, "search-count").text
+    log = [each for each in browser.get_log("browser") if each["level"] in ("SEVERE", "WARNING")]
+    assert not log, log
+    asked = {match for each in browser.get_log("performance") if "requestWillBeSent" in each["message"]
+             for match in re.findall(r'"url":"(\w+:)', each["message"])}
+    assert "file:" in asked and not asked & {"http:", "https:", "ws:", "wss:"}, asked
+    print(f"searched in the browser; addresses of {' '.join(sorted(asked))}")
+finally:
+    browser.quit()
