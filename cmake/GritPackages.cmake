@@ -3,7 +3,10 @@
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME grit)
 set(CPACK_PACKAGE_VENDOR "The Grit authors")
-set(CPACK_PACKAGE_CONTACT "The Grit authors <maintainers@grit.example>")
+# Debian wants a name and an address. This address is nobody's: .example is kept free (RFC 2606). Who distributes the
+# packages says his own.
+set(GRIT_MAINTAINER "The Grit authors <maintainers@grit.example>" CACHE STRING "Name and address in Debian packages")
+set(CPACK_PACKAGE_CONTACT "${GRIT_MAINTAINER}")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
@@ -43,7 +46,8 @@ string(REGEX REPLACE "\n\n" "\n.\n" licence "${licence}")
 string(STRIP "${licence}" licence)
 string(REPLACE "\n" "\n " licence "${licence}")
 
-# COMPONENT becomes the package NAME; DEPENDS are beside those that its libraries have.
+# COMPONENT becomes the package NAME; DEPENDS are beside those that its libraries have. SAME: of two architectures side by
+# side (Multi-Arch: same); all of its files lie under the name of the architecture or are the same for each.
 function(grit_package component name section summary)
   cmake_parse_arguments(package "" "SAME" "DEPENDS;RECOMMENDS;DETAILS;EXTRA" ${ARGN})
   string(TOUPPER ${component} key)
@@ -51,6 +55,9 @@ function(grit_package component name section summary)
   set(CPACK_COMPONENTS_ALL ${CPACK_COMPONENTS_ALL} PARENT_SCOPE)
   set(CPACK_DEBIAN_${key}_PACKAGE_NAME ${name} PARENT_SCOPE)
   set(CPACK_DEBIAN_${key}_PACKAGE_SECTION ${section} PARENT_SCOPE)
+  if(package_SAME)
+    set(CPACK_DEBIAN_${key}_PACKAGE_MULTIARCH same PARENT_SCOPE)
+  endif()
   list(JOIN package_DEPENDS ", " depends)
   set(CPACK_DEBIAN_${key}_PACKAGE_DEPENDS "${depends}" PARENT_SCOPE)
   list(JOIN package_RECOMMENDS ", " recommends)
@@ -80,9 +87,9 @@ file(WRITE ${debian}/symbols "libgrit.so.${GRIT_SOVERSION} ${GRIT_DEB_LIBRARY} #
 file(WRITE ${debian}/shlibs "libgrit ${GRIT_SOVERSION} ${GRIT_DEB_LIBRARY} (>= ${PROJECT_VERSION})\n")
 file(WRITE ${debian}/triggers "activate-noawait ldconfig\n")
 
-grit_package(library ${GRIT_DEB_LIBRARY} libs "hypoplastic sand and contact (library)"
+grit_package(library ${GRIT_DEB_LIBRARY} libs "hypoplastic sand and contact (library)" SAME
              DETAILS "This package has the shared library." EXTRA ${debian}/symbols ${debian}/shlibs ${debian}/triggers)
-grit_package(development libgrit-dev libdevel "hypoplastic sand and contact (development files)"
+grit_package(development libgrit-dev libdevel "hypoplastic sand and contact (development files)" SAME
              DEPENDS ${exactly}
              DETAILS "This package has headers, the static library, the Fortran module as source,\nand files for CMake and pkg-config.")
 grit_package(tools grit-tools science "hypoplastic sand: element tests, material points, UMAT"
