@@ -3,7 +3,10 @@
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME grit)
 set(CPACK_PACKAGE_VENDOR "The Grit authors")
-set(CPACK_PACKAGE_CONTACT "The Grit authors <maintainers@grit.example>")
+# Debian wants a name and an address. This address is nobody's: .example is kept free (RFC 2606). Who distributes the
+# packages says his own.
+set(GRIT_MAINTAINER "The Grit authors <maintainers@grit.example>" CACHE STRING "Name and address in Debian packages")
+set(CPACK_PACKAGE_CONTACT "${GRIT_MAINTAINER}")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
@@ -43,14 +46,19 @@ string(REGEX REPLACE "\n\n" "\n.\n" licence "${licence}")
 string(STRIP "${licence}" licence)
 string(REPLACE "\n" "\n " licence "${licence}")
 
-# COMPONENT becomes the package NAME; DEPENDS are beside those that its libraries have.
+# COMPONENT becomes the package NAME; DEPENDS are beside those that its libraries have. SAME: of two architectures side by
+# side (Multi-Arch: same); all of its files lie under the name of the architecture or are the same for each.
 function(grit_package component name section summary)
-  cmake_parse_arguments(package "" "SAME" "DEPENDS;RECOMMENDS;DETAILS;EXTRA" ${ARGN})
+  cmake_parse_arguments(package "SAME" "" "DEPENDS;RECOMMENDS;DETAILS;EXTRA" ${ARGN})
   string(TOUPPER ${component} key)
   list(APPEND CPACK_COMPONENTS_ALL ${component})
   set(CPACK_COMPONENTS_ALL ${CPACK_COMPONENTS_ALL} PARENT_SCOPE)
   set(CPACK_DEBIAN_${key}_PACKAGE_NAME ${name} PARENT_SCOPE)
-  set(CPACK_DEBIAN_${key}_PACKAGE_SECTION ${section} PARENT_SCOPE)
+  # CPack knows this field from CMake 3.31 on; here it is a line below another one.
+  if(package_SAME)
+    string(APPEND section "\nMulti-Arch: same")
+  endif()
+  set(CPACK_DEBIAN_${key}_PACKAGE_SECTION "${section}" PARENT_SCOPE)
   list(JOIN package_DEPENDS ", " depends)
   set(CPACK_DEBIAN_${key}_PACKAGE_DEPENDS "${depends}" PARENT_SCOPE)
   list(JOIN package_RECOMMENDS ", " recommends)
@@ -80,9 +88,9 @@ file(WRITE ${debian}/symbols "libgrit.so.${GRIT_SOVERSION} ${GRIT_DEB_LIBRARY} #
 file(WRITE ${debian}/shlibs "libgrit ${GRIT_SOVERSION} ${GRIT_DEB_LIBRARY} (>= ${PROJECT_VERSION})\n")
 file(WRITE ${debian}/triggers "activate-noawait ldconfig\n")
 
-grit_package(library ${GRIT_DEB_LIBRARY} libs "hypoplastic sand and contact (library)"
+grit_package(library ${GRIT_DEB_LIBRARY} libs "hypoplastic sand and contact (library)" SAME
              DETAILS "This package has the shared library." EXTRA ${debian}/symbols ${debian}/shlibs ${debian}/triggers)
-grit_package(development libgrit-dev libdevel "hypoplastic sand and contact (development files)"
+grit_package(development libgrit-dev libdevel "hypoplastic sand and contact (development files)" SAME
              DEPENDS ${exactly}
              DETAILS "This package has headers, the static library, the Fortran module as source,\nand files for CMake and pkg-config.")
 grit_package(tools grit-tools science "hypoplastic sand: element tests, material points, UMAT"

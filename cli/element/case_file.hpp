@@ -33,10 +33,11 @@ struct UmatChoice {
 
 struct CaseFile {
     std::filesystem::path path;
-    std::string name;    // of the files it writes
-    std::string title;   // for people
-    std::string sand;    // name of the sand, for people
-    std::string sample;  // row of the table of samples, empty: none
+    std::string name;     // of the files it writes
+    std::string title;    // for people
+    std::string sand;     // name of the sand, for people
+    std::string sample;   // row of the table of samples, empty: none
+    std::string variant;  // of --vary, "void_ratio = 0.6", empty: none
     grit_sand_parameters parameters{};
     element::GritLawOptions options;  // evaluation_limit, tolerance
     std::optional<element::UmatSource> umat;

@@ -2,6 +2,7 @@
 #include "cli/element/element_command.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,11 +23,70 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// What one run of a study has besides --set.
+struct Variant {
+    std::vector<std::string> settings;  // "KEY=VALUE"
+    std::string name, words;            // "0.6" of files, "void_ratio = 0.6" for people
+};
+
+// Between brackets a comma belongs to a list.
+std::vector<std::string> values_in(const std::string& text) {
+    std::vector<std::string> out(1);
+    int depth = 0;
+    for (const char c : text) {
+        depth += c == '[' ? 1 : c == ']' ? -1 : 0;
+        if (c == ',' && depth == 0) out.emplace_back();
+        else out.back() += c;
+    }
+    return out;
+}
+
+std::vector<Variant> variants_of(const std::vector<std::string>& varied) {
+    std::vector<Variant> out(1);
+    for (const std::string& each : varied) {
+        const std::size_t equals = each.find('=');
+        const std::string key = each.substr(0, equals);
+        const std::vector<std::string> values = equals == std::string::npos
+                                                    ? std::vector<std::string>{}
+                                                    : values_in(each.substr(equals + 1));
+        if (key.empty() || values.size() < 2 ||
+            std::any_of(values.begin(), values.end(),
+                        [](const auto& value) { return value.empty(); }))
+            throw BadInput(fmt::format("--vary needs KEY=VALUE,VALUE,..., got \"{}\"", each));
+        std::vector<Variant> longer;
+        for (const Variant& variant : out)
+            for (const std::string& value : values) {
+                Variant& next = longer.emplace_back(variant);
+                next.settings.push_back(key + "=" + value);
+                next.name += "_" + value;
+                next.words += fmt::format("{}{} = {}", next.words.empty() ? "" : ", ",
+                                          key.substr(key.rfind('.') + 1), value);
+            }
+        out = std::move(longer);
+    }
+    for (Variant& variant : out)
+        for (char& c : variant.name)
+            if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '-' && c != '+')
+                c = '_';
+    return out;
+}
+
 std::vector<CaseFile> read_cases(const ElementRequest& request) {
     std::vector<CaseFile> cases;
     for (const fs::path& path : request.cases)
-        for (CaseFile& file : read_case_file(path, request.umat, request.sand, request.settings))
-            cases.push_back(std::move(file));
+        for (const Variant& variant : variants_of(request.varied)) {
+            std::vector<std::string> settings = request.settings;
+            settings.insert(settings.end(), variant.settings.begin(), variant.settings.end());
+            for (CaseFile& file : read_case_file(path, request.umat, request.sand, settings)) {
+                if (!variant.words.empty()) {
+                    file.name += variant.name;
+                    file.variant = variant.words;
+                    file.reference = {};  // that of the case as it stands
+                    file.limits = {};
+                }
+                cases.push_back(std::move(file));
+            }
+        }
     return cases;
 }
 

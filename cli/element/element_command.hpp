@@ -16,6 +16,7 @@ struct ElementRequest {
     UmatChoice umat;
     std::filesystem::path sand;         // instead of the sands of the cases, empty: none
     std::vector<std::string> settings;  // "KEY=VALUE" instead of what the cases say
+    std::vector<std::string> varied;    // "KEY=VALUE,VALUE...": a run for each
     bool no_plot = false;
     bool quiet = false;      // the table alone
     bool residuals = false;  // of Newton's method, printed

@@ -7,6 +7,7 @@
 
 #include "cli/element/element_command.hpp"
 #include "cli/element/incremental_driver_command.hpp"
+#include "cli/toml/set_option.hpp"
 
 namespace cli {
 
@@ -23,10 +24,12 @@ void add_element_command(CLI::App& app, Command& asked) {
     CLI::Option* sand = element->add_option(
         "--sand", request->sand,
         "Name of a sand, or a file as grit calibrate writes it, instead of the cases' own");
-    CLI::Option* set =
+    CLI::Option* set = add_set_option(*element, request->settings, "sand.critical_void_ratio=0.9");
+    CLI::Option* vary =
         element
-            ->add_option("--set", request->settings,
-                         "KEY=VALUE instead of a case's, as sand.critical_void_ratio=0.9")
+            ->add_option("--vary", request->varied,
+                         "KEY=VALUE,VALUE,...: a run for each, in one picture; of several all "
+                         "combinations")
             ->take_all()
             ->expected(1)
             ->allow_extra_args(false);
@@ -37,7 +40,7 @@ void add_element_command(CLI::App& app, Command& asked) {
         element->add_option("--incremental-driver", driver->folder,
                             "Folder of incrementalDriver's input files, see "
                             "docs/incremental-driver.md; output goes there or to --out");
-    folder->excludes(cases)->excludes(residuals)->excludes(sand)->excludes(set);
+    folder->excludes(cases)->excludes(residuals)->excludes(sand)->excludes(set)->excludes(vary);
     CLI::Option* umat = element->add_option("--umat", request->umat.library,
                                             "Library with a UMAT or VUMAT, instead of Grit's sand");
     element

@@ -14,7 +14,8 @@ namespace cli {
 namespace {
 
 Curve computed(const CaseFile& file, const CaseResult& result, int colour) {
-    return {file.title, result.table, result.cycles, false, colour};
+    return {file.variant.empty() ? file.title : file.variant, result.table, result.cycles, false,
+            colour};
 }
 
 bool has_reference(const CaseFile& file) { return file.reference.curve.rows() > 0; }
@@ -90,8 +91,10 @@ void draw_cases(const std::filesystem::path& folder, const std::vector<CaseFile>
             samples[cases[i].path].push_back(i);
             continue;
         }
-        maker.draw(cases[i].name, picture_of_curves(cases[i].picture, cases[i].title,
-                                                    curves_of(cases[i], results[i])));
+        const std::string title =
+            cases[i].title + (cases[i].variant.empty() ? "" : ", " + cases[i].variant);
+        maker.draw(cases[i].name,
+                   picture_of_curves(cases[i].picture, title, curves_of(cases[i], results[i])));
         if (cases.size() > 1)
             all.push_back(computed(cases[i], results[i], static_cast<int>(all.size())));
     }
@@ -102,7 +105,12 @@ void draw_cases(const std::filesystem::path& folder, const std::vector<CaseFile>
                 all.push_back(reference(file, labelled ? "" : "reference"));
                 labelled = true;
             }
-        maker.draw("comparison", picture_of_curves(cases.front().picture, "Comparison", all));
+        const bool study = std::all_of(cases.begin(), cases.end(), [&](const CaseFile& file) {
+            return !file.variant.empty() && file.path == cases.front().path;
+        });
+        maker.draw("comparison",
+                   picture_of_curves(cases.front().picture,
+                                     study ? cases.front().title : "Comparison", all));
     }
     for (const auto& [path, which] : samples) {
         std::vector<const CaseFile*> files;

@@ -110,9 +110,10 @@ FieldsPlan read_fields(TomlTable table, const std::vector<MpmField>& known) {
 
 }  // namespace
 
-MpmCaseFile read_mpm_case(const std::filesystem::path& path, const std::filesystem::path& sand) {
+MpmCaseFile read_mpm_case(const std::filesystem::path& path, const std::filesystem::path& sand,
+                          const std::vector<std::string>& settings) {
     MpmCaseFile out;
-    TomlTable root = TomlTable::of_file(path, &out.inputs);
+    TomlTable root = TomlTable::of_file(path, &out.inputs, settings);
     if (!sand.empty()) out.inputs.push_back(sand);
     Case& plan = out.plan;
     plan.name = root.string_if("name").value_or(path.stem().string());
@@ -138,7 +139,9 @@ MpmCaseFile read_mpm_case(const std::filesystem::path& path, const std::filesyst
         root.fail("history", "history.interval_s is missing: no stage has a time_s to take a "
                              "thousandth of; 0 is a row after every step");
     if (auto fields = root.table_if("fields"))
-        out.fields = read_fields(std::move(*fields), plan.space ? space_fields() : mpm_fields());
+        out.fields =
+            read_fields(std::move(*fields),
+                        plan.space ? space_fields() : mpm_fields(plan.settings.axisymmetric));
     root.finish();
     return out;
 }

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <adapters/mpm/case/case.hpp>
@@ -25,9 +26,9 @@ struct MpmCaseFile {
     std::vector<std::filesystem::path> inputs;  // all files that were read
 };
 
-// sand: a file whose parameters take the place of those of all bodies of sand, empty: none. Throws BadInput naming file,
-// line and key.
-MpmCaseFile read_mpm_case(const std::filesystem::path& path,
-                          const std::filesystem::path& sand = {});
+// sand: a file whose parameters take the place of those of all bodies of sand, empty: none. settings: "KEY=VALUE", see
+// toml_document.hpp. Throws BadInput naming file, line and key.
+MpmCaseFile read_mpm_case(const std::filesystem::path& path, const std::filesystem::path& sand = {},
+                          const std::vector<std::string>& settings = {});
 
 }  // namespace cli

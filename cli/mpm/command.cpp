@@ -96,7 +96,7 @@ ExitCode run_mpm(const MpmRequest& request) {
         say("{}", printed_tables().at(request.keys)());
         return ok;
     }
-    MpmCaseFile file = read_mpm_case(request.file, request.sand);
+    MpmCaseFile file = read_mpm_case(request.file, request.sand, request.settings);
     const Case& plan = file.plan;
     if (!request.to_lammps.empty()) return convert(request, plan);
     if (request.threads) file.plan.settings.threads = *request.threads;
@@ -110,7 +110,8 @@ ExitCode run_mpm(const MpmRequest& request) {
                                 file.fields,
                                 request.checkpoint_minutes,
                                 request.restart,
-                                request.quiet};
+                                request.quiet,
+                                request.field_svg};
     const Outputs outputs = outputs_of(request, file, options);
     Runner runner = prepare(request, file);
     const auto lock = outputs.lock();

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/process/exit_code.hpp"
 
@@ -18,7 +19,9 @@ struct MpmRequest {
     std::optional<int> threads;  // instead of the case's
     double checkpoint_minutes = 0.0;
     bool restart = false;
+    std::vector<std::string> settings;  // "KEY=VALUE", see toml_document.hpp
     bool no_plot = false;
+    bool field_svg = false;  // pictures of fields as .svg too
     bool quiet = false;
     std::filesystem::path to_lammps;  // write the case for LAMMPS there, and no more; empty: run it
 };

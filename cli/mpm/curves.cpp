@@ -12,10 +12,14 @@ namespace {
 struct Line {
     const char* column;
     const char* label;  // empty: it is alone
+    // As they are called where nothing is a pile, see geometry_words.hpp.
+    const char* other_column = nullptr;
+    const char* other_label = nullptr;
 };
 
 struct Sheet {
-    const char* y_label;
+    const char* quantity;
+    const char* prefix;  // of the unit
     std::vector<Line> lines;
     double scale;  // values times this are shown
 };
@@ -23,15 +27,17 @@ struct Sheet {
 // Panels, and columns of the history that they show.
 const std::vector<Sheet>& sheets() {
     static const std::vector<Sheet> all = {
-        {"depth [m]", {{"depth", ""}}, 1.0},
-        {"velocity [m/s]", {{"velocity", ""}}, 1.0},
-        {"force [kN]",
-         {{"hammer_force", "hammer"},
-          {"tip_force", "tip"},
-          {"shaft_force", "shaft"},
+        {"depth", "", {{"depth", ""}}, 1.0},
+        {"velocity", "", {{"velocity", ""}}, 1.0},
+        {"force",
+         "",
+         {{"hammer_force", "hammer", "load_force", "load"},
+          {"tip_force", "tip", "under_force", "under it"},
+          {"shaft_force", "shaft", "side_force", "sides"},
           {"base_force", "base"}},
          1.0},
-        {"energy [kJ]",
+        {"energy",
+         "k",
          {{"external_work", "external"},
           {"rigid_work", "rigid bodies"},
           {"kinetic_energy", "kinetic"},
@@ -39,10 +45,19 @@ const std::vector<Sheet>& sheets() {
           {"contact_loss", "contact"},
           {"transfer_loss", "mapping"}},
          1e-3},
-        {"energy residual [kJ]", {{"energy_residual", ""}}, 1e-3},
-        {"time step [µs]", {{"dt", ""}}, 1e6},
+        {"energy residual", "", {{"energy_residual", ""}}, 1.0},
+        {"time step", "µ", {{"dt", ""}}, 1e6},
     };
     return all;
+}
+
+const Column* column_of(const Table& table, const Line& line, const char*& label) {
+    for (const Column& column : table.columns) {
+        if (column.name == line.column) return label = line.label, &column;
+        if (line.other_column && column.name == line.other_column)
+            return label = line.other_label, &column;
+    }
+    return nullptr;
 }
 
 bool is_zero(const std::vector<double>& values) {
@@ -60,14 +75,17 @@ Picture picture_of_history(const Table& history, const std::string& title) {
     for (const Sheet& sheet : sheets()) {
         Panel panel;
         panel.x_label = "time [s]";
-        panel.y_label = sheet.y_label;
         panel.own_key = sheet.lines.size() > 1;
         int colour = 0;
         for (const Line& line : sheet.lines) {
             const int own = colour++;
-            const std::vector<double>* values = history.find(line.column);
-            if (!values || (panel.own_key && is_zero(*values))) continue;
-            Series series{line.label, t, *values, own, false};
+            const char* label = nullptr;
+            const Column* column = column_of(history, line, label);
+            if (!column || (panel.own_key && is_zero(column->values))) continue;
+            if (panel.y_label.empty())
+                panel.y_label =
+                    fmt::format("{} [{}{}]", sheet.quantity, sheet.prefix, column->unit);
+            Series series{label, t, column->values, own, false};
             for (double& x : series.y) x *= sheet.scale;
             panel.series.push_back(thinned(series));
         }

@@ -148,12 +148,12 @@ std::string sheet(const FieldPicture& picture, const Window& w, const Frame& fra
     std::string out = fmt::format(
         "reset\nset encoding utf8\nset border 15 lw 1 lc rgb '#444444'\n"
         "set tics nomirror out scale 0.6 textcolor rgb '#222222' font ',11'\n"
-        "set title {} noenhanced font ',15'\nset xtics offset 0,0.5\nset xlabel 'r [m]' offset "
+        "set title {} noenhanced font ',15'\nset xtics offset 0,0.5\nset xlabel '{} [m]' offset "
         "0,0.9\nset ylabel 'z [m]' offset 1.2,0\n"
         "set xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\nset cbrange [{:.9g}:{:.9g}]\n"
         "set cblabel {} noenhanced offset 1,0\nset format cb '%.4g'\nunset key\n{}{}",
-        gnuplot_quoted(picture.title), w.r0, w.r1, w.z0, w.z1, colours.low, colours.high,
-        gnuplot_quoted(label(picture.field, colours)), palette, frame.margins());
+        gnuplot_quoted(picture.title), picture.across, w.r0, w.r1, w.z0, w.z1, colours.low,
+        colours.high, gnuplot_quoted(label(picture.field, colours)), palette, frame.margins());
     // Some four tics along the shorter side.
     if (frame.plot_width < 300)
         out += fmt::format("set xtics {:g} offset 0,0.5\n", [](double x) {
@@ -182,7 +182,8 @@ std::string draw_field(const fs::path& stem, const FieldPicture& picture, const 
         stem, frame.width, frame.height,
         fmt::format("$coloured << EOD\n{}EOD\n$grey << EOD\n{}EOD\n", coloured, grey),
         sheet(picture, window, frame, colours_of(picture, window, shapes), !coloured.empty(),
-              !grey.empty()));
+              !grey.empty()),
+        picture.files);
 }
 
 }  // namespace cli

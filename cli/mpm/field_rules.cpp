@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/mpm/field_rules.hpp"
 
+#include <deque>
 #include <numbers>
+#include <string>
 
+#include "cli/mpm/geometry_words.hpp"
 #include "cli/sand/parameter_units.hpp"
 
 namespace cli {
@@ -37,9 +40,7 @@ double saturation(const ShownParticle& x, int) {
     return water.flows ? x(water.content_column()) / water.mass(x.view(), x.p) : 1.0;
 }
 
-}  // namespace
-
-const std::vector<MpmFieldRule>& mpm_field_rules() {
+const std::vector<MpmFieldRule>& rules_around_an_axis() {
     using P = const ShownParticle&;
     static const std::vector<MpmFieldRule> all = joined<ShownParticle>({
         rules_of_numbers<ShownParticle>(),
@@ -94,6 +95,20 @@ const std::vector<MpmFieldRule>& mpm_field_rules() {
           saturation}},
     });
     return all;
+}
+
+}  // namespace
+
+const std::vector<MpmFieldRule>& mpm_field_rules(bool axisymmetric) {
+    if (axisymmetric) return rules_around_an_axis();
+    static std::deque<std::string> names;
+    static const std::vector<MpmFieldRule> in_a_plane = [] {
+        std::vector<MpmFieldRule> out = rules_around_an_axis();
+        for (MpmFieldRule& rule : out)
+            rule.field.name = names.emplace_back(name_in_plane_strain(rule.field.name)).c_str();
+        return out;
+    }();
+    return in_a_plane;
 }
 
 }  // namespace cli

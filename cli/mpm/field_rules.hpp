@@ -95,6 +95,7 @@ FieldRules<Particle> joined(std::initializer_list<FieldRules<Particle>> parts) {
 
 using MpmFieldRule = FieldRule<ShownParticle>;
 
-const std::vector<MpmFieldRule>& mpm_field_rules();
+// In plane strain components have other names, see geometry_words.hpp.
+const std::vector<MpmFieldRule>& mpm_field_rules(bool axisymmetric);
 
 }  // namespace cli

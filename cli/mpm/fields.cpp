@@ -28,8 +28,8 @@ grit_sand_invariants plane_invariants(const mpm::Body& body, const mpm::Particle
     return invariants_of(sand ? &sand->prepared() : nullptr, stress, state);
 }
 
-const MpmFieldRule& rule_of(const MpmField& field) {
-    for (const MpmFieldRule& rule : mpm_field_rules())
+const MpmFieldRule& rule_of(const MpmField& field, bool axisymmetric) {
+    for (const MpmFieldRule& rule : mpm_field_rules(axisymmetric))
         if (std::string(rule.field.name) == field.name) return rule;
     throw std::invalid_argument(fmt::format("no variable {}", field.name));
 }
@@ -55,13 +55,14 @@ grit_sand_invariants invariants_of(const grit_sand* sand, const double* stress,
     return out;
 }
 
-const std::vector<MpmField>& mpm_fields() {
-    static const std::vector<MpmField> fields = [] {
+const std::vector<MpmField>& mpm_fields(bool axisymmetric) {
+    const auto of = [](bool around) {
         std::vector<MpmField> out;
-        for (const MpmFieldRule& rule : mpm_field_rules()) out.push_back(rule.field);
+        for (const MpmFieldRule& rule : mpm_field_rules(around)) out.push_back(rule.field);
         return out;
-    }();
-    return fields;
+    };
+    static const std::vector<MpmField> around_an_axis = of(true), in_a_plane = of(false);
+    return axisymmetric ? around_an_axis : in_a_plane;
 }
 
 std::vector<std::string> names_of_fields(const std::vector<MpmField>& fields) {
@@ -94,7 +95,9 @@ const MpmField& field_of(const std::vector<MpmField>& fields, const std::string&
                                             element::suggestion(name, names_of_fields(fields))));
 }
 
-const MpmField& mpm_field(const std::string& name) { return field_of(mpm_fields(), name); }
+const MpmField& mpm_field(const std::string& name, bool axisymmetric) {
+    return field_of(mpm_fields(axisymmetric), name);
+}
 
 MpmFields::MpmFields(mpm::Simulation& simulation) : shown(simulation) {
     for (std::size_t b = 0; b < shown.bodies(); ++b) {
@@ -118,7 +121,7 @@ bool MpmFields::has(std::size_t body, const MpmField& field) const {
 }
 
 std::vector<double> MpmFields::values(std::size_t body, const MpmField& field) const {
-    const MpmFieldRule& rule = rule_of(field);
+    const MpmFieldRule& rule = rule_of(field, shown.current_settings().axisymmetric);
     mpm::Body& of = shown.body(body);
     if (!has(body, field))
         throw std::invalid_argument(fmt::format("body {} has no {}", of.name, field.name));

@@ -22,14 +22,14 @@ struct MpmField {
     std::string label() const { return std::string(name) + " [" + unit + "]"; }
 };
 
-const std::vector<MpmField>& mpm_fields();
+const std::vector<MpmField>& mpm_fields(bool axisymmetric = true);
 std::vector<std::string> names_of_fields(const std::vector<MpmField>& fields);
 // Table of the documentation, Markdown.
 std::string table_of_fields(const std::vector<MpmField>& fields);
 std::string mpm_field_table();
 // Throws std::invalid_argument with the nearest name.
 const MpmField& field_of(const std::vector<MpmField>& fields, const std::string& name);
-const MpmField& mpm_field(const std::string& name);
+const MpmField& mpm_field(const std::string& name, bool axisymmetric = true);
 
 // What a file of fields shows, in the plane or in space.
 class ShownFields {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/mpm/history.hpp"
 
+#include <utility>
+
 #include <adapters/mpm/run/history.hpp>
 #include <fmt/format.h>
 
+#include "cli/mpm/geometry_words.hpp"
 #include "cli/process/version.hpp"
 
 namespace cli {
@@ -17,10 +20,18 @@ bool is_force(const HistoryColumn& column) { return column.unit == std::string("
 
 }  // namespace
 
-std::vector<Column> history_columns() {
+std::vector<Column> history_columns(const grit::mpm::Case& plan) {
+    const GeometryWords& words = words_of(plan);
+    const std::pair<std::string, const char*> forces[] = {
+        {"tip_force", words.under}, {"shaft_force", words.side}, {"hammer_force", words.load}};
     std::vector<Column> out;
-    for (const HistoryColumn& column : grit::mpm::history_columns())
-        out.push_back({column.name, is_force(column) ? "kN" : column.unit, {}, {}});
+    for (const HistoryColumn& column : grit::mpm::history_columns()) {
+        std::string name = column.name, unit = is_force(column) ? "kN" : column.unit;
+        for (const auto& [of_pile, word] : forces)
+            if (name == of_pile) name = word + std::string("_force");
+        if (unit == "kN" || unit == "J" || unit == "kg") unit += words.per;
+        out.push_back({name, unit, {}, {}});
+    }
     return out;
 }
 
@@ -42,24 +53,24 @@ std::vector<double> history_values(const grit::mpm::HistoryRow& row) {
 
 std::vector<std::string> history_comments(const grit::mpm::Runner& runner) {
     const grit::mpm::Case& plan = runner.description();
-    const char* whole = plan.space                   ? "of what is computed in space"
-                        : plan.settings.axisymmetric ? "of the whole bodies (2 pi radians)"
-                                                     : "per metre";
+    const GeometryWords& words = words_of(plan);
+    const std::string load =
+        plan.tractions.empty() ? "" : fmt::format(" {}: tractions on it, downwards;", words.load);
     return {
         fmt::format("Grit {}, case {}: {}", version(), plan.name, plan.title),
         fmt::format("{} particles, driven body: {}{}", runner.particles(), plan.history.body,
-                    runner.driven_mass() > 0.0 ? fmt::format(", {:.12g} kg", runner.driven_mass())
-                                               : ", rigid"),
+                    runner.driven_mass() > 0.0
+                        ? fmt::format(", {:.12g} kg{}", runner.driven_mass(), words.per)
+                        : ", rigid"),
         fmt::format(
             "depth and velocity of the driven body, downwards; depth of its {} since the start",
             plan.history.depth_of == grit::mpm::DepthOf::lowest_point ? "lowest point"
                                                                       : "centre of mass"),
         fmt::format(
             "forces and energies {}; forces are means since the row before: of contacts on the "
-            "driven body, upwards, tip where surfaces face along z, shaft where sideways; "
-            "hammer: tractions on it, downwards; base: reaction of the grid's bottom, upwards; "
-            "damping: local damping on it, upwards",
-            whole),
+            "driven body, upwards, {} where surfaces face along z, {} where {};{} "
+            "base: reaction of the grid's bottom, upwards; damping: local damping on it, upwards",
+            words.whole, words.under, words.side, words.sideways, load),
         "stored_energy is the work that stresses took since the start, driven_stored_energy "
         "what the driven body holds now; external_work includes traction_work; losses count "
         "down from the "

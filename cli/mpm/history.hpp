@@ -11,7 +11,8 @@
 
 namespace cli {
 
-std::vector<Column> history_columns();
+// In words of the case: geometry_words.hpp.
+std::vector<Column> history_columns(const grit::mpm::Case& plan);
 std::vector<double> history_values(const grit::mpm::HistoryRow& row);
 // Table of the documentation, Markdown: as fix grit/mpm has them, in SI units.
 std::string history_table();

@@ -8,6 +8,7 @@
 #include <adapters/mpm/case/case_words.hpp>
 
 #include "cli/mpm/command.hpp"
+#include "cli/toml/set_option.hpp"
 
 namespace cli {
 
@@ -26,6 +27,7 @@ void add_mpm_command(CLI::App& app, Command& asked) {
     mpm->add_option(
         "--sand", request->sand,
         "Name of a sand, or a file as grit calibrate writes it, for all bodies of sand");
+    add_set_option(*mpm, request->settings, "body.soil.sand.void_ratio=0.7");
     mpm->add_option("--threads", request->threads, "Instead of the case's; changes no result")
         ->check(CLI::Range(threads.low, threads.high));
     mpm->add_option("--checkpoint-minutes", request->checkpoint_minutes,
@@ -36,6 +38,8 @@ void add_mpm_command(CLI::App& app, Command& asked) {
     mpm->add_option("--to-lammps", request->to_lammps,
                     "Folder for the case as input of LAMMPS, see docs/lammps.md; computes nothing");
     mpm->add_flag("--no-plot", request->no_plot, "Data only");
+    mpm->add_flag("--field-svg", request->field_svg,
+                  "Pictures of fields as .svg too, megabytes each");
     mpm->add_flag("--quiet", request->quiet, "Nothing but errors");
     mpm->callback([&asked, request] {
         if (request->file.empty() && request->keys.empty())

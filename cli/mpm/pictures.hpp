@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/mpm/fields.hpp"
+#include "cli/plot/gnuplot.hpp"
 #include "cli/plot/picture.hpp"
 #include "cli/table/table.hpp"
 
@@ -24,12 +25,15 @@ struct FieldPicture {
     std::string title;
     Window window;  // of nothing (r1 <= r0): all particles
     bool mirrored = false;
+    const char* across = "r";      // the horizontal coordinate
     double low = 0.0, high = 0.0;  // of the colours; low >= high: see colour_range.hpp
     int height = 700;              // [px]
+    // As SVG every domain is a polygon: megabytes.
+    PictureFiles files{.svg = false, .png = true, .pdf = false};
 };
 
-// stem.svg and stem.png, written beside and renamed: domains of particles, coloured by the field; bodies
-// without it are grey. Of a vector its length. Returns what went wrong, empty if nothing.
+// stem.png and what else files say, written beside and renamed: domains of particles, coloured by the field;
+// bodies without it are grey. Of a vector its length. Returns what went wrong, empty if nothing.
 std::string draw_field(const std::filesystem::path& stem, const FieldPicture& picture,
                        const MpmFields& fields);
 

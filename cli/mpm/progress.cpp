@@ -40,9 +40,10 @@ std::string MpmProgress::line(grit::mpm::Runner& runner) {
     const double left =
         seconds_between(stage_start, Clock::now()) * (1.0 - share) / (share - stage_share);
     return fmt::format(
-        "{}: stage {} ({} of {}), blow {}, depth {:.4f} m, t {:.4f} s, step {}, dt "
+        "{}: stage {} ({} of {}){}, depth {:.4f} m, t {:.4f} s, step {}, dt "
         "{:.2e} s, {:.2e} particle-steps/s{}",
-        plan.name, plan.stages[i].name, i + 1, plan.stages.size(), runner.blow(), runner.depth(),
+        plan.name, plan.stages[i].name, i + 1, plan.stages.size(),
+        runner.blow() > 0 ? fmt::format(", blow {}", runner.blow()) : std::string(), runner.depth(),
         simulation.time(), simulation.steps(), runner.state().last_dt, rate,
         std::isfinite(left) && left >= 0.0 ? fmt::format(", {:.0f} s left in this stage", left)
                                            : std::string());

@@ -3,9 +3,11 @@
 
 #include <stdexcept>
 
+#include <adapters/mpm/run/history.hpp>
 #include <fmt/format.h>
 
 #include "cli/mpm/checkpoint.hpp"
+#include "cli/mpm/geometry_words.hpp"
 #include "cli/mpm/history.hpp"
 #include "cli/mpm/pictures.hpp"
 #include "cli/mpm/replay_case.hpp"
@@ -33,8 +35,9 @@ MpmRun::MpmRun(const MpmRunOptions& wanted, Runner& work)
       saved(Clock::now()) {
     if (options.shown) field_files.emplace(options.fields, options.shown->variables, *fields);
     if (options.restart) resume();
-    history.emplace(options.history, history_comments(runner), history_columns());
-    const std::size_t columns = history_columns().size();
+    const std::vector<Column> columns_now = history_columns(runner.description());
+    history.emplace(options.history, history_comments(runner), columns_now);
+    const std::size_t columns = columns_now.size();
     for (auto row = done.history.begin(); row != done.history.end();) {
         const auto end = row + static_cast<std::ptrdiff_t>(columns);
         history->row({row, end});
@@ -46,7 +49,7 @@ void MpmRun::resume() {
     try {
         const MpmCheckpoint checkpoint(options.checkpoint);
         done = saved_run_of(checkpoint.runner(), runner.description().stages.size(),
-                            history_columns().size());
+                            grit::mpm::history_columns().size());
         runner.resume(done.state);
         checkpoint.restore(runner.subject());
         if (field_files) field_files->resume(done.frames);
@@ -101,7 +104,7 @@ std::string MpmRun::replay(const MaterialFailure& error) {
 
 void MpmRun::draw() {
     const Case& plan = runner.description();
-    Table table{history_columns()};
+    Table table{cli::history_columns(plan)};
     const std::size_t width = table.columns.size();
     for (std::size_t i = 0; i < done.history.size(); ++i)
         table.columns[i % width].values.push_back(done.history[i]);
@@ -110,17 +113,21 @@ void MpmRun::draw() {
     const auto* drawn = dynamic_cast<const MpmFields*>(fields.get());
     if (!options.shown || !drawn) return;  // fields in space are for ParaView alone
     for (const MpmField& field : options.shown->variables) {
-        const FieldPicture picture{
-            field,
-            fmt::format("{}, t = {:.4g} s", plan.title, runner.subject().time()),
-            {0.0, 0.0, 0.0, 0.0},
-            plan.settings.axisymmetric};
+        FieldPicture picture{field,
+                             fmt::format("{}, t = {:.4g} s", plan.title, runner.subject().time()),
+                             {0.0, 0.0, 0.0, 0.0},
+                             plan.settings.axisymmetric,
+                             words_of(plan).across};
+        picture.files.svg = options.field_svg;
         const std::filesystem::path stem = options.fields.string() + "_" + field.name;
         const std::string problem = draw_field(stem, picture, *drawn);
         if (problem.empty()) continue;
         warn("grit: no picture: {}\n", problem);
         return;
     }
+    if (!options.quiet && !options.shown->variables.empty())
+        say("pictures of fields: {}_*.png{}\n", options.fields.string(),
+            options.field_svg ? " and .svg" : "");
 }
 
 std::string MpmRun::here() {

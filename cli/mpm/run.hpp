@@ -28,6 +28,7 @@ struct MpmRunOptions {
     double checkpoint_minutes = 0.0;  // 0: when it is interrupted, only
     bool restart = false;             // from the checkpoint
     bool quiet = false;
+    bool field_svg = false;  // pictures of fields as .svg too
 };
 
 class MpmRun {

@@ -7,7 +7,8 @@
 
 #include <cerrno>
 #include <fstream>
-#include <optional>
+#include <memory>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -61,32 +62,29 @@ fs::path with(fs::path stem, const char* ending) { return stem += ending; }
 }  // namespace
 
 std::string draw_with_gnuplot(const fs::path& stem, int width, int height, const std::string& data,
-                              const std::string& drawing, bool pdf) {
+                              const std::string& drawing, const PictureFiles& files) {
     element::AtomicFile script(with(stem, ".gnuplot"));
     const element::AtomicPath log(with(stem, ".log"));
-    element::AtomicPath svg(with(stem, ".svg")), png(with(stem, ".png"));
     script.write(data);
-    script.write(fmt::format("set terminal svg size {},{} dynamic enhanced font 'sans-serif,13' "
-                             "background '#ffffff'\nset output {}\n{}unset output\n",
-                             width, height, gnuplot_quoted(svg.path().string()), drawing));
-    script.write(fmt::format("set terminal pngcairo size {},{} enhanced font 'Sans,13'\n"
-                             "set output {}\n{}unset output\n",
-                             width, height, gnuplot_quoted(png.path().string()), drawing));
-    std::optional<element::AtomicPath> document;
-    if (pdf) {
-        document.emplace(with(stem, ".pdf"));
-        script.write(
-            fmt::format("set terminal pdfcairo size {:.4g}cm,{:.4g}cm enhanced font 'Sans,10'\n"
-                        "set output {}\n{}unset output\n",
-                        width * centimetres, height * centimetres,
-                        gnuplot_quoted(document->path().string()), drawing));
-    }
+    std::vector<std::unique_ptr<element::AtomicPath>> pictures;
+    const auto draw = [&](const char* ending, const std::string& terminal) {
+        pictures.push_back(std::make_unique<element::AtomicPath>(with(stem, ending)));
+        script.write(fmt::format("set terminal {}\nset output {}\n{}unset output\n", terminal,
+                                 gnuplot_quoted(pictures.back()->path().string()), drawing));
+    };
+    if (files.svg)
+        draw(".svg", fmt::format("svg size {},{} dynamic enhanced font 'sans-serif,13' "
+                                 "background '#ffffff'",
+                                 width, height));
+    if (files.png)
+        draw(".png", fmt::format("pngcairo size {},{} enhanced font 'Sans,13'", width, height));
+    if (files.pdf)
+        draw(".pdf", fmt::format("pdfcairo size {:.4g}cm,{:.4g}cm enhanced font 'Sans,10'",
+                                 width * centimetres, height * centimetres));
     script.flush();
     std::string problem = run_gnuplot(script.path(), log.path());
     if (!problem.empty()) return problem;
-    svg.complete();
-    png.complete();
-    if (document) document->complete();
+    for (const auto& picture : pictures) picture->complete();
     return "";
 }
 

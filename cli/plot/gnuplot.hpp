@@ -6,12 +6,16 @@
 
 namespace cli {
 
-// stem.svg and stem.png of width x height points, stem.pdf if that is wanted, and stem.gnuplot, which draws them again: definitions of
-// data, then the drawing, once for each. Returns what went wrong, empty if nothing; then only the script
-// and stem.log are left.
+// Which of stem.svg, stem.png and stem.pdf.
+struct PictureFiles {
+    bool svg = true, png = true, pdf = false;
+};
+
+// Pictures of width x height points by a script, stem.gnuplot: definitions of data, then the drawing, once for each.
+// Returns what went wrong, empty if nothing; neither script nor stem.log is left.
 std::string draw_with_gnuplot(const std::filesystem::path& stem, int width, int height,
                               const std::string& data, const std::string& drawing,
-                              bool pdf = false);
+                              const PictureFiles& files);
 
 // 'text' for a script, quotes doubled.
 std::string gnuplot_quoted(const std::string& text);

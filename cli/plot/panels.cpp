@@ -5,8 +5,12 @@
 #include <cmath>
 #include <map>
 
+#include <fmt/format.h>
+
 #include "cli/plot/axis.hpp"
 #include "cli/plot/thinning.hpp"
+#include "cli/process/exit_code.hpp"
+#include "element/nearest.hpp"
 
 namespace cli {
 namespace {
@@ -106,6 +110,49 @@ Panel panel_of_curves(const std::string& kind, std::size_t number,
     out.log_x = x.log;
     out.y_from_zero = y.from_zero;
     for (const Curve& curve : curves) out.series.push_back(series_of(curve, x, y));
+    return out;
+}
+
+namespace {
+
+// As it is drawn in pictures of tests, or as it is called.
+Axis axis_of_column(const Column& column, std::string& label) {
+    if (const Axis* known = axis_of(column.name)) {
+        label = known->label;
+        return *known;
+    }
+    label = column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
+    for (std::size_t at = 0; (at = label.find('_', at)) != std::string::npos; at += 2)
+        label.insert(at, "\\");
+    return {column.name.c_str(), 1.0, label.c_str()};
+}
+
+const Column& column_called(const Curve& curve, const std::string& name) {
+    std::vector<std::string> known;
+    for (const Column& each : curve.table.columns) {
+        if (each.name == name && each.problem.empty()) return each;
+        known.push_back(each.name);
+    }
+    throw BadInput(fmt::format("{} has no column \"{}\"{}", curve.label, name,
+                               element::suggestion(name, known)));
+}
+
+}  // namespace
+
+Picture picture_of_columns(const std::string& x, const std::vector<std::string>& ys,
+                           const std::string& title, const std::vector<Curve>& curves) {
+    Picture out;
+    out.title = title;
+    out.wide_tics = true;
+    for (const std::string& y : ys) {
+        Panel panel;
+        for (const Curve& curve : curves) {
+            const Axis across = axis_of_column(column_called(curve, x), panel.x_label);
+            const Axis up = axis_of_column(column_called(curve, y), panel.y_label);
+            panel.series.push_back(series_of(curve, across, up));
+        }
+        out.panels.push_back(std::move(panel));
+    }
     return out;
 }
 

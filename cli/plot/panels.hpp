@@ -30,6 +30,10 @@ struct Curve {
 Picture picture_of_curves(const std::string& kind, const std::string& title,
                           const std::vector<Curve>& curves);
 
+// One panel for each y, over x, of columns by name. Throws BadInput naming the nearest where a curve has no such column.
+Picture picture_of_columns(const std::string& x, const std::vector<std::string>& ys,
+                           const std::string& title, const std::vector<Curve>& curves);
+
 // Panels of a kind's picture.
 std::size_t panels_of(const std::string& kind);
 

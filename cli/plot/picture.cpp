@@ -108,9 +108,9 @@ struct Layout {
           height(rows * picture.height + top),
           keys(std::any_of(picture.panels.begin(), picture.panels.end(),
                            [](const Panel& panel) { return panel.own_key; })),
-          left(keys ? 122 : 96), gap_x(picture.labels_above ? 62
-                                       : keys               ? 130
-                                                            : 104),
+          left(keys || picture.wide_tics ? 122 : 96), gap_x(picture.labels_above        ? 62
+                                                            : keys || picture.wide_tics ? 130
+                                                                                        : 104),
           gap_y(picture.labels_above ? 52
                 : keys               ? 132
                                      : 76) {}
@@ -167,7 +167,8 @@ std::string sheet(const Picture& picture, const Layout& layout) {
 std::string draw(const fs::path& stem, const Picture& picture) {
     const Layout layout(picture);
     return draw_with_gnuplot(stem, layout.width, layout.height, data(picture),
-                             sheet(picture, layout), picture.pdf);
+                             sheet(picture, layout),
+                             {.svg = true, .png = true, .pdf = picture.pdf});
 }
 
 }  // namespace cli

@@ -30,6 +30,7 @@ struct Picture {
     int columns = 2;
     int width = 500, height = 400;  // of one panel [px]
     bool pdf = false;               // also stem.pdf
+    bool wide_tics = false;         // numbers of any length beside the axes
     bool labels_above = false;      // the title names the axes of all panels
     std::vector<Panel> panels;
 };

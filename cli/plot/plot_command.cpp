@@ -68,6 +68,30 @@ void say_unused(const fs::path& path, const Table& table, bool first_is_a_name) 
         say("{}: not used: {}; --column OURS=THEIRS says what a column is\n", path.string(), names);
 }
 
+// What is understood and not in such a picture; stresses and strains are parts of p, q and the like.
+void say_not_drawn(const fs::path& path, const Table& data, const std::string& kind) {
+    const std::vector<std::string> drawn = columns_of_picture(kind);
+    std::string names;
+    for (const Column& column : data.columns) {
+        const Table alone = standardised({{column}});
+        const std::string& name = alone.columns.front().name;
+        const bool part = name.starts_with("stress_") || name.starts_with("strain_");
+        if (is_in(understood(), column.name) && !part && !is_in(drawn, name))
+            names += (names.empty() ? "" : ", ") + column.name;
+    }
+    if (!names.empty()) say("{}: not in a picture of {}: {}\n", path.string(), kind, names);
+}
+
+// The stem, and the folder where another file has the same.
+std::string label_of(const fs::path& path, const std::vector<fs::path>& all) {
+    const auto twin = [&](const fs::path& other) {
+        return other != path && other.stem() == path.stem();
+    };
+    const std::string folder = path.parent_path().filename().string();
+    return (std::any_of(all.begin(), all.end(), twin) && !folder.empty() ? folder + "/" : "") +
+           path.stem().string();
+}
+
 void check_used(const Renames& renames, const std::vector<fs::path>& data) {
     for (const auto& [theirs, ours] : renames) {
         std::vector<std::string> known;
@@ -118,12 +142,19 @@ ExitCode plot(const PlotRequest& request) {
     std::vector<Curve> curves;
     for (const fs::path& run : request.runs)
         curves.push_back(curve_of(run, "", false, static_cast<int>(curves.size())));
+    for (std::size_t i = 0; i < request.runs.size(); ++i)
+        curves[i].label = label_of(request.runs[i], request.runs);
     for (std::size_t i = 0; i < request.data.size(); ++i)
         curves.push_back(curve_of(request.data[i], request.only, true,
                                   i == 0 ? -1 : static_cast<int>(curves.size()), renames));
-    for (const fs::path& path : request.data)
-        say_unused(path, read_data(path, request.only, renames), !request.only.empty());
-    Picture picture = picture_of_curves(request.kind, request.title, curves);
+    const bool by_kind = request.x.empty();
+    for (const fs::path& path : request.data) {
+        const Table data = read_data(path, request.only, renames);
+        if (by_kind) say_unused(path, data, !request.only.empty());
+        if (by_kind) say_not_drawn(path, data, request.kind);
+    }
+    Picture picture = by_kind ? picture_of_curves(request.kind, request.title, curves)
+                              : picture_of_columns(request.x, request.y, request.title, curves);
     picture.pdf = request.pdf;
     if (!says_anything(picture, request, curves))
         throw BadInput(

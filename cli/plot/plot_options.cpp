@@ -12,7 +12,7 @@ namespace cli {
 void add_plot_command(CLI::App& app, Command& asked) {
     CLI::App* picture = app.add_subcommand("plot", "Draw results and laboratory data together");
     const auto request = std::make_shared<PlotRequest>();
-    picture->add_option("RUN", request->runs, "CSV files of grit element, drawn as lines");
+    picture->add_option("RUN", request->runs, "CSV files of results, drawn as lines");
     picture->add_option("--data", request->data, "CSV files of laboratories, drawn as points");
     picture
         ->add_option(
@@ -24,6 +24,15 @@ void add_plot_command(CLI::App& app, Command& asked) {
     picture->add_option("--only", request->only, "Rows of the data with this first cell");
     picture->add_option("--kind", request->kind,
                         "Kind of picture, see docs/element-tests.md [triaxial]");
+    CLI::Option* x = picture->add_option("--x", request->x, "Column, instead of a kind: with --y");
+    CLI::Option* y =
+        picture->add_option("--y", request->y, "Columns over it, a panel for each: tip_force,depth")
+            ->delimiter(',')
+            ->take_all()
+            ->expected(1)
+            ->allow_extra_args(false)
+            ->needs(x);
+    x->needs(y);
     picture->add_option("--title", request->title, "Above the picture");
     picture->add_option("--out", request->out, "Stem of the files .svg and .png [plot]");
     picture->add_flag("--pdf", request->pdf, "Also .pdf, for papers");

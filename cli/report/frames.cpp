@@ -53,10 +53,61 @@ struct Range {
     }
 };
 
+// Cells as they are seen: across and up. In space they are seen along y, z is up, and they have places and sizes along y.
 struct Particles {
     Values x, y, width, height;
+    Values along, depth;              // of cells in space; else empty
+    std::vector<std::size_t> bodies;  // where each one's cells end
     std::map<std::string, Values> variables;
+
+    void keep_only(const std::vector<char>& wanted) {
+        const auto filter = [&](Values& values) {
+            if (values.empty()) return;
+            std::size_t kept = 0;
+            for (std::size_t i = 0; i < wanted.size(); ++i)
+                if (wanted[i]) values[kept++] = values[i];
+            values.resize(kept);
+        };
+        for (Values* each : {&x, &y, &width, &height, &along, &depth}) filter(*each);
+        for (auto& [name, values] : variables) filter(values);
+    }
 };
+
+double lower(const Particles& cells, std::size_t i) {
+    return cells.along[i] - 0.5 * cells.depth[i];
+}
+
+// The plane across y that a page shows of bodies in space: through the middle of the one that takes the least room, which
+// is what is driven or pressed, or just beside the lowest y of all, if it reaches that: there is a plane of symmetry.
+double slice_of(const Particles& cells) {
+    Range whole, least;
+    double least_room = INFINITY;
+    std::size_t from = 0;
+    for (const std::size_t end : cells.bodies) {
+        Range x, y, z;
+        for (std::size_t i = from; i < end; ++i) {
+            x.take({cells.x[i] - 0.5 * cells.width[i], cells.x[i] + 0.5 * cells.width[i]});
+            y.take({lower(cells, i), lower(cells, i) + cells.depth[i]});
+            z.take({cells.y[i] - 0.5 * cells.height[i], cells.y[i] + 0.5 * cells.height[i]});
+        }
+        from = end;
+        whole.take({y.low, y.high});
+        const double room = (x.high - x.low) * (y.high - y.low) * (z.high - z.low);
+        if (room < least_room) least_room = room, least = y;
+    }
+    Values sizes = cells.depth;
+    std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2),
+                     sizes.end());
+    const double beside = 0.25 * sizes[sizes.size() / 2];
+    return least.low <= whole.low + beside ? whole.low + beside : 0.5 * (least.low + least.high);
+}
+
+void cut(Particles& cells, double slice) {
+    std::vector<char> wanted(cells.x.size());
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        wanted[i] = lower(cells, i) <= slice && slice < lower(cells, i) + cells.depth[i];
+    cells.keep_only(wanted);
+}
 
 std::vector<std::string> names_in(const std::string& text) {
     std::vector<std::string> out;
@@ -82,22 +133,27 @@ bool add_file(const fs::path& path, Particles& cells) {
         corners->size() != static_cast<std::size_t>(3.0 * points))
         return false;
     const auto of_cell = static_cast<std::size_t>(points / count);
+    const bool in_space = of_cell == 8;
     const std::size_t before = cells.x.size(), number = static_cast<std::size_t>(count);
     for (std::size_t i = 0; i < number; ++i) {
-        double x = 0.0, y = 0.0;
-        Range along_x, along_y;
-        for (std::size_t k = 0; k < of_cell; ++k) {
-            const double* corner = corners->data() + 3 * (i * of_cell + k);
-            x += corner[0] / static_cast<double>(of_cell);
-            y += corner[1] / static_cast<double>(of_cell);
-            along_x.take({corner[0]});
-            along_y.take({corner[1]});
-        }
-        cells.x.push_back(x);
-        cells.y.push_back(y);
-        cells.width.push_back(along_x.high - along_x.low);
-        cells.height.push_back(along_y.high - along_y.low);
+        double centre[3] = {};
+        Range along[3];
+        for (std::size_t k = 0; k < of_cell; ++k)
+            for (std::size_t c = 0; c < 3; ++c) {
+                const double place = (*corners)[3 * (i * of_cell + k) + c];
+                centre[c] += place / static_cast<double>(of_cell);
+                along[c].take({place});
+            }
+        const std::size_t up = in_space ? 2 : 1;
+        cells.x.push_back(centre[0]);
+        cells.y.push_back(centre[up]);
+        cells.width.push_back(along[0].high - along[0].low);
+        cells.height.push_back(along[up].high - along[up].low);
+        if (!in_space) continue;
+        cells.along.push_back(centre[1]);
+        cells.depth.push_back(along[1].high - along[1].low);
     }
+    cells.bodies.push_back(cells.x.size());
     for (const std::string& name : names_in(text)) {
         const std::optional<Values> values = array_of(text, name, components);
         if (!values || components != 1 || values->size() != number) continue;
@@ -146,6 +202,7 @@ std::string frames_of(const fs::path& list) {
     const auto files = files_in(list);
     std::vector<Particles> frames;
     Values times;
+    std::optional<double> slice;
     const std::size_t count = std::min(files.size(), most_frames);
     for (std::size_t i = 0; i < count; ++i) {
         const auto& [time, parts] = files[count > 1 ? i * (files.size() - 1) / (count - 1) : 0];
@@ -153,6 +210,11 @@ std::string frames_of(const fs::path& list) {
         const bool whole = std::all_of(parts.begin(), parts.end(),
                                        [&](const fs::path& part) { return add_file(part, cells); });
         if (!whole || cells.x.empty()) continue;
+        if (!cells.along.empty()) {
+            if (!slice) slice = slice_of(cells);
+            cut(cells, *slice);
+            if (cells.x.empty()) continue;
+        }
         frames.push_back(std::move(cells));
         times.push_back(time);
     }
@@ -171,8 +233,10 @@ std::string frames_of(const fs::path& list) {
         return fmt::format("[{:.8g},{:.8g}]", range.low, range.high);
     };
     std::string out =
-        fmt::format("{{\"of\":{},\"times\":{},\"x\":{},\"y\":{},\"edge\":{},\"variables\":{{",
-                    files.size(), json_numbers(times), bounds(x), bounds(y), bounds(edge));
+        fmt::format("{{\"of\":{},\"slice\":{},\"times\":{},\"x\":{},\"y\":{},\"edge\":{},"
+                    "\"variables\":{{",
+                    files.size(), slice ? fmt::format("{:.4g}", *slice) : std::string("null"),
+                    json_numbers(times), bounds(x), bounds(y), bounds(edge));
     bool first = true;
     for (const auto& [name, range] : ranges) {
         out += fmt::format("{}{}:{}", first ? "" : ",", json_text(name), bounds(range));

@@ -106,6 +106,7 @@ function drawPlayer(place) {
     }
     told.textContent = `t = ${text(run.times[slider.value])} s, frame ${Number(slider.value) + 1} of ${run.frames.length}` +
       (run.of > run.frames.length ? ` (${run.of} in the folder)` : "") +
+      (run.slice === null ? "" : `, slice at y = ${text(run.slice)} m: x to the right, z up`) +
       `; ${choice.value} from ${text(colours[0])} (blue) to ${text(colours[1])} (red), all: ${text(range[0])} to ${text(range[1])}`;
   }
   let timer = null;

@@ -56,19 +56,47 @@ struct Place {
     const fs::path& path;
     const toml::node& value;
     const std::string& key;
+    std::string setting = {};  // of --set; empty: in a file
+
+    [[noreturn]] void refuse(const std::string& message) const {
+        if (!setting.empty()) throw BadInput(fmt::format("{}: {}", setting, message));
+        fail(path, value, fmt::format("override \"{}\": {}", key, message));
+    }
+    const char* base() const { return setting.empty() ? "the base" : "the case"; }
 };
+
+// --set may begin a table that the case has not; whoever reads the case knows whether there is such a table.
+toml::table& begun(toml::table& at, const std::string& part, const Place& place) {
+    toml::table made = toml::parse(fmt::format("'{}' = {{}}", part), place.setting);
+    move_to(at, part, *made.get(part));
+    return *at.get_as<toml::table>(part);
+}
 
 toml::table& step_into(toml::table& at, const std::string& part, const Place& place) {
     toml::node* next = at.get(part);
     if (!next) {
         std::vector<std::string> known;
         for (const auto& [key, node] : at) known.emplace_back(key.str());
-        fail(place.path, place.value,
-             fmt::format("override \"{}\": the base has no {}{}", place.key, part,
-                         element::suggestion(part, known)));
+        if (!place.setting.empty() && element::nearest(part, known).empty())
+            return begun(at, part, place);
+        place.refuse(
+            fmt::format("{} has no {}{}", place.base(), part, element::suggestion(part, known)));
     }
     if (toml::table* table = next->as_table()) return *table;
-    fail(place.path, place.value, fmt::format("override \"{}\": {} is no table", place.key, part));
+    place.refuse(part + " is no table");
+}
+
+// Of [[list]] the table that has this name or number.
+toml::table& step_into(toml::array& list, const std::string& name, const std::string& which,
+                       const Place& place) {
+    if (which.empty()) place.refuse(fmt::format("which [[{}]], by name or number?", name));
+    if (toml::table* table = element_of(list, which)) return *table;
+    std::vector<std::string> known;
+    for (std::size_t i = 0; i < list.size(); ++i)
+        if (const toml::table* each = list.get_as<toml::table>(i))
+            known.push_back(each->at_path("name").value_or(std::to_string(i + 1)));
+    place.refuse(fmt::format("no [[{}]] of {} has the name or number {}{}", name, place.base(),
+                             which, element::suggestion(which, known)));
 }
 
 void apply(toml::table& base, toml::node& value, const Place& place) {
@@ -83,13 +111,7 @@ void apply(toml::table& base, toml::node& value, const Place& place) {
             continue;
         }
         const std::size_t next = rest.find('.');
-        const std::string which = rest.substr(0, next);
-        toml::table* element = next == std::string::npos ? nullptr : element_of(*list, which);
-        if (!element)
-            fail(place.path, place.value,
-                 fmt::format("override \"{}\": no [[{}]] of the base has the name or number {}",
-                             place.key, part, which));
-        at = element;
+        at = &step_into(*list, part, next == std::string::npos ? "" : rest.substr(0, next), place);
         rest = rest.substr(next + 1);
     }
     move_to(*at, rest, value);
@@ -131,13 +153,18 @@ void set(toml::table& document, const std::string& setting) {
     if (equals == std::string::npos || equals == 0 || equals + 1 == setting.size())
         throw BadInput(fmt::format("--set needs KEY=VALUE, got \"{}\"", setting));
     const std::string key = setting.substr(0, equals), text = setting.substr(equals + 1);
+    if (setting.find_first_of("'\n") < equals)
+        throw BadInput(fmt::format("--set: \"{}\" is no key", key));
+    const std::string whole = "--set " + setting;
     toml::table value;
     try {
-        value = toml::parse("value = " + text, "--set " + setting);
+        value = toml::parse("value = " + text, whole);
     } catch (const toml::parse_error&) {
-        value.insert("value", text);
+        if (text.find_first_of("'\n") != std::string::npos)
+            throw BadInput(fmt::format("{}: this is no value of TOML", whole));
+        value = toml::parse(fmt::format("value = '{}'", text), whole);
     }
-    apply(document, *value.get("value"), {here, *value.get("value"), key});
+    apply(document, *value.get("value"), {here, *value.get("value"), key, whole});
 }
 
 }  // namespace

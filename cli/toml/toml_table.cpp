@@ -48,8 +48,9 @@ void TomlTable::fail(const std::string& key, const std::string& message) const {
     const auto line = source.begin.line;
     const std::string& file = source.path ? *source.path : path;  // its own, or that of its base
     const std::string sample = columns ? fmt::format("sample {}: ", columns->name) : "";
-    throw BadInput(line ? fmt::format("{}:{}: {}{}", file, line, sample, message)
-                        : fmt::format("{}: {}{}", file, sample, message));
+    const bool has_lines = line && !file.starts_with("--set ");
+    throw BadInput(has_lines ? fmt::format("{}:{}: {}{}", file, line, sample, message)
+                             : fmt::format("{}: {}{}", file, sample, message));
 }
 
 bool TomlTable::has(const std::string& key) {

@@ -26,7 +26,10 @@ target_compile_options(
   grit_described PRIVATE -g -O0 -Wno-unused-parameter
                          -ffile-prefix-map=${PROJECT_SOURCE_DIR}/=
                          -ffile-prefix-map=${CMAKE_CURRENT_BINARY_DIR}/=)
-set_target_properties(grit_described PROPERTIES NO_SONAME ON C_STANDARD 11)
+# With the soname of the library: programs ask for that too.
+set_target_properties(
+  grit_described PROPERTIES OUTPUT_NAME grit VERSION ${PROJECT_VERSION} SOVERSION ${GRIT_SOVERSION} C_STANDARD 11
+                            LIBRARY_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/described)
 
 set(baseline ${CMAKE_CURRENT_SOURCE_DIR}/grit-0.1.abi)
 add_test(NAME Abi.KeepsTheBaselineOfAbidiff

@@ -39,6 +39,7 @@ TEST(MaterialPointCommand, RunsTheFileThatExplainsEveryKey) {
     EXPECT_EQ(history.at("stage").back(), 2.0);
     for (const char* picture : {"every_key.svg", "every_key_void_ratio.png"})
         EXPECT_TRUE(here.files("out").contains(picture)) << picture;
+    EXPECT_FALSE(here.files("out").contains("every_key_void_ratio.svg"));
     EXPECT_NE(here.text("out/every_key.csv").find("# stage drive ended by its blows"),
               std::string::npos);
 }
@@ -49,8 +50,8 @@ TEST(MaterialPointCommand, RunsTheFileThatExplainsEveryKeyInSpace) {
     ASSERT_EQ(here.grit(run + "out").status, 0);
     const std::map<std::string, Values> history = here.result("every_key_in_space");
     EXPECT_EQ(history.at("stage").back(), 1.0);
-    EXPECT_LT(history.at("tip_force").back(), 0.0);              // the stamp presses the soil down
-    EXPECT_NEAR(history.at("hammer_force").back(), 0.48, 1e-3);  // 2 kPa on 0.4 m by 0.6 m
+    EXPECT_LT(history.at("under_force").back(), 0.0);          // the stamp presses the soil down
+    EXPECT_NEAR(history.at("load_force").back(), 0.48, 1e-3);  // 2 kPa on 0.4 m by 0.6 m
     EXPECT_LT(std::fabs(history.at("residual_share").back()), 0.05);
     // Eight corners a domain, as hexahedra.
     const std::string ball = here.text("out/every_key_in_space_000002_ball.vtu");
@@ -84,6 +85,66 @@ TEST(MaterialPointCommand, RunsACaseThatSaysInWhatItDiffersFromAnother) {
     const Values& stage = history.at("stage");
     const auto second = std::find(stage.begin(), stage.end(), 2.0) - stage.begin();
     EXPECT_NEAR(t.at(static_cast<std::size_t>(second)), 0.002, 3e-4);
+}
+
+// A block on a roller, in plane strain, pressed by 2 kPa.
+const std::string block =
+    "[grid]\ngeometry = \"plane_strain\"\n[[grid.r]]\nto_m = 0.2\ncells = 2\n[[grid.z]]\nto_m = "
+    "0.5\n"
+    "cells = 5\n[boundary]\nright = \"roller\"\nbottom = \"roller\"\n[[body]]\nname = \"block\"\n"
+    "density_kg_per_m3 = 1000\n[[body.box]]\nr_m = [0, 0.2]\nz_m = [0, 0.4]\n[body.elastic]\n"
+    "youngs_modulus_kPa = 1000\npoissons_ratio = 0.3\n[[traction]]\nbody = \"block\"\nedge = "
+    "\"top\"\n"
+    "stress_kPa = [2]\n[[stage]]\nname = \"stand\"\n[stage.until]\ntime_s = 0.1\n"
+    "[fields]\nvariables = [\"stress_xx\"]\n";
+
+TEST(MaterialPointCommand, SaysInPlaneStrainWhatIsInAPlane) {
+    const Workplace here;
+    here.write("block.toml", block);
+    const Answer answer = here.grit("mpm block.toml --out out --field-svg");
+    ASSERT_EQ(answer.status, 0) << answer.text;
+    EXPECT_TRUE(answer.says("pictures of fields: out/block_*.png and .svg")) << answer.text;
+    const std::string history = here.text("out/block.csv");
+    for (const char* word : {"under_force [kN/m],side_force [kN/m],load_force [kN/m]",
+                             "kinetic_energy [J/m]", "80 kg/m", "forces and energies per metre"})
+        EXPECT_NE(history.find(word), std::string::npos) << word;
+    for (const char* word : {"tip", "shaft", "hammer"})
+        EXPECT_EQ(history.find(word), std::string::npos) << word;
+    EXPECT_NE(here.text("out/block.svg").find("force [kN/m]"), std::string::npos);
+    EXPECT_NE(here.text("out/block_stress_xx.svg").find("x [m]"), std::string::npos);
+    EXPECT_NE(here.text("out/block_000001_block.vtu").find("stress_xx [kPa]"), std::string::npos);
+    EXPECT_TRUE(here.grit("mpm block.toml --set fields.variables=stress_rr --no-plot")
+                    .says("no variable \"stress_rr\"; nearest: stress_xx"));
+}
+
+TEST(MaterialPointCommand, TakesValuesFromTheCommandLine) {
+    const Workplace here;
+    here.write("x.toml", column("0.02"));
+    here.write("y.toml", "base = \"x.toml\"\n[override]\n\"grid.z.1.cells\" = 12\n"
+                         "\"body.column.elastic.poissons_ratio\" = 0.2\n");
+    const std::string run = "mpm --no-plot --quiet ";
+    ASSERT_EQ(here.grit(run + "y.toml --out out").status, 0);
+    ASSERT_EQ(here.grit(run +
+                        "x.toml --out out --set grid.z.1.cells=12 "
+                        "--set body.column.elastic.poissons_ratio=0.2 --set history.body=column")
+                  .status,
+              0);
+    EXPECT_EQ(here.result("x").at("stored_energy"), here.result("y").at("stored_energy"));
+    const auto refused = [&](const std::string& setting, const std::string& words) {
+        const Answer answer = here.grit(run + "x.toml --set " + setting);
+        EXPECT_EQ(answer.status, 2) << setting;
+        EXPECT_TRUE(answer.says(words)) << answer.text;
+    };
+    refused("body.colum.density_kg_per_m3=1",
+            "--set body.colum.density_kg_per_m3=1: no [[body]] of the case has the name or number "
+            "colum; nearest: column");
+    refused("body.column.elastic.poisons_ratio=0.1",
+            "unknown key body[1].elastic.poisons_ratio; nearest: poissons_ratio");
+    refused("stages.1.until.time_s=1", "the case has no stages; nearest: stage");
+    refused("grid.z.1.cells=many", "--set grid.z.1.cells=many: grid.z[1].cells must be");
+    // A table that the case has not, and one that no case has.
+    ASSERT_EQ(here.grit(run + "x.toml --set fields.variables=velocity").status, 0);
+    refused("weather.wind=1", "unknown key weather");
 }
 
 TEST(MaterialPointCommand, OverridesElementsOfListsByNameAndByNumber) {

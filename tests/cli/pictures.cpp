@@ -66,6 +66,52 @@ TEST(Picture, IsAlsoAPdfWhereThatIsWanted) {
     EXPECT_FALSE(here.files().contains("without.pdf"));
 }
 
+TEST(Study, RunsACaseForEachValueAndDrawsThemTogether) {
+    if (!gnuplot()) return;
+    const Workplace here;
+    here.write_case("x", shearing + "[reference]\norigin = \"as it stands\"\n[[reference.value]]\n"
+                                    "quantity = \"stress_11\"\nvalue = 1\ntolerance = 1e-6\n");
+    const Answer answer =
+        here.grit("element x.toml --vary start.void_ratio=0.55,0.65 --vary numerics.tolerance=1");
+    EXPECT_TRUE(answer.says("--vary needs KEY=VALUE,VALUE,..., got \"numerics.")) << answer.text;
+    const Answer study =
+        here.grit("element x.toml --out out --vary start.void_ratio=0.55,0.65 --vary "
+                  "sand.name=lausitz,hochstetten");
+    EXPECT_EQ(study.status, 0) << study.text;
+    for (const char* name :
+         {"x_0.55_lausitz", "x_0.65_lausitz", "x_0.55_hochstetten", "x_0.65_hochstetten"}) {
+        EXPECT_TRUE(here.files("out").contains(std::string(name) + ".csv")) << name;
+        EXPECT_TRUE(here.files("out").contains(std::string(name) + ".png")) << name;
+    }
+    EXPECT_NE(here.text("out/comparison.svg").find("void_ratio = 0.65, name = hochstetten"),
+              std::string::npos);
+    ASSERT_EQ(here.run("x", "--set start.void_ratio=0.65 --set name=alone --no-plot").status, 1);
+    EXPECT_EQ(here.result("alone").at("stress_11"), here.result("x_0.65_lausitz").at("stress_11"));
+}
+
+TEST(Study, MayBePlottedByAnyColumns) {
+    if (!gnuplot()) return;
+    const Workplace here;
+    here.write_case("x", shearing);
+    ASSERT_EQ(here.grit("element x.toml --no-plot --out a").status, 0);
+    ASSERT_EQ(here.grit("element x.toml --no-plot --out b --set start.void_ratio=0.7").status, 0);
+    ASSERT_EQ(
+        here.grit("plot a/x.csv b/x.csv --x axial_strain --y rho,void_ratio --out study").status,
+        0);
+    const std::string picture = here.text("study.svg");
+    for (const char* word : {"a/x", "b/x", "rho [-]", "void ratio e", "axial compression"})
+        EXPECT_NE(picture.find(word), std::string::npos) << word;
+    EXPECT_GE(lines(picture), 4u);
+    EXPECT_TRUE(here.grit("plot a/x.csv b/x.csv --x axial_strian --y rho")
+                    .says("a/x has no column \"axial_strian\"; nearest: axial_strain"));
+    EXPECT_EQ(here.grit("plot a/x.csv --x rho").status, 2);
+    // Of laboratories also what is known, but not in such a picture.
+    here.write("lab.csv", "eps_a_percent,q_kPa,void_ratio,s22\n0,0,0.6,-100\n1,100,0.6,-100\n");
+    EXPECT_TRUE(here.grit("plot a/x.csv --data lab.csv --kind triaxial_undrained --out p")
+                    .says("lab.csv: not in a picture of triaxial_undrained: void_ratio\n"));
+    EXPECT_FALSE(here.grit("plot a/x.csv --data lab.csv --out p").says("not in a picture"));
+}
+
 TEST(PictureOfALaboratory, TakesSemicolonsAndNamesThatAreExplained) {
     if (!gnuplot()) return;
     const Workplace here;

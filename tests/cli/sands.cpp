@@ -57,9 +57,15 @@ TEST(SettingOnTheCommandLine, IsRefusedWhereItMeansNothing) {
     };
     refused("sand.critical_void_ratio", "--set needs KEY=VALUE, got \"sand.critical_void_ratio\"");
     refused("sand.critical_void_rato=0.9", "nearest: critical_void_ratio");
-    refused("sad.critical_void_ratio=0.9", "the base has no sad; nearest: sand");
-    refused("sand.critical_void_ratio=9", "sand.critical_void_ratio (e_c0) must be in");
-    refused("stage.2.axial_strain=-0.01", "no [[stage]] of the base has the name or number 2");
+    refused("sad.critical_void_ratio=0.9",
+            "--set sad.critical_void_ratio=0.9: the case has no sad; nearest: sand");
+    refused("sand.critical_void_ratio=9",
+            "--set sand.critical_void_ratio=9: sand.critical_void_ratio (e_c0) must be in");
+    refused("stage.axial_strain=-0.01", "which [[stage]], by name or number?");
+    refused("numeric.stress_tolerance=1e-9",
+            "--set numeric.stress_tolerance=1e-9: unknown key numeric; nearest: numerics");
+    refused("stage.2.axial_strain=-0.01",
+            "no [[stage]] of the case has the name or number 2; known here: 1");
 }
 
 TEST(PropsOfASand, AreThoseOfItsHosts) {

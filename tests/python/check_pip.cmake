@@ -1,7 +1,7 @@
 cmake_minimum_required(VERSION 3.25)
 # pip makes a wheel of SOURCE and installs it with PYTHON into an environment of its own under WORK; what is
 # installed runs the examples: the triaxial test prints what the Fortran host prints (in BUILD, if it
-# has one), and the tour draws its pictures.
+# has one), and the notebook says what it prints.
 include(${CMAKE_CURRENT_LIST_DIR}/../run.cmake)
 
 unset(ENV{PYTHONPATH})
@@ -36,9 +36,4 @@ if(EXISTS ${BUILD}/examples/triaxial_fortran)
     message(FATAL_ERROR "Python printed\n${printed}, Fortran\n${output}")
   endif()
 endif()
-run(${python} ${SOURCE}/examples/sand_tour.py)
-foreach(picture triaxial cycles contact)
-  if(NOT EXISTS ${WORK}/sand_tour_${picture}.svg)
-    message(FATAL_ERROR "sand_tour.py drew no sand_tour_${picture}.svg")
-  endif()
-endforeach()
+run(${python} ${CMAKE_CURRENT_LIST_DIR}/notebook.py ${SOURCE}/examples/sand_tour.ipynb)

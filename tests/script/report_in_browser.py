@@ -34,6 +34,7 @@ def run(*arguments):
 
 run("element", source / "verification/cases/lausitz_dense.toml", "--no-plot", "--out", results)
 run("mpm", source / "tests/script/falling.toml", "--no-plot", "--out", results)
+run("mpm", source / "tests/script/falling_in_space.toml", "--no-plot", "--out", results)
 (results / "table.csv").write_text("time [s],first [kPa],second [kPa]\n" + "".join(f"{i},{i * i},{20 - i}\n" for i in range(12)))
 (results / "speed.json").write_text(json.dumps({"benchmarks": [{"name": "update/7", "cpu_time": 12.5, "time_unit": "ns"}]}))
 run("report", results, "--title", "A page")
@@ -51,11 +52,11 @@ try:
     counts = script("""return [...document.querySelectorAll('.curves')].map(place =>
         [JSON.parse(place.querySelector('script').textContent).map(panel => panel.series.map(s => s.x.length)),
          [...place.querySelectorAll('canvas')].map(c => Chart.getChart(c).data.datasets.map(s => s.data.length))])""")
-    assert len(counts) == 3, counts
+    assert len(counts) == 4, counts
     for given, drawn in counts:
         assert len(given) == len(drawn) > 0 and all(len(each) > 0 for each in drawn), (given, drawn)
         assert min(n for each in drawn for n in each) > 1, drawn
-    assert len(counts[1][1]) == 4, counts  # a triaxial test: q, volume, path, void ratio
+    assert len(counts[2][1]) == 4, counts  # a triaxial test: q, volume, path, void ratio
 
     table = browser.find_element(By.CSS_SELECTOR, "section#table canvas")
     script("arguments[0].scrollIntoView({block: 'center'})", table)
@@ -98,7 +99,7 @@ try:
     assert script(window) == whole, (script(window), whole)
 
     # The player shows each frame, another variable in other colours, and values below the pointer.
-    player = browser.find_element(By.CSS_SELECTOR, ".player")
+    player = browser.find_element(By.CSS_SELECTOR, "section#falling .player")
     script("arguments[0].scrollIntoView({block: 'center'})", player)
     canvas = player.find_element(By.TAG_NAME, "canvas")
     colours = "return arguments[0].toDataURL()"
@@ -117,6 +118,18 @@ try:
     time.sleep(0.6)
     button.click()
     assert "frame 1 of" not in told.text and len(pictures) == 2, told.text
+
+    # Of bodies in space one slice, which it tells: all of its cells, and nothing of those before and behind.
+    space = browser.find_element(By.CSS_SELECTOR, "section#falling_in_space .player")
+    script("arguments[0].scrollIntoView({block: 'center'})", space)
+    assert ", slice at y = 0.2 m: x to the right, z up; " in space.find_element(By.TAG_NAME, "output").text
+    places = script("""const frame = JSON.parse(arguments[0].querySelector('script').textContent).frames[0];
+        return [frame.x, frame.y].map(text => [...unpacked(text)])""", space)
+    assert len(places[0]) == len(set(zip(*places))) == 4 * 4 + 10 * 2, (len(places[0]), "cells")
+    slice_canvas = space.find_element(By.TAG_NAME, "canvas")
+    assert abs(slice_canvas.size["width"] / slice_canvas.size["height"] - 0.5 / 0.3) < 0.03, slice_canvas.size
+    if len(sys.argv) > 4:
+        space.screenshot(sys.argv[4])
 
     assert script("return document.querySelector('section#references tr.within td').textContent") == "lausitz_dense"
     assert script("return document.querySelector('section#speed td').textContent") == "update/7"

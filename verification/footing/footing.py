@@ -54,7 +54,7 @@ def at_settlement(depths, values, wanted):
 
 def pressures(history):
     """Below the strip [kPa], means of five rows."""
-    force = history["tip_force"]
+    force = history["under_force"]
     return [sum(force[max(i - 2, 0):i + 3]) / len(force[max(i - 2, 0):i + 3]) / HALF for i in range(len(force))]
 
 

@@ -79,15 +79,28 @@ TEST(SaturatedFields, AreEffectiveAndTotalStressesAndTheFlow) {
     mpm::Body& sand = built.simulation->body(0);
     sand.particles.view()[sand.water->velocity_column()][0] = 0.5;
     const cli::MpmFields fields(*built.simulation);
-    const auto values = [&](const char* name) { return fields.values(0, mpm_field(name)); };
+    const auto values = [&](const char* name) { return fields.values(0, mpm_field(name, false)); };
     // 1/8 m below the top, of the lowest particles 7/8.
     EXPECT_NEAR(values("pore_pressure")[0], 9.81 * 7.0 / 8.0, 1e-9);
     EXPECT_NEAR(values("stress_zz")[0], -0.6 * 1.65 * 9.81 * 7.0 / 8.0, 1e-9);
     EXPECT_NEAR(values("total_zz")[0], -(0.6 * 2.65 + 0.4) * 9.81 * 7.0 / 8.0, 1e-9);
-    EXPECT_NEAR(values("total_rr")[0], values("stress_rr")[0] - values("pore_pressure")[0], 1e-12);
-    EXPECT_NEAR(values("total_tt")[0], values("stress_tt")[0] - values("pore_pressure")[0], 1e-12);
+    EXPECT_NEAR(values("total_xx")[0], values("stress_xx")[0] - values("pore_pressure")[0], 1e-12);
+    EXPECT_NEAR(values("total_yy")[0], values("stress_yy")[0] - values("pore_pressure")[0], 1e-12);
     EXPECT_NEAR(values("porosity")[0], 0.4, 1e-12);
     EXPECT_NEAR(values("seepage")[0], 0.4 * 0.5, 1e-12);
+}
+
+TEST(FieldsInPlaneStrain, HaveTheAxesOfAPlane) {
+    const std::vector<cli::MpmField>&around = cli::mpm_fields(true),
+          &plane = cli::mpm_fields(false);
+    ASSERT_EQ(around.size(), plane.size());
+    std::set<std::string> renamed;
+    for (std::size_t i = 0; i < plane.size(); ++i)
+        if (std::string(around[i].name) != plane[i].name) renamed.insert(plane[i].name);
+    EXPECT_EQ(renamed,
+              (std::set<std::string>{"F_xx", "F_xz", "F_zx", "F_yy", "stress_xx", "stress_yy",
+                                     "stress_xz", "h_xx", "h_yy", "h_xz", "total_xx", "total_yy"}));
+    EXPECT_THROW(mpm_field("stress_rr", false), std::invalid_argument);
 }
 
 TEST_F(Fields, OfAnUnknownNameAreRefusedWithTheNearest) {

@@ -28,7 +28,8 @@ class FieldPictures : public testing::Test {
     FieldPictures() {
         for (int i = 0; i < 400; ++i) simulation->step();
     }
-    std::size_t polygons(const cli::FieldPicture& picture) {
+    std::size_t polygons(cli::FieldPicture picture) {
+        picture.files.svg = true;
         EXPECT_EQ(cli::draw_field(here.path("x"), picture, fields), "");
         EXPECT_EQ(here.files(), (std::set<std::string>{"x.png", "x.svg"}));
         return count(here.text("x.svg"), "<polygon") + count(here.text("x.svg"), "<path fill");
@@ -56,6 +57,13 @@ TEST_F(FieldPictures, ShowWhatIsInTheWindow) {
     EXPECT_LE(polygons(picture), all - 60);
     picture.window = {5.0, 6.0, 5.0, 6.0};
     EXPECT_EQ(cli::draw_field(here.path("y"), picture, fields), "no particle is in the window");
+}
+
+TEST_F(FieldPictures, AreOfPixelsUnlessOtherFilesAreAskedFor) {
+    if (!gnuplot()) return;
+    const cli::FieldPicture picture{mpm_field("velocity"), "Falling sand", {}};
+    EXPECT_EQ(cli::draw_field(here.path("z"), picture, fields), "");
+    EXPECT_EQ(here.files(), std::set<std::string>{"z.png"});
 }
 
 TEST(HistoryPicture, HasAPanelForEachKindOfCurveThatTheHistoryHas) {
