@@ -6,9 +6,8 @@
 
 namespace cli {
 
-// stem.svg and stem.png of width x height points, stem.pdf if that is wanted, and stem.gnuplot, which draws them again: definitions of
-// data, then the drawing, once for each. Returns what went wrong, empty if nothing; then only the script
-// and stem.log are left.
+// stem.svg and stem.png of width x height points, stem.pdf if that is wanted, of definitions of data, then the drawing, once
+// for each. Returns why there is none: that there is no gnuplot; empty if it is drawn. Throws element::CannotWrite.
 std::string draw_with_gnuplot(const std::filesystem::path& stem, int width, int height,
                               const std::string& data, const std::string& drawing,
                               bool pdf = false);

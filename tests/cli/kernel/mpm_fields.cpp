@@ -195,6 +195,17 @@ TEST_F(Fields, AreListedWithTheirTimesAlsoByARunThatGoesOn) {
     EXPECT_EQ(entries[5]->attributes.at("part"), "1");
 }
 
+TEST_F(Fields, AreNamedByNoListOfAnOlderRun) {
+    cli::MpmFieldFiles(here.path("x"), {mpm_field("q")}, fields).write();
+    const std::string older = here.text("x_000000_sand.vtu");
+    std::filesystem::remove(here.path("x_000000_hammer.vtu"));
+    std::filesystem::create_directory(here.path("x_000000_hammer.vtu"));  // which cannot be written
+    cli::MpmFieldFiles files(here.path("x"), {mpm_field("p")}, fields);
+    EXPECT_THROW(files.write(), element::CannotWrite);
+    EXPECT_NE(here.text("x_000000_sand.vtu"), older);
+    EXPECT_EQ(here.text("x.pvd").find("DataSet"), std::string::npos) << here.text("x.pvd");
+}
+
 TEST_F(Fields, OfBodiesWhoseNamesMakeNoFileNamesGetOthers) {
     simulation->body(0).name = simulation->body(1).name = "a/b";
     files_of(here, fields).write();
