@@ -22,6 +22,7 @@
 #include "cli/process/standard_streams.hpp"
 #include "cli/process/version.hpp"
 #include "cli/sand/sand_file.hpp"
+#include "element/atomic_file.hpp"
 #include "element/errors.hpp"
 
 namespace cli {
@@ -268,9 +269,12 @@ ExitCode run_calibration(const CalibrateRequest& request) {
     result.doubts = doubts(file, result);
 
     const std::vector<NextTest> next = next_tests(file, result, threads);
-    write_report_page(report_of(request, file), file, result,
-                      bands(file, result, draws_of_bands, threads), next);
-    write_sand_file(sand_of(request, file), result.best, provenance(file, result));
+    // Both are there before either takes the place of an older one: a sand beside its own report.
+    element::AtomicFile page(report_of(request, file)), sand(sand_of(request, file));
+    write_report_page(page, file, result, bands(file, result, draws_of_bands, threads), next);
+    write_sand_file(sand, result.best, provenance(file, result));
+    sand.complete();
+    page.complete();
     if (request.quiet) return ended;
     say_posterior(file, result);
     say_parameters(file, result);

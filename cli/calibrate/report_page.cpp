@@ -218,10 +218,9 @@ std::string sampling(const CalibrationResult& result) {
 
 }  // namespace
 
-void write_report_page(const std::filesystem::path& path, const CalibrationCase& file,
+void write_report_page(element::AtomicFile& page, const CalibrationCase& file,
                        const CalibrationResult& result, const std::vector<Band>& bands,
                        const std::vector<NextTest>& next) {
-    element::AtomicFile page(path);
     page.write(
         fmt::format("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>"
                     "{0}</title><style>{1}</style></head><body><h1>{0}</h1>\n",
@@ -272,7 +271,7 @@ void write_report_page(const std::filesystem::path& path, const CalibrationCase&
                "measurements with their errors in the lighter one.</p>\n" +
                charts(file, bands));
     page.write("</body></html>\n");
-    page.complete();
+    page.flush();
 }
 
 }  // namespace cli

@@ -165,7 +165,8 @@ ExitCode run_element_tests(const ElementRequest& request) {
         report(request, file, result);
         complete = complete && result.failure.empty();
     }
-    if (!request.no_plot) draw_cases(request.out, cases, results, request.quiet);
+    if (!request.no_plot && !draw_cases(request.out, cases, results, request.quiet))
+        complete = false;
     const Comparison comparison = compare(cases, results);
     if (!comparison.text.empty()) {
         say("\n{}", comparison.text);

@@ -81,7 +81,7 @@ std::vector<std::pair<std::string, std::string>> pictures_of(const std::vector<C
     return out;
 }
 
-void draw_cases(const std::filesystem::path& folder, const std::vector<CaseFile>& cases,
+bool draw_cases(const std::filesystem::path& folder, const std::vector<CaseFile>& cases,
                 const std::vector<CaseResult>& results, bool quiet) {
     PictureMaker maker(folder, quiet);
     std::vector<Curve> all;
@@ -122,6 +122,7 @@ void draw_cases(const std::filesystem::path& folder, const std::vector<CaseFile>
         for (std::size_t i = 0; i < std::min(most_sheets, panels_of(files.front()->picture)); ++i)
             maker.draw(sheet_name(*files.front(), i), sheet(files, runs, i));
     }
+    return !maker.failed();
 }
 
 }  // namespace cli

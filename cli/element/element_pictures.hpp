@@ -14,8 +14,8 @@ namespace cli {
 std::vector<std::pair<std::string, std::string>> pictures_of(const std::vector<CaseFile>& cases);
 
 // A picture for every case, one over all where they are of one kind, and sheets of the samples of a
-// file. Pictures never fail a computation: what went wrong is said on stderr.
-void draw_cases(const std::filesystem::path& folder, const std::vector<CaseFile>& cases,
+// file. What went wrong is said on stderr; false if a picture could not be written.
+bool draw_cases(const std::filesystem::path& folder, const std::vector<CaseFile>& cases,
                 const std::vector<CaseResult>& results, bool quiet);
 
 }  // namespace cli

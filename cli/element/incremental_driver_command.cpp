@@ -43,15 +43,17 @@ class PlottedRows {
     std::vector<std::size_t> kept;
 };
 
-void draw(const IncrementalDriverRequest& request, const incremental_driver::Report& report,
+// False if the picture could not be written.
+bool draw(const IncrementalDriverRequest& request, const incremental_driver::Report& report,
           const Table& rows) {
     std::filesystem::path stem = report.output;
-    if (stem.extension() == ".svg" || stem.extension() == ".png") return;  // that is the data
+    if (stem.extension() == ".svg" || stem.extension() == ".png") return true;  // that is the data
     stem.replace_extension();
     const Curve curve{"computed", rows, {}, false, 0};
-    PictureMaker(stem.parent_path(), request.quiet)
-        .draw(stem.filename().string(),
-              picture_of_curves(picture_of_path(rows), stem.filename().string(), {curve}));
+    PictureMaker maker(stem.parent_path(), request.quiet);
+    maker.draw(stem.filename().string(),
+               picture_of_curves(picture_of_path(rows), stem.filename().string(), {curve}));
+    return !maker.failed();
 }
 
 }  // namespace
@@ -83,8 +85,8 @@ ExitCode run_incremental_driver(const IncrementalDriverRequest& request) {
         for (const std::string& exit : report.exits) say("exit:    {}\n", exit);
     flush_words();
     if (!report.failure.empty()) warn("grit: stopped early at {}\n", report.failure);
-    if (!request.no_plot) draw(request, report, rows.table);
-    return report.failure.empty() ? ok : failed_computation;
+    const bool drawn = request.no_plot || draw(request, report, rows.table);
+    return report.failure.empty() && drawn ? ok : failed_computation;
 }
 
 }  // namespace cli

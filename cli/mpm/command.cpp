@@ -119,13 +119,14 @@ ExitCode run_mpm(const MpmRequest& request) {
     MpmRun run(options, runner);
     const std::string failure = run.go();
     if (!failure.empty()) warn("grit: {}: {}\n", plan.name, failure);
-    if (!request.no_plot) run.draw();
-    if (request.quiet) return failure.empty() ? ok : failed_computation;
+    const bool drawn = request.no_plot || run.draw();
+    const ExitCode ended = failure.empty() && drawn ? ok : failed_computation;
+    if (request.quiet) return ended;
     say("{}: {} particles, {} steps, t = {:.4g} s, {:.1f} s of computing -> {}\n", plan.name,
         runner.particles(), runner.subject().steps(), runner.subject().time(), run.seconds(),
         options.history.string());
     tell_cost(runner);
-    return failure.empty() ? ok : failed_computation;
+    return ended;
 }
 
 }  // namespace cli

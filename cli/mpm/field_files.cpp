@@ -37,6 +37,8 @@ std::string MpmFieldFiles::file_name(std::size_t frame, std::size_t body) const 
 void MpmFieldFiles::write() {
     const double now = fields.time();
     const std::filesystem::path folder = stem.parent_path();
+    // No list of an older run names files of this one.
+    if (!list) begin_list();
     for (std::size_t b = 0; b < fields.bodies(); ++b) {
         VtuSheet sheet{now, fields.corners(b), {}, fields.corners_each()};
         for (const MpmField& field : variables)
@@ -45,10 +47,10 @@ void MpmFieldFiles::write() {
         write_vtu(folder / file_name(written.size(), b), sheet);
     }
     written.push_back(now);
-    if (list) {
-        list->add(entries_of(written.size() - 1));
-        return;
-    }
+    list->add(entries_of(written.size() - 1));
+}
+
+void MpmFieldFiles::begin_list() {
     std::vector<std::vector<PvdEntry>> frames;
     for (std::size_t i = 0; i < written.size(); ++i) frames.push_back(entries_of(i));
     std::filesystem::path place = stem;

@@ -24,6 +24,7 @@ class MpmFieldFiles {
     void resume(std::vector<double> times) { written = std::move(times); }
 
   private:
+    void begin_list();
     std::vector<PvdEntry> entries_of(std::size_t frame) const;
     std::string file_name(std::size_t frame, std::size_t body) const;
 

@@ -16,6 +16,7 @@
 #include "cli/process/abnormal_end.hpp"
 #include "cli/process/exit_code.hpp"
 #include "cli/process/standard_streams.hpp"
+#include "element/atomic_file.hpp"
 
 namespace cli {
 
@@ -102,7 +103,7 @@ std::string MpmRun::replay(const MaterialFailure& error) {
     return fmt::format("; to be replayed by grit element {}", options.failure.string());
 }
 
-void MpmRun::draw() {
+bool MpmRun::draw() {
     const Case& plan = runner.description();
     Table table{cli::history_columns(plan)};
     const std::size_t width = table.columns.size();
@@ -111,7 +112,7 @@ void MpmRun::draw() {
     PictureMaker maker(options.fields.parent_path(), options.quiet);
     maker.draw(options.fields.filename().string(), picture_of_history(table, plan.title));
     const auto* drawn = dynamic_cast<const MpmFields*>(fields.get());
-    if (!options.shown || !drawn) return;  // fields in space are for ParaView alone
+    if (!options.shown || !drawn) return !maker.failed();  // fields in space are for ParaView alone
     for (const MpmField& field : options.shown->variables) {
         FieldPicture picture{field,
                              fmt::format("{}, t = {:.4g} s", plan.title, runner.subject().time()),
@@ -120,14 +121,22 @@ void MpmRun::draw() {
                              words_of(plan).across};
         picture.files.svg = options.field_svg;
         const std::filesystem::path stem = options.fields.string() + "_" + field.name;
-        const std::string problem = draw_field(stem, picture, *drawn);
+        std::string problem;
+        bool broken = maker.failed();
+        try {
+            problem = draw_field(stem, picture, *drawn);
+        } catch (const element::CannotWrite& error) {
+            problem = error.what();
+            broken = true;
+        }
         if (problem.empty()) continue;
         warn("grit: no picture: {}\n", problem);
-        return;
+        return !broken;
     }
     if (!options.quiet && !options.shown->variables.empty())
         say("pictures of fields: {}_*.png{}\n", options.fields.string(),
             options.field_svg ? " and .svg" : "");
+    return !maker.failed();
 }
 
 std::string MpmRun::here() {

@@ -38,8 +38,8 @@ class MpmRun {
 
     // Why it stopped early; empty: it did not.
     std::string go();
-    // Curves of the history, and the fields of [fields] as they are now. They never fail a run.
-    void draw();
+    // Curves of the history, and the fields of [fields] as they are now. False if one could not be written.
+    bool draw();
     double seconds() const { return progress.seconds(); }
 
   private:

@@ -11,8 +11,8 @@ struct PictureFiles {
     bool svg = true, png = true, pdf = false;
 };
 
-// Pictures of width x height points by a script, stem.gnuplot: definitions of data, then the drawing, once for each.
-// Returns what went wrong, empty if nothing; neither script nor stem.log is left.
+// Pictures of width x height points, of definitions of data, then the drawing, once for each. Returns why there is none:
+// that there is no gnuplot; empty if they are drawn. Throws element::CannotWrite.
 std::string draw_with_gnuplot(const std::filesystem::path& stem, int width, int height,
                               const std::string& data, const std::string& drawing,
                               const PictureFiles& files);

@@ -16,6 +16,7 @@ void PictureMaker::draw(const std::string& name, const Picture& picture) {
         problem = cli::draw(folder / name, picture);
     } catch (const element::CannotWrite& error) {
         problem = error.what();
+        broken = true;
     }
     if (!problem.empty()) warn("grit: no picture: {}\n", problem);
     else if (!quiet) say("picture: {} and .png\n", (folder / (name + ".svg")).string());

@@ -8,8 +8,8 @@
 
 namespace cli {
 
-// Draws the pictures of a run. They never fail a computation: the first problem is said on stderr, and
-// nothing is drawn any more.
+// Draws the pictures of a run. They end no computation: the first problem is said on stderr, and nothing is drawn any
+// more. That there is no gnuplot is no failure.
 class PictureMaker {
   public:
     PictureMaker(std::filesystem::path where, bool no_words)
@@ -17,11 +17,13 @@ class PictureMaker {
 
     // name: without ending.
     void draw(const std::string& name, const Picture& picture);
+    bool failed() const { return broken; }
 
   private:
     std::filesystem::path folder;
     bool quiet;
     std::string problem;
+    bool broken = false;
 };
 
 }  // namespace cli

@@ -63,9 +63,8 @@ grit_sand_parameters read_sand_file(const std::filesystem::path& path) {
     return out;
 }
 
-void write_sand_file(const std::filesystem::path& path, const grit_sand_parameters& parameters,
+void write_sand_file(element::AtomicFile& file, const grit_sand_parameters& parameters,
                      const std::vector<std::string>& comments) {
-    element::AtomicFile file(path);
     for (std::string text : comments) {
         std::replace_if(
             text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; },
@@ -82,7 +81,7 @@ void write_sand_file(const std::filesystem::path& path, const grit_sand_paramete
         file.write(fmt::format("{} = {:.17g}  # {}\n", parameter_key(info),
                                value / unit_of(info).size, info.symbol));
     }
-    file.complete();
+    file.flush();
 }
 
 }  // namespace cli

@@ -9,6 +9,7 @@
 #include <grit/grit.h>
 
 #include "cli/toml/toml_table.hpp"
+#include "element/atomic_file.hpp"
 
 namespace cli {
 
@@ -24,9 +25,9 @@ std::vector<std::string> sand_names();
 // [sand] with all parameters, stresses in kPa. Throws BadInput.
 grit_sand_parameters read_sand_file(const std::filesystem::path& path);
 
-// Comments say where the parameters come from; those that are not given (NaN) are left out. Throws
-// element::CannotWrite.
-void write_sand_file(const std::filesystem::path& path, const grit_sand_parameters& parameters,
+// Comments say where the parameters come from; those that are not given (NaN) are left out. The file is
+// complete but for its name. Throws element::CannotWrite.
+void write_sand_file(element::AtomicFile& file, const grit_sand_parameters& parameters,
                      const std::vector<std::string>& comments);
 
 }  // namespace cli

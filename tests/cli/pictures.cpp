@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <filesystem>
 
 #include "support/workplace.hpp"
 
@@ -53,6 +54,22 @@ TEST(Picture, IsOfTheLastStageThatDoesAnything) {
                          "test = \"rest\"\n");
     here.grit("element --out out x.toml");
     EXPECT_NE(here.text("out/x.svg").find("axial stress"), std::string::npos);
+}
+
+// A gnuplot that fails, that draws half, that draws nothing: data, no picture, and no status 0.
+TEST(Picture, ThatIsNotWholeIsNoneAndSaid) {
+    const Workplace here;
+    here.write_case("x", shearing);
+    for (const std::string does :
+         {"echo no room >&2; exit 1", "echo half of a picture", "exit 0", "kill -9 $$"}) {
+        here.write("gnuplot", "#!/bin/sh\n" + does + "\n");
+        std::filesystem::permissions(here.path("gnuplot"), std::filesystem::perms::owner_all);
+        const Answer answer =
+            here.grit("sand list > /dev/null; PATH=.:$PATH " GRIT_CLI " element --out out x.toml");
+        EXPECT_EQ(answer.status, 1) << does << ": " << answer.text;
+        EXPECT_TRUE(answer.says("grit: no picture: out/x.svg: gnuplot ended")) << answer.text;
+        EXPECT_EQ(here.files("out"), Names{"x.csv"}) << does;
+    }
 }
 
 TEST(Picture, IsAlsoAPdfWhereThatIsWanted) {

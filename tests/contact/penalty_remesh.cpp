@@ -103,6 +103,13 @@ TEST(PenaltyRemesh, MergesShortSegmentsOfAStraightLine) {
     EXPECT_EQ(x.back(), (Point{3.0, 0.0}));
 }
 
+TEST(PenaltyRemesh, KeepsSegmentsThatAreJustLongEnough) {
+    Remesh remesh({{0.0, 0.0}, {0.3, 0.0}, {0.61, 0.0}, {0.92, 0.0}, {1.23, 0.0}});
+    EXPECT_TRUE(same_bits(remesh(), remesh.x));
+    remesh.x[2][0] = 0.598;
+    EXPECT_EQ(remesh().size(), 4u);
+}
+
 TEST(PenaltyRemesh, ReturnsALineThatFitsAsItIs) {
     std::mt19937_64 random(441);
     for (int i = 0; i < 50; ++i) {

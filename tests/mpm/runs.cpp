@@ -231,6 +231,22 @@ TEST(Run, StopsWhereTheEnergyBalanceBreaksAndSaysWhere) {
     EXPECT_LT(runner.simulation().time(), 1.0);
 }
 
+TEST(Run, StopsWhereAnEnergyIsNoNumberAndSaysWhich) {
+    Energy energy{.kinetic = 1.0, .viscosity = 2.0};
+    energy.check_finite(0.5);
+    for (const double bad : {NAN, INFINITY}) {
+        energy.viscosity = bad;
+        try {
+            energy.check_finite(0.5);
+            FAIL() << "it went on";
+        } catch (const std::runtime_error& error) {
+            EXPECT_STREQ(error.what(),
+                         "the energy balance is broken at t = 0.500000 s: its term viscosity is "
+                         "infinite or no number; is cfl too large?");
+        }
+    }
+}
+
 // How far the lowest particles of a column that is free at its sides bulge out [m].
 double bulge(Boundary bottom) {
     Case plan = column_case();

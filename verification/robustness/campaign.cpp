@@ -9,12 +9,15 @@
 #include <cstdio>
 #include <fstream>
 #include <mutex>
+#include <set>
+#include <sstream>
 #include <stdexcept>
 #include <thread>
 #include <vector>
 
 #include <grit/version.h>
 
+#include "support/version/commit.hpp"
 #include "support/version_text.hpp"
 
 namespace robustness {
@@ -22,9 +25,21 @@ namespace {
 
 std::atomic<bool> asked_to_stop = false;
 
+// What blocks have cost, and by which programs.
+struct Effort {
+    double seconds = 0.0;  // of threads
+    std::set<std::string> commits;
+
+    void add(double more, const std::string& commit) {
+        seconds += more;
+        commits.insert(commit.empty() ? "unknown" : commit);
+    }
+};
+
 class Journal {
   public:
-    Journal(const Kind& kind, const Campaign& campaign, std::vector<bool>& done, Findings& all)
+    Journal(const Kind& kind, const Campaign& campaign, std::vector<bool>& done, Findings& all,
+            Effort& effort)
         : path(campaign.journal), words(kind.words) {
         if (path.empty()) return;
         const std::string head = "grit torture " + kind.name + ", seed " +
@@ -39,9 +54,16 @@ class Journal {
                                          "\": give another file");
             while (std::getline(before, line)) {
                 if (before.eof()) break;  // cut off
-                const std::size_t number = std::stoul(line);
-                if (number < done.size() && !done[number]) all.add(Findings::of_line(words, line));
-                if (number < done.size()) done[number] = true;
+                std::istringstream head_of_line(line.substr(0, line.find('\t')));
+                std::size_t number = done.size();
+                double seconds = 0.0;
+                std::string commit;
+                if (!(head_of_line >> number >> seconds >> commit))
+                    throw std::runtime_error(path + ": no block stands in \"" + line + '"');
+                if (number >= done.size() || done[number]) continue;
+                all.add(Findings::of_line(words, line));
+                effort.add(seconds, commit);
+                done[number] = true;
             }
         }
         before.close();
@@ -51,9 +73,12 @@ class Journal {
         if (!file) throw std::runtime_error(path + ": cannot be written");
     }
 
-    void add(std::size_t block, const Findings& found) {
+    void add(std::size_t block, double seconds, const Findings& found) {
         if (path.empty()) return;
-        file << block << found.line(words) << '\n' << std::flush;
+        const std::string commit = grit::commit();
+        file << block << ' ' << seconds << ' ' << (commit.empty() ? "unknown" : commit)
+             << found.line(words) << '\n'
+             << std::flush;
         if (!file) throw std::runtime_error(path + ": cannot be written");
     }
 
@@ -77,13 +102,14 @@ bool run(const Kind& kind, const Campaign& campaign) {
     const auto blocks = static_cast<std::size_t>((campaign.count + kind.block - 1) / kind.block);
     std::vector<bool> done(blocks);
     Findings all(kind.words);
-    Journal journal(kind, campaign, done, all);
+    Effort effort;
+    Journal journal(kind, campaign, done, all, effort);
     std::vector<std::size_t> left;
     for (std::size_t i = 0; i < blocks; ++i)
         if (!done[i]) left.push_back(i);
     const std::size_t before = blocks - left.size();
 
-    std::signal(SIGINT, [](int) { asked_to_stop = true; });
+    for (const int each : {SIGINT, SIGTERM}) std::signal(each, [](int) { asked_to_stop = true; });
     const auto start = Clock::now();
     const auto seconds = [&] {
         return std::chrono::duration<double>(Clock::now() - start).count();
@@ -104,15 +130,18 @@ bool run(const Kind& kind, const Campaign& campaign) {
             Findings found(kind.words);
             // Neighbouring seeds and blocks have streams that share nothing.
             Random random(Random(campaign.seed).bits() ^ Random(~std::uint64_t{block}).bits());
+            const double began = seconds();
             kind.run(random, kind.block, found);
             const std::lock_guard lock(mutex);
+            const double took = seconds() - began;
             try {
-                journal.add(block, found);
+                journal.add(block, took, found);
             } catch (const std::runtime_error& error) {
                 failure = error.what();
                 return;
             }
             all.add(found);
+            effort.add(took, grit::commit());
             ++ended;
             if (seconds() - told < 10.0) continue;
             told = seconds();
@@ -133,6 +162,13 @@ bool run(const Kind& kind, const Campaign& campaign) {
                 before + ended, blocks, kind.block, campaign.seed,
                 grit::version_text(grit_version()).c_str());
     all.print(kind.words);
+    std::string commits;
+    for (const std::string& each : effort.commits) commits += (commits.empty() ? "" : ", ") + each;
+    std::printf("| kind | seed | commit | cases | seconds of threads | rules broken |\n"
+                "| %s | %lu | %s | %.0f | %.0f | %d |\n",
+                kind.name.c_str(), campaign.seed, commits.c_str(),
+                static_cast<double>(before + ended) * static_cast<double>(kind.block),
+                effort.seconds, all.rules_broken());
     return all.clean();
 }
 

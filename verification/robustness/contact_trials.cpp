@@ -15,12 +15,14 @@
 namespace robustness {
 namespace {
 
-enum Count { nodes, inactive, open, stick, slip, refused, of_many, many_not_converged };
+enum Count { nodes, inactive, open, stick, slip, sprung, refused, of_many, many_not_converged };
 enum Largest {
     momentum_error,
     energy_gain,
     friction_excess,
     approach_left,
+    spring_energy_gain,
+    spring_error,
     swap_error,
     galilei_error,
     turn_error,
@@ -38,6 +40,8 @@ enum Rule {
     obeys_coulomb,
     pushes_only,
     closes_as_told,
+    spring_gains_no_energy,
+    spring_as_told,
     does_not_see_names,
     does_not_see_common_velocity,
     turns_along,
@@ -47,10 +51,12 @@ enum Rule {
 };
 
 const Vocabulary words = {
-    {"nodes corrected alone", "with one body", "open", "sticking", "slipping", "refused",
-     "nodes of more bodies", "of these, squeezed"},
+    {"nodes corrected alone", "with one body", "open", "sticking", "slipping",
+     "pressed by a spring", "refused", "nodes of more bodies", "of these, squeezed"},
     {"momentum error over momentum", "energy gained over that of the relative motion",
      "friction above Coulomb's, over m_r |w|", "approach left beside (1 - f_p) of it, over |w|",
+     "energy gained with that of a spring, over both",
+     "impulse of a spring beside (C9), over its terms",
      "difference with bodies exchanged, over velocities",
      "difference with a common velocity, over velocities",
      "difference when turned, over velocities", "momentum error of more bodies",
@@ -59,7 +65,9 @@ const Vocabulary words = {
      "a batch gives the bits of single calls, whatever its strides", "a status is one of a node's",
      "momentum is kept to 1e-15", "energy does not grow by more than 1e-14",
      "friction stays within Coulomb's limit to 1e-13", "the normal impulse presses",
-     "f_p of the approach is taken to 1e-14", "bodies exchanged give the same to 1e-14",
+     "f_p of the approach is taken to 1e-14",
+     "energy with that of a spring does not grow by more than 1e-14",
+     "the impulse of a spring is that of (C9) to 1e-14", "bodies exchanged give the same to 1e-14",
      "a common velocity is not seen, to 1e-14 (1 + mu)",
      "turned nodes give turned velocities to 1e-13 (1 + mu)",
      "momentum of more bodies is kept to 1e-14", "energy of more bodies does not grow by 1e-12",
@@ -109,6 +117,10 @@ Call random_call(Random& random) {
     call.pore = random.below(4) == 0;
     if (o.law == GRIT_CONTACT_GEO && random.below(3) == 0)
         o.relaxation_time = random.log_uniform(1e-12, 1e3);
+    if (o.law == GRIT_CONTACT_GEO && random.below(4) == 0) {
+        call.gap = call.area = true;
+        o.contact_stiffness = random.log_uniform(1e-15, 1e15);
+    }
     return call;
 }
 
@@ -245,13 +257,13 @@ bool all_finite(const Vec& a) {
 std::string program_of(const Call& call, const Node& x) {
     const grit_contact_options& o = call.options;
     const double scalars[] = {x.m_a, x.m_b, x.distance, x.cell, x.gap, x.area, x.pore};
-    const double options[] = {o.penalty_power,  o.friction_coefficient, o.adhesion,
-                              o.time_step,      o.mass_tolerance,       o.gap_tolerance,
-                              o.relaxation_time};
+    const double options[] = {o.penalty_power,   o.friction_coefficient, o.adhesion,
+                              o.time_step,       o.mass_tolerance,       o.gap_tolerance,
+                              o.relaxation_time, o.contact_stiffness};
     return "#include <grit/grit.h>\n#include <stdio.h>\nint main(void) {\n    double s[] = " +
            numbers(scalars, 7) + ";\n    double n[] = " + numbers(x.normal.data(), 3) +
            ", a[] = " + numbers(x.v_a.data(), 3) + ", b[] = " + numbers(x.v_b.data(), 3) +
-           ";\n    double p[] = " + numbers(options, 7) +
+           ";\n    double p[] = " + numbers(options, 8) +
            ";\n    grit_contact_options o; grit_contact_options_init(&o, sizeof o);\n    "
            "o.components = " +
            std::to_string(o.components) + "; o.law = " + std::to_string(o.law) +
@@ -260,6 +272,7 @@ std::string program_of(const Call& call, const Node& x) {
            ";\n    o.penalty_power = p[0]; o.friction_coefficient = p[1]; o.adhesion = p[2]; "
            "o.time_step = p[3];\n"
            "    o.mass_tolerance = p[4]; o.gap_tolerance = p[5]; o.relaxation_time = p[6];\n"
+           "    o.contact_stiffness = p[7];\n"
            "    grit_contact_nodes q = {sizeof q};\n"
            "    q.mass_a = grit_view_of(s, 1, 1); q.mass_b = grit_view_of(s + 1, 1, 1); q.normal = "
            "grit_view_of(n, 3, 1);\n"
@@ -276,6 +289,39 @@ std::string program_of(const Call& call, const Node& x) {
            "r.state, r.penalty_factor,\n"
            "           r.impulse[0], r.impulse[1], r.impulse[2], e.message);\n"
            "    for (int c = 0; c < 3; ++c) printf(\"%.17g %.17g\\n\", a[c], b[c]);\n}\n";
+}
+
+// (C9), both sides times 1 - f_p, over m_r: spring and dashpot, implicit.
+void judge_spring(const Call& call, const Node& x, const Node& y, double m_r, double J_n,
+                  Findings& out) {
+    const grit_contact_options& o = call.options;
+    const double dt = o.time_step, f = y.report.penalty_factor,
+                 part = o.relaxation_time > 0.0 ? dt / o.relaxation_time : 1.0,
+                 stiff = o.contact_stiffness * x.area * dt / m_r * dt,
+                 overlap = std::max(-x.gap, 0.0), w_n = dot(x.w(), x.normal);
+    if (!(stiff < 1e100 && stiff > 1e-100)) return;
+    const auto program = [&] { return program_of(call, x); };
+    out.count(sprung);
+    const double whole = 1.0 - f + f * part + (1.0 - f) * stiff;
+    const double pushed = (1.0 - f) * stiff * (overlap / dt) / whole,
+                 taken = (f * part + (1.0 - f) * stiff) / whole * w_n;
+    const double speeds = norm(x.v_a) + norm(x.v_b);
+    const double error =
+        std::fabs(J_n / m_r - taken - pushed) / (pushed + std::fabs(taken) + speeds);
+    out.measure(spring_error, error);
+    out.demand(spring_as_told, error <= 1e-14, program);
+    // Velocities as lengths of a step, so that no square is too large.
+    const auto energy = [&](const Vec& w, double depth) {
+        return std::hypot(norm(w), std::sqrt(stiff) * (depth / dt));
+    };
+    const double now = dot(y.w(), x.normal);
+    const double before = energy(x.w(), overlap), after = energy(y.w(), overlap + now * dt);
+    // What w and the depth have lost to roundoff.
+    const double lost = 4e-16 * (speeds + norm(y.v_a) + norm(y.v_b)) * (1.0 + std::sqrt(stiff)) +
+                        4e-16 * std::sqrt(stiff) * (overlap / dt);
+    const double gain = (after - before - lost) / (before + lost);
+    out.measure(spring_energy_gain, gain);
+    out.demand(spring_gains_no_energy, gain <= 1e-14, program);
 }
 
 void judge(const Call& call, const Node& x, const Node& y, Findings& out) {
@@ -297,11 +343,14 @@ void judge(const Call& call, const Node& x, const Node& y, Findings& out) {
     }
     const Vec J = {r.impulse[0], r.impulse[1], r.impulse[2]};
     out.demand(finite, all_finite(y.v_a) && all_finite(y.v_b) && all_finite(J), program);
-    const double speeds = norm(x.v_a) + norm(x.v_b), before = norm(x.w());
+    const bool springs = call.options.contact_stiffness > 0.0;
+    const double speeds = norm(x.v_a) + norm(x.v_b);
     if (speeds < smallest_speed) return;
     const double m_r = call.options.rigid == GRIT_CONTACT_A_RIGID   ? x.m_b
                        : call.options.rigid == GRIT_CONTACT_B_RIGID ? x.m_a
                                                                     : x.m_r();
+    // A spring pushes bodies apart that had no relative velocity, and by less than their velocities show.
+    const double before = springs ? norm(x.w()) + norm(y.w()) + norm(J) / m_r : norm(x.w());
     if (call.options.rigid == GRIT_CONTACT_NONE_RIGID) {
         double error = 0.0, size = 0.0;
         for (std::size_t c = 0; c < 3; ++c) {
@@ -313,9 +362,13 @@ void judge(const Call& call, const Node& x, const Node& y, Findings& out) {
         out.demand(keeps_momentum, error <= 1e-15 * size, program);
     }
     const double roundoff = 4e-16 * speeds / before;  // of w itself
-    const double gain = norm(y.w()) / before - 1.0;
-    out.measure(energy_gain, gain - roundoff);
-    out.demand(gains_no_energy, gain <= 1e-14 + roundoff, program);
+    if (springs) {
+        judge_spring(call, x, y, m_r, dot(J, x.normal), out);
+    } else {
+        const double gain = norm(y.w()) / before - 1.0;
+        out.measure(energy_gain, gain - roundoff);
+        out.demand(gains_no_energy, gain <= 1e-14 + roundoff, program);
+    }
     // Impulses over m_r |w|, whose squares may be too small for numbers.
     const double size = m_r * before, w_n = dot(x.w(), x.normal);
     const Vec share = {J[0] / size, J[1] / size, J[2] / size};
@@ -328,7 +381,7 @@ void judge(const Call& call, const Node& x, const Node& y, Findings& out) {
     const double excess = (J_t - limit) / (1.0 + limit);
     out.measure(friction_excess, excess - roundoff);
     out.demand(obeys_coulomb, excess <= 1e-13 + 4.0 * roundoff, program);
-    if (call.options.relaxation_time == 0.0) {
+    if (call.options.relaxation_time == 0.0 && !springs) {
         const double left =
             std::fabs(dot(y.w(), x.normal) - (1.0 - r.penalty_factor) * w_n) / before;
         out.measure(approach_left, left - roundoff);
@@ -345,8 +398,9 @@ void judge_in_other_words(const Call& call, const Node& x, const Node& y, Random
                           Findings& out) {
     if (y.report.status != GRIT_OK || y.report.state <= GRIT_CONTACT_OPEN) return;
     const auto program = [&] { return program_of(call, x); };
-    const double speeds = norm(x.v_a) + norm(x.v_b);
-    if (speeds < smallest_speed) return;
+    // A spring gives what was not there.
+    const double speeds = std::max(norm(x.v_a) + norm(x.v_b), norm(y.v_a) + norm(y.v_b));
+    if (norm(x.v_a) + norm(x.v_b) < smallest_speed) return;
 
     Node exchanged = x;
     std::swap(exchanged.m_a, exchanged.m_b);
@@ -494,6 +548,8 @@ void try_many(const Call& call, Random& random, Findings& out) {
         }
         error += std::fabs(sum);
     }
+    for (const grit_contact_report& r : reports)  // springs may press against each other
+        size += norm({r.impulse[0], r.impulse[1], r.impulse[2]});
     for (std::size_t i = 0; i < mass.size(); ++i) {
         const Vec old = plus(before[i], -1.0, centre), now = plus(velocity[i], -1.0, centre);
         energy_before += 0.5 * mass[i] * dot(old, old);
@@ -501,9 +557,11 @@ void try_many(const Call& call, Random& random, Findings& out) {
     }
     out.measure(many_momentum, error / size);
     out.demand(many_keeps_momentum, error <= 1e-14 * size, program);
-    const double gain = energy_after / energy_before - 1.0;
-    out.measure(many_energy, gain);
-    out.demand(many_gains_no_energy, gain <= 1e-12, program);
+    if (options.contact_stiffness == 0.0) {
+        const double gain = energy_after / energy_before - 1.0;
+        out.measure(many_energy, gain);
+        out.demand(many_gains_no_energy, gain <= 1e-12, program);
+    }
     if (count != 2) return;
     Call alone = call;
     alone.options = options;

@@ -34,9 +34,9 @@ void Findings::add(const Findings& other) {
     }
 }
 
-bool Findings::clean() const {
-    return std::all_of(broken.begin(), broken.end(),
-                       [](const Broken& one) { return one.times == 0; });
+int Findings::rules_broken() const {
+    return static_cast<int>(std::count_if(broken.begin(), broken.end(),
+                                          [](const Broken& one) { return one.times != 0; }));
 }
 
 std::string Findings::line(const Vocabulary& words) const {

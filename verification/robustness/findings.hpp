@@ -31,7 +31,8 @@ class Findings {
         if (one.times++ == 0) one.program = program();
     }
     void add(const Findings& other);
-    bool clean() const;
+    int rules_broken() const;
+    bool clean() const { return rules_broken() == 0; }
 
     // One line, and back; throws std::runtime_error if it is none of these words.
     std::string line(const Vocabulary& words) const;

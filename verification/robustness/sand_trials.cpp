@@ -35,6 +35,7 @@ enum Count {
     referred,
     referred_over,
     differences,
+    differences_of_any,
     cycles,
     cycles_with_energy
 };
@@ -46,6 +47,7 @@ enum Largest {
     error_of_reference,
     h_of_reference,
     tangent_error,
+    tangent_error_of_any,
     steps_of_a_retry
 };
 enum Rule {
@@ -65,6 +67,7 @@ enum Rule {
     estimate_tells,
     exact_stress,
     tangent_is_difference,
+    tangent_is_that_of_reference,
     no_energy_of_nothing
 };
 
@@ -75,12 +78,14 @@ const Vocabulary words = {
      "not converged, followed by smaller steps", "compared with a tolerance of 1e-11",
      "of these, error above the tolerance", "compared with the long double reference",
      "of these, error above the tolerance of 1e-9", "tangents compared with differences",
+     "tangents of any parameters compared with differences of the reference",
      "closed cycles from nothing", "of these, energy given"},
     {"evaluations of a call", "error over tolerance, published sands",
      "error over tolerance, any parameters",
      "error over tolerance, where the cone, h or nothing limits",
      "error against the reference, published sands", "error of h over R, published sands",
-     "error of a tangent, published sands", "steps that a failed strain was cut into"},
+     "error of a tangent, published sands", "error of a tangent, any parameters",
+     "steps that a failed strain was cut into"},
     {"results are finite", "a failed point keeps its bits",
      "without strain and rotation nothing changes",
      "a batch gives the bits of single calls, whatever its strides", "a status is one of a point's",
@@ -91,6 +96,7 @@ const Vocabulary words = {
      "the error estimate of published sands is above a hundredth of an error above the tolerance",
      "stress and h of published sands are those of the reference within 1e-7",
      "the tangent of published sands is the difference of stresses within 1 %",
+     "the tangent of any sand is the difference of the reference's stresses within 1 %",
      "no closed cycle of a published sand from nothing gives energy"}};
 
 // What one call is told, and one point.
@@ -603,6 +609,61 @@ void compare_tangent(const Call& call, const Point& before, Random& random, Find
     out.demand(tangent_is_difference, error <= 1e-2, [&] { return program_of(tight, before); });
 }
 
+// Of sands of any parameters, where the stress is that of the reference: against its differences.
+void compare_tangent_with_reference(const Call& call, const Point& before, Random& random,
+                                    Findings& out) {
+    const double length = norm_of_strain(before.strain);
+    const bool basic = !with_memory(call);
+    if (call.of_catalogue || call.rotated || !(length >= 1e-8 && length <= 0.02) ||
+        near_axis(before) ||
+        (!basic && norm_of_strain(before.state) > call.parameters.elastic_strain_radius))
+        return;
+    Call tight = call;
+    tight.options.tolerance = 1e-9;
+    tight.options.evaluation_limit = 200000;
+    tight.options.tangent = GRIT_TANGENT_CONSISTENT;
+    tight.advised = false;
+    Point x = before, reference = before;
+    update(tight, x);
+    if (x.report.status != GRIT_OK || x.report.flags || near_axis(x)) return;
+    const auto stress_after = [&](const double* strain) {
+        return exact_update(call.parameters, before.stress, before.state, strain, basic);
+    };
+    const auto exact = stress_after(before.strain);
+    if (!exact) return;
+    std::copy(exact->stress, exact->stress + 6, reference.stress);
+    if (stress_error(x, reference, before) > 1e-7) return;  // stiffer than it can follow
+    double way[6], of_tangent[6] = {}, difference[2][6];
+    random_tensor(random, 1.0, 2.0, call.components, way);
+    for (int r = 0; r < call.components; ++r)
+        for (int c = 0; c < call.components; ++c)
+            of_tangent[r] += x.tangent[r * call.components + c] * way[c];
+    for (int i = 0; i < 2; ++i) {
+        const double h = (i == 0 ? 1e-3 : 5e-4) * length;
+        double plus[6], minus[6];
+        for (int c = 0; c < 6; ++c) {
+            plus[c] = before.strain[c] + h * way[c];
+            minus[c] = before.strain[c] - h * way[c];
+        }
+        const auto after_plus = stress_after(plus), after_minus = stress_after(minus);
+        if (!after_plus || !after_minus) return;
+        for (int c = 0; c < 6; ++c)
+            difference[i][c] = (after_plus->stress[c] - after_minus->stress[c]) / (2.0 * h);
+    }
+    double between[6], apart[6];
+    for (int c = 0; c < 6; ++c) {
+        between[c] = difference[0][c] - difference[1][c];
+        apart[c] = c < call.components ? of_tangent[c] - difference[1][c] : 0.0;
+    }
+    const double size = norm_of_stress(difference[1]);
+    if (norm_of_stress(between) > 1e-4 * size) return;
+    out.count(differences_of_any);
+    const double error = norm_of_stress(apart) / size;
+    out.measure(tangent_error_of_any, error);
+    out.demand(tangent_is_that_of_reference, error <= 1e-2,
+               [&] { return program_of(tight, before); });
+}
+
 // Work of a closed path of strain that starts without stress.
 void try_cycle(const Call& call, Random& random, Findings& out) {
     if (!call.of_catalogue || !with_memory(call)) return;
@@ -679,6 +740,7 @@ void run_sand(Random& random, long cases, Findings& out) {
             if (random.below(256) == 0) compare_tolerance(call, x, y, out);
             if (random.below(2048) == 0) compare_reference(call, x, out);
             if (random.below(1024) == 0) compare_tangent(call, x, random, out);
+            if (random.below(1024) == 0) compare_tangent_with_reference(call, x, random, out);
         }
         if (random.below(2048) == 0) try_cycle(call, random, out);
         tried += static_cast<long>(n);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// torture sand|contact|penalty|surface [--count N] [--seed S] [--hours H] [--threads N] [--journal FILE]: random trials, what they found, and
+// torture sand|contact|penalty|surface|mpm [--count N] [--seed S] [--hours H] [--threads N] [--journal FILE]: random trials, what they found, and
 // for each rule that was broken a program that breaks it again. Ends with 1 if there is one.
 #include <cstdio>
 #include <map>
@@ -9,6 +9,9 @@
 
 #include "robustness/campaign.hpp"
 #include "robustness/contact_trials.hpp"
+#ifdef GRIT_TORTURES_MPM
+#include "robustness/mpm_trials.hpp"
+#endif
 #include "robustness/penalty_trials.hpp"
 #include "robustness/sand_trials.hpp"
 #include "robustness/surface_trials.hpp"
@@ -20,6 +23,9 @@ int main(int argc, char** argv) {
     std::string name;
     const std::map<std::string, Kind (*)()> kinds{{"sand", &sand_trials},
                                                   {"contact", &contact_trials},
+#ifdef GRIT_TORTURES_MPM
+                                                  {"mpm", &mpm_trials},
+#endif
                                                   {"penalty", &penalty_trials},
                                                   {"surface", &surface_trials}};
     app.add_option("KIND", name, "Of what")->required()->check(CLI::IsMember(kinds));

@@ -162,6 +162,7 @@ void Runner::step() {
     due = simulation.time() >= state_now.next_row;
     const Ended end = end_of_stage();
     if (end == Ended::not_yet) return;
+    simulation.energy().check_finite(simulation.time());
     how = end;
     due = true;
     if (++state_now.stage < static_cast<int>(plan.stages.size())) begin_stage();

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "adapters/mpm/kernel/pore_water.hpp"
@@ -63,6 +65,34 @@ struct Energy {
     double drag = 0.0;      // of pore water against grains
     double implicit = 0.0;  // what an implicit pore pressure takes, of waves and of checkerboards
 
+    // The first term that is infinite or no number any more; null: none.
+    const char* not_finite() const {
+        const struct {
+            const char* name;
+            double value;
+        } terms[] = {{"kinetic", kinetic},
+                     {"stored", stored},
+                     {"contact", contact},
+                     {"damping", damping},
+                     {"viscosity", viscosity},
+                     {"absorbed", absorbed},
+                     {"transfer", transfer},
+                     {"pore water", pore_water},
+                     {"drag", drag},
+                     {"implicit pressure", implicit},
+                     {"external work", external_work},
+                     {"rigid work", rigid_work}};
+        for (const auto& term : terms)
+            if (!std::isfinite(term.value)) return term.name;
+        return nullptr;
+    }
+    // Throws std::runtime_error if there is one. t: of the step that it came from [s].
+    void check_finite(double t) const {
+        if (const char* name = not_finite())
+            throw std::runtime_error("the energy balance is broken at t = " + std::to_string(t) +
+                                     " s: its term " + name +
+                                     " is infinite or no number; is cfl too large?");
+    }
     double residual() const {
         return kinetic - kinetic_0 + stored - stored_0 + contact + damping + viscosity + absorbed +
                transfer + pore_water - half + drag + implicit - external_work - rigid_work;

@@ -208,6 +208,17 @@ TEST_F(Fields, AreListedWithTheirTimesAlsoByARunThatGoesOn) {
     EXPECT_EQ(entries[5]->attributes.at("part"), "1");
 }
 
+TEST_F(Fields, AreNamedByNoListOfAnOlderRun) {
+    cli::MpmFieldFiles(here.path("x"), {mpm_field("q")}, fields).write();
+    const std::string older = here.text("x_000000_sand.vtu");
+    std::filesystem::remove(here.path("x_000000_hammer.vtu"));
+    std::filesystem::create_directory(here.path("x_000000_hammer.vtu"));  // which cannot be written
+    cli::MpmFieldFiles files(here.path("x"), {mpm_field("p")}, fields);
+    EXPECT_THROW(files.write(), element::CannotWrite);
+    EXPECT_NE(here.text("x_000000_sand.vtu"), older);
+    EXPECT_EQ(here.text("x.pvd").find("DataSet"), std::string::npos) << here.text("x.pvd");
+}
+
 TEST_F(Fields, OfBodiesWhoseNamesMakeNoFileNamesGetOthers) {
     simulation->body(0).name = simulation->body(1).name = "a/b";
     files_of(here, fields).write();
@@ -253,6 +264,7 @@ TEST_F(Fields, CostAsMuchToWriteAtEveryTime) {
 
 TEST_F(Fields, OfAKilledRunAreAllInAListThatIsWellFormed) {
     std::mt19937 random(23);
+    std::size_t seen = 0;
     for (int trial = 0; trial < 60; ++trial) {
         const pid_t child = fork();
         if (child == 0) {
@@ -265,7 +277,7 @@ TEST_F(Fields, OfAKilledRunAreAllInAListThatIsWellFormed) {
         waitpid(child, nullptr, 0);
         const Element list = read_xml(here.text("push.pvd"));
         const auto entries = list.all("DataSet");
-        ASSERT_GE(entries.size(), 2u);
+        seen += entries.size();
         for (std::size_t i = 0; i < entries.size(); ++i)
             ASSERT_EQ(entries[i]->attributes.at("file"),
                       fmt::format("push_{:06}_{}.vtu", i / 2, i % 2 == 0 ? "sand" : "hammer"));
@@ -274,6 +286,7 @@ TEST_F(Fields, OfAKilledRunAreAllInAListThatIsWellFormed) {
         std::filesystem::remove(here.path("push.pvd"));
         for (const std::string& file : here.files()) std::filesystem::remove(here.path(file));
     }
+    EXPECT_GT(seen, 0u);
 }
 
 TEST_F(Fields, ThatFindNoRoomInTheListLeaveItWellFormed) {

@@ -191,6 +191,7 @@ void Simulation::add_up() {
     energies.external_work += loads.work();
     energies.traction_work += loads.work();
     if (lost > 0) report_lost(lost);
+    energies.check_finite(model.t);
 }
 
 void Simulation::report_lost(std::ptrdiff_t count) const {
