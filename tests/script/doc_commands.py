@@ -127,11 +127,14 @@ def walk(page):
             if language in needs and not needs[language]():
                 lacking += [name[1], "cmake", "build/"]
         else:
-            lines, printed = [], None
+            lines, printed, skipped = [], None, None
             for line in block.replace("\\\n", " ").splitlines():
                 reason = next((why() for words, why in elsewhere if words.match(line)), None)
                 if not reason and any(word in line for word in lacking):
                     reason = "nothing here that compiles or runs it"
+                if not reason and skipped:
+                    reason = "after that one"
+                skipped = skipped or reason
                 if reason:
                     left.append(f"{page.stem}: {line.strip()} ({reason})")
                 elif line.strip():
