@@ -32,6 +32,13 @@ template <class Function, class... Arguments> void call(Function function, Argum
         fail(status, error);
 }
 
+// Where the i-th of a box with so many along x and y is: column, row, layer.
+Vector place_of(std::ptrdiff_t i, std::ptrdiff_t along_x, std::ptrdiff_t along_y) {
+    const std::ptrdiff_t row = i / along_x, layer = row / along_y;
+    return {static_cast<double>(i - row * along_x), static_cast<double>(row - layer * along_y),
+            static_cast<double>(layer)};
+}
+
 // Quantities of nodes, one vector for each.
 struct Grid {
     std::vector<Vector> position = std::vector<Vector>(nodes), normal = position,
@@ -44,9 +51,8 @@ struct Grid {
     Grid() {
         for (std::ptrdiff_t i = 0; i < nodes; ++i) {
             const auto at = static_cast<std::size_t>(i);
-            position[at] = {h * static_cast<double>(i % across),
-                            h * static_cast<double>(i / across % across),
-                            h * static_cast<double>(i / (across * across))};
+            const Vector place = place_of(i, across, across);
+            for (std::size_t c = 0; c < 3; ++c) position[at][c] = h * place[c];
             normal[at] = {0.0, 0.0, -1.0};  // from the block (A) to the ground (B)
             ground_mass[at] = position[at][2] < 1.5 * h ? 1.0 : 0.0;
         }
@@ -107,9 +113,10 @@ void measure(Grid& grid, const std::vector<Vector>& block) {
         call(grit_contact_surfaces_add, &surfaces, static_cast<std::ptrdiff_t>(x.size()), &domains);
     };
     std::vector<Vector> ground;
-    for (std::ptrdiff_t i = 0; i < (across - 1) * (across - 1); ++i)
-        ground.push_back({h * (static_cast<double>(i % (across - 1)) + 0.5),
-                          h * (static_cast<double>(i / (across - 1)) + 0.5), 0.5 * h});
+    for (std::ptrdiff_t i = 0; i < (across - 1) * (across - 1); ++i) {
+        const Vector place = place_of(i, across - 1, across - 1);
+        ground.push_back({h * (place[0] + 0.5), h * (place[1] + 0.5), 0.5 * h});
+    }
     add(GRIT_CONTACT_BODY_A, block, sides[0]);
     add(GRIT_CONTACT_BODY_B, ground, wide[0]);
     grit_contact_distances distances{};
@@ -152,16 +159,18 @@ grit_contact_totals press(Grid& grid) {
 int main() {
     // 6 x 6 x 4 particles, two a cell and direction: a block of 0.3 x 0.3 x 0.2 m that touches the ground.
     std::vector<Vector> block;
-    for (int i = 0; i < 6 * 6 * 4; ++i)
-        block.push_back({0.2 + h / 2 * (i % 6 + 0.5), 0.2 + h / 2 * (i / 6 % 6 + 0.5),
-                         h + h / 2 * (i / 36 + 0.5)});
+    for (std::ptrdiff_t i = 0; i < 6 * 6 * 4; ++i) {
+        const Vector place = place_of(i, 6, 6);
+        block.push_back({0.2 + h / 2 * (place[0] + 0.5), 0.2 + h / 2 * (place[1] + 0.5),
+                         h + h / 2 * (place[2] + 0.5)});
+    }
     const Vector g{gravity * std::sin(slope) * downhill[0], gravity * std::sin(slope) * downhill[1],
                    -gravity * std::cos(slope)};
     const double mass = mass_of_particle * static_cast<double>(block.size());
     Grid grid;
     Vector v{};
     double normal_force = 0.0;
-    constexpr int steps = 3000;
+    constexpr int steps = 3000, settled = 1500;  // the force is a mean from then on
     for (int step = 0; step < steps; ++step) {
         // Particles to nodes: all have the velocity of the block.
         grid.mass.assign(grid.mass.size(), 0.0);
@@ -181,7 +190,7 @@ int main() {
             for (std::size_t c = 0; c < 3; ++c) v[c] += grid.mass[i] * grid.velocity[i][c] / mass;
         for (Vector& x : block)
             for (std::size_t c = 0; c < 3; ++c) x[c] += dt * v[c];
-        if (step >= steps / 2) normal_force -= totals.force_on_b[2] / (steps - steps / 2);
+        if (step >= settled) normal_force -= totals.force_on_b[2] / (steps - settled);
     }
     const double t = steps * dt;
     std::printf("after %.2f s: %.4f m/s downhill, by Coulomb's law %.4f; across the slope %.1e\n",

@@ -71,9 +71,10 @@ int main(void) {
             ground[p][c] = level ? 1.25 : plate[p][c];
         }
     for (int i = 0; i < NODES; ++i) {
-        position[i][0] = i % EDGE;
-        position[i][1] = i / EDGE % EDGE;
-        position[i][2] = i / (EDGE * EDGE);
+        const int row = i / EDGE, layer = row / EDGE;
+        position[i][0] = i - row * EDGE;
+        position[i][1] = row - layer * EDGE;
+        position[i][2] = layer;
         fixed[i] = GRIT_CONTACT_FIXED_1 | GRIT_CONTACT_FIXED_2; /* the plate goes on to all sides */
     }
     gather(0, plate, 1000.0, v_plate, node[0]);
