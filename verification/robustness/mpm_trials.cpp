@@ -40,7 +40,7 @@ enum Count {
     floated,
     met
 };
-enum Largest { momentum_error, momentum_of_usf, residual, residual_of_sand, contact_gain };
+enum Largest { momentum_error, momentum_of_usf, residual, residual_of_others, contact_gain };
 enum Rule {
     says_why,
     no_other_error,
@@ -68,7 +68,7 @@ const Vocabulary words = {
      "a checkpoint in the middle gives the bits of a run that never stopped",
      "momentum of floating bodies changes by gravity alone, to 1e-8, where stress comes first to "
      "1e-3",
-     "energies balance within 10 % of what was turned over, but of sand",
+     "energies of floating bodies without sand balance within 10 % of what was turned over",
      "contacts give no more than 10 % of what was turned over"}};
 
 constexpr int most_steps = 40;
@@ -198,8 +198,11 @@ void look_at_balances(const MpmCase& made, Runner& runner, const Momentum& befor
     const bool sand = std::any_of(plan.bodies.begin(), plan.bodies.end(), [](const BodyPlan& body) {
         return std::holds_alternative<SandPlan>(body.material);
     });
-    out.measure(sand ? residual_of_sand : residual, std::fabs(row.residual_share));
-    out.demand(energy_kept, sand || std::fabs(row.residual_share) <= 0.1,
+    // Walls that stop what flies into them within a step, and much viscosity in long steps, are for the run's own
+    // check, which ends it.
+    const bool gentle = made.floating && !sand && plan.settings.linear_viscosity <= 0.1;
+    out.measure(gentle ? residual : residual_of_others, std::fabs(row.residual_share));
+    out.demand(energy_kept, !gentle || std::fabs(row.residual_share) <= 0.1,
                [&] { return program_of(made, "residual of energy"); });
     const double turned = turned_over(runner.subject().energy(), runner.energy_scale());
     const double gained = turned > 0.0 ? -runner.subject().energy().contact / turned : 0.0;
