@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "adapters/mpm/space/kernel/place.hpp"
 #include "adapters/mpm/step/text.hpp"
 
 namespace grit::mpm::space {
