@@ -63,6 +63,9 @@ TEST(SpaceShapes, ThatAreCutHaveTheirVolumeAndMomentsAndLeaveNothingOut) {
         const double exact = std::numbers::pi * R * R * 0.4;
         EXPECT_NEAR(volume(pile), exact, 1e-3 * exact) << off;
         EXPECT_NEAR(volume(pile) + volume(sand), 0.4, 1e-3 * exact) << off;
+        // Upright sides are whole: what is cut fills its layer, and a load on the top has the area of the circle.
+        for (std::ptrdiff_t p = 0; p < pile.size(); ++p)
+            EXPECT_DOUBLE_EQ(pile(column::l_z, p), 0.025);
         double first = 0.0, second = 0.0;  // about the axis; with the particles' own
         for (std::ptrdiff_t p = 0; p < pile.size(); ++p) {
             const double x = pile(column::x, p) - centre, y = pile(column::y, p) - centre;

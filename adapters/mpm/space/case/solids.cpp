@@ -114,15 +114,20 @@ CutBrick part_in(const Region& region, const Vector3& centre, const Vector3& hal
     }
     CutBrick out{count / places, centre, half};
     if (count == 0.0 || out.share == 1.0) return out;
-    double radius[3], product = 1.0;
+    // Sides in the ratio of radii of gyration, but for those along which nothing is cut.
+    double side[3], product = 1.0;
+    int cut = 0;
     for (int d = 0; d < 3; ++d) {
-        const double mean = first[d] / count;
-        out.centre[d] += mean * half[d];
-        radius[d] = std::sqrt(std::max(0.0, second[d] / count - mean * mean));
-        product *= radius[d];
+        const double mean = first[d] / count, square = 3.0 * (second[d] / count - mean * mean);
+        const bool whole = std::fabs(mean) < 0.02 && std::fabs(square - 1.0) < 0.03;
+        side[d] = whole ? 1.0 : -std::sqrt(std::max(square, 0.0));
+        if (!whole) out.centre[d] += mean * half[d];
+        cut += !whole;
+        product *= std::fabs(side[d]);
     }
-    const double scale = std::cbrt(out.share / product);
-    for (int d = 0; d < 3; ++d) out.half_sides[d] = scale * radius[d] * half[d];
+    const double scale = std::pow(out.share / product, 1.0 / (cut > 0 ? cut : 3));
+    for (int d = 0; d < 3; ++d)
+        out.half_sides[d] *= side[d] > 0.0 && cut > 0 ? 1.0 : scale * std::fabs(side[d]);
     return out;
 }
 
