@@ -249,7 +249,8 @@ def commands(place, program):
     results = place / "results"
     results.mkdir()
     (results / "x.toml").write_text(case[0]["x.toml"])
-    subprocess.run([program, "element", "--quiet", "--no-plot", "--out", ".", "x.toml"], cwd=results, check=True)
+    subprocess.run([program, "element", "--quiet", "--no-plot", "--out", ".", "x.toml"], cwd=results, check=True,
+                   stdout=subprocess.DEVNULL)
     for name, arguments in {"report": ["report", results, "--out", "out/index.html", "--title"],
                             "plot": ["plot", results / "x.csv", "--kind", "triaxial_undrained", "--pdf", "--out", "out/x", "--title"]}.items():
         yield Titled(name, place, arguments, "newly", "of old")

@@ -63,8 +63,8 @@ const Vocabulary words = {
      "the same with sand, whose work is a sum of steps",
      "energy that contacts gave over what was turned over"},
     {"a refusal names the place and the reason",
-     "nothing but refusals is thrown while a case is built", "all columns of particles are finite",
-     "two threads give the bits of one",
+     "nothing but refusals is thrown while a case is built, and errors of a run in it",
+     "all columns of particles are finite", "two threads give the bits of one",
      "a checkpoint in the middle gives the bits of a run that never stopped",
      "momentum of floating bodies changes by gravity alone, to 1e-8, where stress comes first to "
      "1e-3",
@@ -131,7 +131,7 @@ std::string bytes_of(Runner& runner) {
     return std::move(out).str();
 }
 
-enum class End { through, left, sand, energy, otherwise };
+enum class End { through, left, sand, energy, otherwise, foreign };
 
 struct Outcome {
     End end = End::through;
@@ -160,6 +160,9 @@ Outcome go(Runner& runner, int until, int half = -1) {
         out.end = out.words.find("energy balance") != std::string::npos  ? End::energy
                   : out.words.find("left the grid") != std::string::npos ? End::left
                                                                          : End::otherwise;
+    } catch (const std::exception& error) {
+        out.words = error.what();
+        out.end = End::foreign;
     }
     out.steps = runner.subject().steps();
     return out;
@@ -255,8 +258,10 @@ void try_case(Random& random, const MpmCase& made, Findings& out) {
         case End::left: out.count(left_the_grid); break;
         case End::sand: out.count(failed_sand); break;
         case End::energy: out.count(stopped_by_energy); break;
-        case End::otherwise: out.count(stopped_otherwise);
+        case End::otherwise:
+        case End::foreign: out.count(stopped_otherwise);
     }
+    out.demand(no_other_error, alone.end != End::foreign, program(alone.words));
     out.demand(finite, alone.end != End::through || all_finite(*runner), program("not finite"));
     if (alone.end == End::through) look_at_balances(made, *runner, before, out);
 
