@@ -2,6 +2,7 @@
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/../run.cmake)
 foreach(how add_subdirectory FetchContent)
+  set(ENV{CCACHE_BASEDIR} ${WORK}/${how}) # where there is ccache, the second takes from the first
   # Kernels for this machine only: a third of the time to compile.
   run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${SOURCE}/tests/abi/inside -B ${WORK}/${how} -DHOW=${how}
       -DGRIT_SOURCE=${SOURCE} -DGRIT_NATIVE=ON -DCMAKE_C_COMPILER=${CC} -DCMAKE_CXX_COMPILER=${CXX})

@@ -5,6 +5,8 @@ cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/../run.cmake)
 
 unset(ENV{PYTHONPATH})
+# Where script/test has ccache, what the build has compiled with the same flags is taken from it.
+set(ENV{CCACHE_BASEDIR} ${SOURCE}/build/python/cmake)
 run(${PYTHON} -m venv --system-site-packages ${WORK}/venv)
 set(python ${WORK}/venv/bin/python)
 set(pip ${python} -m pip --quiet --disable-pip-version-check)
