@@ -97,6 +97,7 @@ CutBrick part_in(const Region& region, const Vector3& centre, const Vector3& hal
     // An additive recurrence: no row of places lies along any side (Roberts' R3).
     constexpr double stride[3] = {0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
     double count = 0.0, first[3] = {}, second[3] = {};
+    bool cut[3] = {};  // is some place within, but not the one half of the brick further along?
     for (int i = 0; i < places; ++i) {
         double at[3];  // -1 to 1
         Vector3 x;
@@ -110,24 +111,27 @@ CutBrick part_in(const Region& region, const Vector3& centre, const Vector3& hal
         for (int d = 0; d < 3; ++d) {
             first[d] += at[d];
             second[d] += at[d] * at[d];
+            if (cut[d]) continue;
+            Vector3 further = x;
+            further[d] += at[d] > 0.0 ? -half[d] : half[d];
+            cut[d] = !region.has(further);
         }
     }
     CutBrick out{count / places, centre, half};
     if (count == 0.0 || out.share == 1.0) return out;
     // Sides in the ratio of radii of gyration, but for those along which nothing is cut.
+    if (!cut[0] && !cut[1] && !cut[2]) cut[0] = cut[1] = cut[2] = true;  // seen in none: in all
     double side[3], product = 1.0;
-    int cut = 0;
+    int directions = 0;
     for (int d = 0; d < 3; ++d) {
         const double mean = first[d] / count, square = 3.0 * (second[d] / count - mean * mean);
-        const bool whole = std::fabs(mean) < 0.02 && std::fabs(square - 1.0) < 0.03;
-        side[d] = whole ? 1.0 : -std::sqrt(std::max(square, 0.0));
-        if (!whole) out.centre[d] += mean * half[d];
-        cut += !whole;
-        product *= std::fabs(side[d]);
+        side[d] = cut[d] ? std::sqrt(std::max(square, 0.0)) : 1.0;
+        if (cut[d]) out.centre[d] += mean * half[d];
+        directions += cut[d];
+        product *= side[d];
     }
-    const double scale = std::pow(out.share / product, 1.0 / (cut > 0 ? cut : 3));
-    for (int d = 0; d < 3; ++d)
-        out.half_sides[d] *= side[d] > 0.0 && cut > 0 ? 1.0 : scale * std::fabs(side[d]);
+    const double scale = std::pow(out.share / product, 1.0 / directions);
+    for (int d = 0; d < 3; ++d) out.half_sides[d] *= cut[d] ? scale * side[d] : 1.0;
     return out;
 }
 
