@@ -136,7 +136,8 @@ SolidPlan read_solid(TomlTable& body, const Case& plan) {
         for (TomlTable& table : body.tables_if(key)) {
             SolidShape shape = like;
             for (int d = 0; d < 3; ++d)
-                if (table.has(std::string(per_cell_words[d]->key))) shape.particles[d] = per_cell(table, d);
+                if (table.has(std::string(per_cell_words[d]->key)))
+                    shape.particles[d] = per_cell(table, d);
             shape.of = read_shape(table);
             table.finish();
             out.shapes.push_back(shape);

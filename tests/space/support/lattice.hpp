@@ -67,8 +67,7 @@ struct Lattice {
             const auto end =
                 std::min<std::ptrdiff_t>(begin + Increments::capacity, particles.size());
             out.emplace_back();
-            by.gather(shape,
-                      {grid(), particles.view(), begin, end, motions.data(), 1.0, 0.0},
+            by.gather(shape, {grid(), particles.view(), begin, end, motions.data(), 1.0, 0.0},
                       out.back(), sums);
         }
     }
