@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <sstream>
+#include <utility>
 
 #include <adapters/mpm/case/build_case.hpp>
 #include <adapters/mpm/run/run.hpp>
@@ -75,6 +76,32 @@ TEST(SpaceShapes, ThatAreCutHaveTheirVolumeAndMomentsAndLeaveNothingOut) {
         }
         EXPECT_NEAR(first, 0.0, 1e-3 * exact * R) << off;
         EXPECT_NEAR(second, 0.5 * exact * R * R, 3e-3 * exact * R * R) << off;
+    }
+}
+
+// A quarter of a pile has as much on each side of the diagonal, and so has the sand around it.
+TEST(SpaceShapes, ThatAreCutAreTheSameOnBothSidesOfADiagonal) {
+    const Axes axes{Axis::uniform(0.0, 0.6, 6), Axis::uniform(0.0, 0.6, 6),
+                    Axis::uniform(0.0, 0.2, 2)};
+    mpm::SpacePlan plan;
+    plan.bodies = {{{{mpm::ConeShape{{0.0, 0.0}, {0.0, 0.2}, {0.23, 0.23}}}}},
+                   {{{mpm::BoxShape{{0.0, 0.0, 0.0}, {0.6, 0.6, 0.2}}}}, {0}}};
+    for (const std::size_t body : {0, 1}) {
+        const Particles q = fill(plan, body, "body", 1.0, axes, 0);
+        for (std::ptrdiff_t p = 0; p < q.size(); ++p) {
+            double nearest = 1.0;  // of what the mirror image differs by
+            for (std::ptrdiff_t other = 0; other < q.size(); ++other) {
+                double off = std::fabs(q(column::V0, p) - q(column::V0, other));
+                for (const auto& [x, y] : {std::pair<int, int>{column::x, column::y},
+                                           {column::y, column::x},
+                                           {column::z, column::z},
+                                           {column::l_x, column::l_y},
+                                           {column::l_y, column::l_x}})
+                    off = std::max(off, std::fabs(q(x, p) - q(y, other)));
+                nearest = std::min(nearest, off);
+            }
+            ASSERT_LT(nearest, 1e-14) << body << ' ' << p;
+        }
     }
 }
 

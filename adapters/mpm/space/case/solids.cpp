@@ -88,25 +88,22 @@ class Region {
     std::vector<const SolidShape*> without;
 };
 
-// A brick, looked at in so many places: the part of it that a region has.
+// A brick, looked at in so many places, a multiple of 48: the part of it that a region has.
 struct CutBrick {
     double share;                // of its volume
     Vector3 centre, half_sides;  // of the brick in its place [m]
 };
 CutBrick part_in(const Region& region, const Vector3& centre, const Vector3& half, int places) {
-    // An additive recurrence: no row of places lies along any side (Roberts' R3).
+    // An additive recurrence in an eighth of the brick, no row of which lies along any side (Roberts' R3), in all orders of
+    // the axes and with all signs: what is a mirror image of another brick is cut like it.
     constexpr double stride[3] = {0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
+    constexpr int order[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
     double count = 0.0, first[3] = {}, second[3] = {};
     bool cut[3] = {};  // is some place within, but not the one half of the brick further along?
-    for (int i = 0; i < places; ++i) {
-        double at[3];  // -1 to 1
+    const auto look = [&](const double(&at)[3]) {
         Vector3 x;
-        for (int d = 0; d < 3; ++d) {
-            const double s = 0.5 + (i + 0.5) * stride[d];
-            at[d] = 2.0 * (s - std::floor(s)) - 1.0;
-            x[d] = centre[d] + at[d] * half[d];
-        }
-        if (!region.has(x)) continue;
+        for (int d = 0; d < 3; ++d) x[d] = centre[d] + at[d] * half[d];
+        if (!region.has(x)) return;
         count += 1.0;
         for (int d = 0; d < 3; ++d) {
             first[d] += at[d];
@@ -116,6 +113,19 @@ CutBrick part_in(const Region& region, const Vector3& centre, const Vector3& hal
             further[d] += at[d] > 0.0 ? -half[d] : half[d];
             cut[d] = !region.has(further);
         }
+    };
+    for (int i = 0; i < places / 48; ++i) {
+        double base[3];
+        for (int d = 0; d < 3; ++d) {
+            const double s = 0.5 + (i + 0.5) * stride[d];
+            base[d] = s - std::floor(s);
+        }
+        for (const auto& axes : order)
+            for (int signs = 0; signs < 8; ++signs) {
+                double at[3];
+                for (int d = 0; d < 3; ++d) at[d] = (signs >> d & 1 ? -1.0 : 1.0) * base[axes[d]];
+                look(at);
+            }
     }
     CutBrick out{count / places, centre, half};
     if (count == 0.0 || out.share == 1.0) return out;
@@ -135,8 +145,8 @@ CutBrick part_in(const Region& region, const Vector3& centre, const Vector3& hal
     return out;
 }
 
-constexpr int few_places = 100, many_places = 6000;  // of a brick
-constexpr double least_share = 1.0 / 64.0;           // of a brick: less is left out
+constexpr int few_places = 2 * 48, many_places = 125 * 48;  // of a brick
+constexpr double least_share = 1.0 / 64.0;                  // of a brick: less is left out
 
 std::optional<NewParticle> particle_in(const Region& region, const Vector3& centre,
                                        const Vector3& half, double density,
