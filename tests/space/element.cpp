@@ -76,8 +76,8 @@ TEST(SpaceSand, OfAParticleIsThatOfTheElementTestUnderAnyDeformation) {
                             L(a, b) * axis[place[b]];
                 }
             }
-            kernels().gather(Shape::cpdi, {grid, q, 0, 1, nodes.data(), 1.0, 0.0, false},
-                             increments, sums);
+            kernels().gather(Shape::cpdi, {grid, q, 0, 1, nodes.data(), 1.0, 0.0}, increments,
+                             sums);
             sand.update({q, 0, 1}, increments);
             turned += std::fabs(increments.rotation[1][0]);
             const element::Record& wanted = test.records[++record_of];

@@ -107,7 +107,7 @@ TEST(SpaceRotation, OfAStressedElasticBodyByTenTurnsKeepsItsStressInvariants) {
     const Vector3 start = q.position(3);
     for (int step = 0; step < 360; ++step) {
         kernels().gather(Shape::cpdi,
-                         {lattice.grid(), q, 0, particles.size(), motions.data(), 1.0, 0.0, false},
+                         {lattice.grid(), q, 0, particles.size(), motions.data(), 1.0, 0.0},
                          increments, sums);
         material.update({q, 0, particles.size()}, increments);
         if (step != 8) continue;  // a quarter turn: it is another stress
