@@ -69,19 +69,24 @@ RigidMotion::RigidMotion(const RigidCourse& of, const ParticleView& q, std::ptrd
     if (any_free() && norm(middle - of_mass) > 1e-9 * reach)
         throw std::invalid_argument(
             "what is free moves about the centre of mass, another one was given");
-    now = plan.start;
-    for (int k = 0; k < 3; ++k) {
-        if (!plan.free[static_cast<std::size_t>(k)])
-            now.along[k] = plan.velocity ? plan.velocity(0.0)[k] : 0.0;
-        if (!plan.free[static_cast<std::size_t>(k) + 3])
-            now.about[k] = plan.spin ? plan.spin(0.0)[k] : 0.0;
-    }
-    before = now;
+    before = now = as_told(0.0, plan.start);
     spin_momentum = times(inertia(), now.about);
 }
 
 bool RigidMotion::any_free() const {
     return std::any_of(plan.free.begin(), plan.free.end(), [](bool x) { return x; });
+}
+
+Twist RigidMotion::as_told(double t, const Twist& of_free) const {
+    const Vector3 none{0.0, 0.0, 0.0};
+    const Vector3 velocity = plan.velocity ? plan.velocity(t) : none;
+    const Vector3 spin = plan.spin ? plan.spin(t) : none;
+    Twist out = of_free;
+    for (int k = 0; k < 3; ++k) {
+        if (!plan.free[static_cast<std::size_t>(k)]) out.along[k] = velocity[k];
+        if (!plan.free[static_cast<std::size_t>(k) + 3]) out.about[k] = spin[k];
+    }
+    return out;
 }
 
 Vector3 RigidMotion::at(const Twist& u, const Vector3& x) const {
@@ -115,16 +120,11 @@ void RigidMotion::find_spin() {
 }
 
 void RigidMotion::begin(double t, double dt, const Vector3& gravity, const Twist& load) {
-    before = now;
-    const Vector3 none{0.0, 0.0, 0.0};
-    const Vector3 velocity = plan.velocity ? plan.velocity(t) : none;
-    const Vector3 spin = plan.spin ? plan.spin(t) : none;
+    before = now = as_told(t, now);
     for (int k = 0; k < 3; ++k) {
         const auto i = static_cast<std::size_t>(k);
         if (plan.free[i]) now.along[k] += dt * gravity[k] + load.along[k] / total;
-        else before.along[k] = now.along[k] = velocity[k];
         if (plan.free[i + 3]) spin_momentum[k] += load.about[k];
-        else before.about[k] = now.about[k] = spin[k];
     }
     if (any_free()) find_spin();
 }
@@ -187,12 +187,7 @@ double RigidMotion::kinetic_energy() const {
 }
 
 double RigidMotion::speed(double t) const {
-    Twist u = now;
-    for (int k = 0; k < 3; ++k) {
-        const auto i = static_cast<std::size_t>(k);
-        if (!plan.free[i]) u.along[k] = plan.velocity ? plan.velocity(t)[k] : 0.0;
-        if (!plan.free[i + 3]) u.about[k] = plan.spin ? plan.spin(t)[k] : 0.0;
-    }
+    const Twist u = as_told(t, now);
     return norm(u.along) + norm(u.about) * reach;
 }
 

@@ -11,9 +11,7 @@
 
 namespace grit::mpm::space {
 
-// Along and about x, y and z.
-using Motion6 = std::array<double, 6>;
-using Matrix6 = std::array<Motion6, 6>;
+using Matrix6 = std::array<std::array<double, 6>, 6>;  // along and about x, y and z
 
 // Velocity of a body and its angular velocity about the centre [m/s], [rad/s]; or impulse and its moment [N s], [N m s].
 struct Twist {
@@ -71,6 +69,8 @@ class RigidMotion {
 
   private:
     using Matrix3 = std::array<Vector3, 3>;  // rows
+    // What is free as given, the others as they are told at t.
+    Twist as_told(double t, const Twist& of_free) const;
     Vector3 at(const Twist& u, const Vector3& x) const;
     Matrix3 inertia() const;
     void find_spin();
