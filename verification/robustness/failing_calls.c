@@ -150,16 +150,17 @@ int creat(const char* path, mode_t mode) {
 
 int creat64(const char* path, mode_t mode) { return creat(path, mode); }
 
-ssize_t write(int file, const void* bytes, size_t length) {
+/* Of a write of so many bytes: it fails, or takes half of them, or all. */
+static int fails_to_take(int file, const char* call, size_t* length) {
     char whole[PATH_MAX];
-    if (concerns_file(file, whole)) {
-        const enum what what = next("write", whole);
-        if (what == fails) return -1;
-        if (what == half_goes_through) {
-            if (length < 2) return -1;
-            length /= 2;
-        }
-    }
+    if (!concerns_file(file, whole)) return 0;
+    const enum what what = next(call, whole);
+    if (what == half_goes_through) *length /= 2;
+    return what == fails || (what == half_goes_through && *length == 0);
+}
+
+ssize_t write(int file, const void* bytes, size_t length) {
+    if (fails_to_take(file, "write", &length)) return -1;
     return syscall(SYS_write, file, bytes, length);
 }
 
@@ -170,15 +171,7 @@ ssize_t writev(int file, const struct iovec* pieces, int number) {
 }
 
 ssize_t pwrite(int file, const void* bytes, size_t length, off_t at) {
-    char whole[PATH_MAX];
-    if (concerns_file(file, whole)) {
-        const enum what what = next("pwrite", whole);
-        if (what == fails) return -1;
-        if (what == half_goes_through) {
-            if (length < 2) return -1;
-            length /= 2;
-        }
-    }
+    if (fails_to_take(file, "pwrite", &length)) return -1;
     return syscall(SYS_pwrite64, file, bytes, length, at);
 }
 
