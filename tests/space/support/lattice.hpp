@@ -41,7 +41,9 @@ struct Lattice {
     }
     GridView grid() const { return {{axis[0].view(), axis[1].view(), axis[2].view()}}; }
     std::size_t nodes() const {
-        return static_cast<std::size_t>(axis[0].nodes() * axis[1].nodes() * axis[2].nodes());
+        std::size_t n = 1;
+        for (const auto& one : axis) n *= static_cast<std::size_t>(one.nodes());
+        return n;
     }
     Vector3 node(std::size_t i) const {
         Vector3 at;

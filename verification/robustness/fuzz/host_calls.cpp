@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // umat_, vumat_ and the behaviour of MGIS with any arguments that a host may pass: sizes, null pointers and numbers.
 // Memory is as long as the sizes of the call say.
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <vector>
@@ -95,8 +96,7 @@ void try_vumat(Bytes& in) {
                         stress = numbers(in, n * (3 + nshr), -100.0),
                         state = numbers(in, n * nstatev, 1e-6), density = numbers(in, n, 1.6),
                         intern = numbers(in, n, 0.0), inelas = numbers(in, n, 0.0);
-    if (nstatev > 6)
-        for (int i = 0; i < n; ++i) state[static_cast<std::size_t>(6 * n + i)] = in.number(0.6);
+    if (nstatev > 6) std::generate_n(state.begin() + 6 * n, n, [&] { return in.number(0.6); });
     const std::vector<double> props = props_of(in, nprops);
     std::vector<double> new_stress(stress.size()), new_state(state.size()),
         new_intern(intern.size()), new_inelas(inelas.size());

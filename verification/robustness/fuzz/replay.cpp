@@ -30,7 +30,7 @@ std::string changed(std::string bytes, const std::string& other, grit::SplitMix&
     for (int i = 1 + random.below(8); i > 0; --i) {
         const int n = static_cast<int>(bytes.size());
         const auto place = static_cast<std::size_t>(random.below(n + 1));
-        const auto length = static_cast<std::size_t>(1 + random.below(16));
+        const auto length = 1 + static_cast<std::size_t>(random.below(16));
         switch (random.below(6)) {
             case 0:
                 if (place < bytes.size()) bytes[place] ^= static_cast<char>(1 << random.below(8));
