@@ -7,7 +7,8 @@ Groups:
   base     the cells of dense_gca.toml, dense and loose sand, each contact
   coarse   the same on those of sensitivity/grid_coarse.toml, at a third of the time
   rapid    20 blows one after the other, FCA and GCA, on the grid of two_blows.toml; ten without cell mean, without PIC, and
-           with 1.5, 2 and 3 cells in the radius
+           with 1.5, 2 and 3 cells in the radius, by other shape functions and schemes, and with the distance to the nearest
+           centre
 """
 import argparse
 import json
@@ -32,6 +33,9 @@ COARSEST = load("two_blows.toml")["override"]
 SHORT = {"stage.self_weight.until.time_s": 0.55, "stage.drive.until.blows": 5}
 RAPID = {**COARSEST, "traction.1.pulses.interval_s": 0.1, "stage.drive.until.blows": 20, "fields.interval_s": 0.05}
 TEN = {"stage.drive.until.blows": 10}
+NUMERICS = {"no_mean": {"cell_averaged_volume": False}, "no_pic": {"pic_rate_per_s": 0},
+            "published": {"shape_function": "cpdi_published"}, "ugimp": {"shape_function": "ugimp"},
+            "musl": {"scheme": "musl"}, "usf": {"scheme": "usf"}}
 
 
 def phase(overrides, share):
@@ -66,12 +70,16 @@ def cases(group):
     if group == "rapid":
         for contact in ("fca", "gca"):
             yield f"rapid_{contact}", f"dense_{contact}.toml", RAPID
-        for what, numerics in (("no_mean", {"numerics.cell_averaged_volume": False}), ("no_pic", {"numerics.pic_rate_per_s": 0})):
+        for what, numerics in NUMERICS.items():
             for contact in ("fca", "gca"):
-                yield f"rapid_{what}_{contact}", f"dense_{contact}.toml", RAPID | TEN | numerics
+                yield (f"rapid_{what}_{contact}", f"dense_{contact}.toml",
+                       RAPID | TEN | {f"numerics.{key}": value for key, value in numerics.items()})
         for ratio in (1.5, 2, 3):
             for contact in ("fca", "gca"):
                 yield f"rapid_{10 * ratio:.0f}_{contact}", f"dense_{contact}.toml", RAPID | TEN | cells_in_radius(ratio)
+        for power in (1, 2):
+            yield (f"rapid_centre_{power}_gca", "dense_gca.toml",
+                   RAPID | TEN | {"contact.1.distance": "nearest_centre", "contact.1.penalty_power": power})
         return
     for sand, void_ratio in SANDS.items():
         for contact in CONTACTS:

@@ -275,13 +275,20 @@ RAPID = (("σ_rr, largest cell mean [kPa]", 0, lambda row: row["stress_kPa"]),
 
 
 RAPID_KINDS = {"": "as two_blows", "no_mean": "no cell mean", "no_pic": "no PIC", "15": "1.5 cells in the radius",
-               "20": "2 cells in the radius", "30": "3 cells in the radius"}
+               "20": "2 cells in the radius", "30": "3 cells in the radius", "published": "published CPDI", "ugimp": "uGIMP",
+               "musl": "MUSL", "usf": "USF", "centre_1": "nearest centre, k 1", "centre_2": "nearest centre, k 2"}
+
+
+def rapid_pair(group, kind):
+    """The cases of FCA and GCA of a kind; FCA, which knows no distance, as in two_blows where it is GCA's that changes."""
+    case = f"{kind}_fca".removeprefix("_")
+    return case if case in group.ends else "fca", case.replace("fca", "gca")
 
 
 def report_rapid(group):
-    kinds = [kind for kind in RAPID_KINDS if f"{kind}_fca".removeprefix("_") in group.ends]
+    kinds = [kind for kind in RAPID_KINDS if rapid_pair(group, kind)[1] in group.ends]
     for kind in kinds:
-        pair = [f"{kind}_{contact}".removeprefix("_") for contact in ("fca", "gca")]
+        pair = rapid_pair(group, kind)
         rows = []
         for what, digits, value in RAPID:
             found = [group.mean_of_blows(case, value, range(1, 11)) for case in pair]
@@ -291,8 +298,7 @@ def report_rapid(group):
     rows = []
     for kind in kinds:
         for first, last in ((1, 5), (6, 10), (11, 20)):
-            found = [group.mean_of_blows(f"{kind}_{contact}".removeprefix("_"), RAPID[0][2], range(first, last + 1))
-                     for contact in ("fca", "gca")]
+            found = [group.mean_of_blows(case, RAPID[0][2], range(first, last + 1)) for case in rapid_pair(group, kind)]
             if all(found):
                 rows.append([f"{RAPID_KINDS[kind]}, {first}–{last}", *(spread(values, 0) for values in found),
                              difference(*found, 0)])

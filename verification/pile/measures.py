@@ -4,7 +4,8 @@
 are there but members of ensembles. Per run: sets, momentum identity, energy balance, cost, and the measures of the claims P1 ... P6 of
 docs/pile.md. --save keeps them as DIR/NAME.json, some kilobytes where a run leaves a hundred megabytes; tables.py prints
 the tables from these. --ensemble GROUP: of the members of a group of ensemble.py instead, a row for each and a row for
-each of their blows, as DIR/GROUP.csv and DIR/GROUP_blows.csv, which ensemble_tables.py reads."""
+each of their blows, as DIR/GROUP.csv and DIR/GROUP_blows.csv, which ensemble_tables.py reads; rows that are there of other members
+stay."""
 import argparse
 import csv
 import json
@@ -331,6 +332,15 @@ def at_end(run):
 
 
 def write_rows(target, rows):
+    """Rows of members; those of others that are there stay."""
+    members = {(row["case"], str(row["member"])) for row in rows}
+    if target.exists():
+        with target.open(newline="") as file:
+            table = csv.DictReader(file)
+            if table.fieldnames != list(rows[0]):
+                raise Unusable(f"{target}: columns of another version")
+            rows = [row for row in table if (row["case"], row["member"]) not in members] + rows
+    rows.sort(key=lambda row: (row["case"], int(row["member"])))  # blows stay in their order
     with whole_file(target) as path, path.open("w", newline="") as file:
         table = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
         table.writeheader()

@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """What ensembles are made of and what is concluded from them, on numbers that can be seen through."""
+import pathlib
+import tempfile
 import tomllib
 import unittest
 
 import ensemble
 from ensemble_tables import Group, difference
-from measures import GRAVITY, after_hammer
-from results import Frame, rings
+from measures import GRAVITY, after_hammer, write_rows
+from results import Frame, Unusable, rings
 
 
 class Histories(dict):
@@ -52,7 +54,7 @@ class Ensembles(unittest.TestCase):
             self.assertEqual(moved["body.sand.box.3.z_m"], [-10.0, moved["grid.z.1.to_m"]])
 
     def test_case_files_are_toml_and_name_a_base_that_is_there(self):
-        for group, count in (("base", 40), ("coarse", 40), ("rapid", 60)):
+        for group, count in (("base", 40), ("coarse", 40), ("rapid", 110)):
             files = ensemble.files(group)
             self.assertEqual(len(files), count)
             for name, text in files.items():
@@ -85,6 +87,17 @@ class Rings(unittest.TestCase):
         self.assertAlmostEqual(middle[0], 30.0)
         self.assertAlmostEqual(far[0], 40.0)
         self.assertEqual((middle[2], far[2]), (0.0, 0.0))
+
+
+class Rows(unittest.TestCase):
+    def test_rows_of_members_that_are_not_measured_now_stay(self):
+        with tempfile.TemporaryDirectory() as folder:
+            target = pathlib.Path(folder) / "coarse.csv"
+            write_rows(target, [{"case": case, "member": k, "x": 1.0} for case in ("loose", "dense") for k in (10, 2)])
+            write_rows(target, [{"case": "loose", "member": 2, "x": 2.5}])
+            self.assertEqual(target.read_text(), "case,member,x\ndense,2,1\ndense,10,1\nloose,2,2.5\nloose,10,1\n")
+            with self.assertRaises(Unusable):
+                write_rows(target, [{"case": "loose", "member": 2, "y": 2.5}])
 
 
 class Conclusions(unittest.TestCase):
