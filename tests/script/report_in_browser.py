@@ -10,17 +10,7 @@ import subprocess
 import sys
 import time
 
-try:
-    from selenium import webdriver
-    from selenium.webdriver.common.action_chains import ActionChains
-    from selenium.webdriver.common.by import By
-except ImportError:
-    webdriver = None
-driver = shutil.which("chromedriver")
-if not webdriver or not driver:
-    print("not tested: no Chromium or Selenium, script/test --all installs chromium-driver and python3-selenium")
-    sys.exit(0)
-from selenium.webdriver.chrome.service import Service
+import headless
 
 grit, source, work = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
 shutil.rmtree(work, ignore_errors=True)
@@ -39,11 +29,10 @@ run("mpm", source / "tests/script/falling_in_space.toml", "--no-plot", "--out", 
 (results / "speed.json").write_text(json.dumps({"benchmarks": [{"name": "update/7", "cpu_time": 12.5, "time_unit": "ns"}]}))
 run("report", results, "--title", "A page")
 
-options = webdriver.ChromeOptions()
-for each in ("--headless=new", "--no-sandbox", "--disable-gpu", "--window-size=1200,1000", f"--user-data-dir={work}/profile"):
-    options.add_argument(each)
-options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-browser = webdriver.Chrome(service=Service(driver), options=options)
+browser = headless.browser(work, "page")
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.by import By
+
 try:
     browser.get((results / "index.html").as_uri())
     script = browser.execute_script
@@ -136,8 +125,7 @@ try:
 
     assert script("return document.querySelector('section#references tr.within td').textContent") == "lausitz_dense"
     assert script("return document.querySelector('section#speed td').textContent") == "update/7"
-    log = [each for each in browser.get_log("browser") if each["level"] in ("SEVERE", "WARNING")]
-    assert not log, log
+    assert not (log := headless.complaints(browser)), log
     print(f"{sum(len(drawn) for _, drawn in counts)} plots, {told.text}")
 finally:
     browser.quit()

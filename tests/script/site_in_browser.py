@@ -11,6 +11,8 @@ import subprocess
 import sys
 import urllib.parse
 
+import headless
+
 grit, source, work = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
 if subprocess.run(["/usr/bin/python3", "-c", "import mkdocs"], capture_output=True).returncode:
     print("not tested: no MkDocs, script/test --all installs mkdocs")
@@ -72,22 +74,9 @@ assert "The increment" not in words and 'id="grit_sand_update"' in words, "a pag
 assert "relaxation_time_s" in (site / "keys/mpm.html").read_text(), "keys that the program prints"
 print(f"{len(files)} pages, {followed} links")
 
-try:
-    from selenium import webdriver
-    from selenium.webdriver.common.by import By
-except ImportError:
-    webdriver = None
-driver = shutil.which("chromedriver")
-if not webdriver or not driver:
-    print("search not tested: no Chromium or Selenium, script/test --all installs chromium-driver and python3-selenium")
-    sys.exit(0)
-from selenium.webdriver.chrome.service import Service
+browser = headless.browser(work, "search", performance="ALL")
+from selenium.webdriver.common.by import By
 
-options = webdriver.ChromeOptions()
-for each in ("--headless=new", "--no-sandbox", "--disable-gpu", "--window-size=1300,1000", f"--user-data-dir={work}/profile"):
-    options.add_argument(each)
-options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-browser = webdriver.Chrome(service=Service(driver), options=options)
 try:
     def search(words):
         """Typed into the box of the page that is open; titles of what is found."""
@@ -114,8 +103,7 @@ try:
     assert "Oedometer, loaded" not in search("oedometer") and len(search("oedometer")) > 5
     assert search("no_such_word_anywhere") == []
     assert "No section" in browser.find_element(By.ID, "search-count").text
-    log = [each for each in browser.get_log("browser") if each["level"] in ("SEVERE", "WARNING")]
-    assert not log, log
+    assert not (log := headless.complaints(browser)), log
     asked = {match for each in browser.get_log("performance") if "requestWillBeSent" in each["message"]
              for match in re.findall(r'"url":"(\w+:)', each["message"])}
     assert "file:" in asked and not asked & {"http:", "https:", "ws:", "wss:"}, asked
