@@ -16,7 +16,12 @@ using grit::mpm::HistoryColumn;
 
 constexpr double kilonewton = 1e-3;  // of a newton
 
-bool is_force(const HistoryColumn& column) { return column.unit == std::string("N"); }
+// A force or a moment, which is shown in kN.
+bool is_force(const HistoryColumn& column) { return column.unit[0] == 'N'; }
+
+std::span<const HistoryColumn> columns_of(const grit::mpm::Case& plan) {
+    return grit::mpm::history_columns(plan.space.has_value());
+}
 
 }  // namespace
 
@@ -25,8 +30,9 @@ std::vector<Column> history_columns(const grit::mpm::Case& plan) {
     const std::pair<std::string, const char*> forces[] = {
         {"tip_force", words.under}, {"shaft_force", words.side}, {"hammer_force", words.load}};
     std::vector<Column> out;
-    for (const HistoryColumn& column : grit::mpm::history_columns()) {
-        std::string name = column.name, unit = is_force(column) ? "kN" : column.unit;
+    for (const HistoryColumn& column : columns_of(plan)) {
+        std::string name = column.name,
+                    unit = (is_force(column) ? "k" : "") + std::string(column.unit);
         for (const auto& [of_pile, word] : forces)
             if (name == of_pile) name = word + std::string("_force");
         if (unit == "kN" || unit == "J" || unit == "kg") unit += words.per;
@@ -44,9 +50,9 @@ std::string history_table() {
     return out;
 }
 
-std::vector<double> history_values(const grit::mpm::HistoryRow& row) {
+std::vector<double> history_values(const grit::mpm::Case& plan, const grit::mpm::HistoryRow& row) {
     std::vector<double> out;
-    for (const HistoryColumn& column : grit::mpm::history_columns())
+    for (const HistoryColumn& column : columns_of(plan))
         out.push_back((is_force(column) ? kilonewton : 1.0) * column.value(row));
     return out;
 }
@@ -69,8 +75,11 @@ std::vector<std::string> history_comments(const grit::mpm::Runner& runner) {
         fmt::format(
             "forces and energies {}; forces are means since the row before: of contacts on the "
             "driven body, upwards, {} where surfaces face along z, {} where {};{} "
-            "base: reaction of the grid's bottom, upwards; damping: local damping on it, upwards",
-            words.whole, words.under, words.side, words.sideways, load),
+            "base: reaction of the grid's bottom, upwards; damping: local damping on it, upwards{}",
+            words.whole, words.under, words.side, words.sideways, load,
+            plan.space ? "; contact: of all contacts on it, along x, y and z, and their moments "
+                         "about the origin"
+                       : ""),
         "stored_energy is the work that stresses took since the start, driven_stored_energy "
         "what the driven body holds now; external_work includes traction_work; losses count "
         "down from the "

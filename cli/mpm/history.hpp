@@ -13,7 +13,7 @@ namespace cli {
 
 // In words of the case: geometry_words.hpp.
 std::vector<Column> history_columns(const grit::mpm::Case& plan);
-std::vector<double> history_values(const grit::mpm::HistoryRow& row);
+std::vector<double> history_values(const grit::mpm::Case& plan, const grit::mpm::HistoryRow& row);
 // Table of the documentation, Markdown: as fix grit/mpm has them, in SI units.
 std::string history_table();
 // What stands above them.

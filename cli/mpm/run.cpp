@@ -50,7 +50,7 @@ void MpmRun::resume() {
     try {
         const MpmCheckpoint checkpoint(options.checkpoint);
         done = saved_run_of(checkpoint.runner(), runner.description().stages.size(),
-                            grit::mpm::history_columns().size());
+                            history_columns(runner.description()).size());
         runner.resume(done.state);
         checkpoint.restore(runner.subject());
         if (field_files) field_files->resume(done.frames);
@@ -145,7 +145,7 @@ std::string MpmRun::here() {
 }
 
 void MpmRun::row() {
-    const std::vector<double> values = history_values(runner.row());
+    const std::vector<double> values = history_values(runner.description(), runner.row());
     history->row(values);
     done.history.insert(done.history.end(), values.begin(), values.end());
 }

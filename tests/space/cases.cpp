@@ -185,6 +185,34 @@ TEST(SpaceRun, OfAStampKeepsItsBalanceAndTellsItsForces) {
     EXPECT_GT(row.energy.rigid_work, 0.0);
 }
 
+// ... on a quarter about the axis x = y = 0: along z what its tip and its shaft tell, sideways the same along x and y, and no
+// moment about that axis; the other moments are as far from it as pressures below a quarter of a stamp are.
+TEST(SpaceRun, TellsForcesAndMomentsOfContactsInSpace) {
+    mpm::Case plan = stamp();
+    plan.tractions.clear();
+    plan.space->faces.clear();
+    plan.history.body = "stamp";
+    mpm::Runner runner(plan);
+    while (!runner.finished()) runner.step();
+    const mpm::HistoryRow row = runner.row();
+    const double F = row.tip_force + row.shaft_force;
+    EXPECT_GT(F, 10.0);
+    EXPECT_NEAR(row.contact[2], F, 1e-9 * F);
+    EXPECT_NEAR(row.contact[0], row.contact[1], 1e-9 * F);
+    EXPECT_NEAR(row.contact[3], -row.contact[4], 1e-9 * F);
+    EXPECT_NEAR(row.contact[5], 0.0, 1e-9 * F);
+    EXPECT_GT(row.contact[3],
+              0.3 * 0.2 * F);  // y F; 4/(3 pi) of the radius where pressure is uniform
+    EXPECT_LT(row.contact[3], 0.6 * 0.2 * F);
+    // Of the sand they are the opposite.
+    plan.history.body = "sand";
+    mpm::Runner other(plan);
+    while (!other.finished()) other.step();
+    const mpm::HistoryRow on_sand = other.row();
+    for (std::size_t k = 0; k < 6; ++k)
+        EXPECT_NEAR(on_sand.contact[k], -row.contact[k], 1e-9 * F) << k;
+}
+
 TEST(SpaceRun, GoesOnFromACheckpointWithTheBitsOfOneThatNeverStopped) {
     mpm::Runner all(stamp()), first(stamp()), second(stamp());
     for (int i = 0; i < 12; ++i) all.step();

@@ -39,10 +39,19 @@ constexpr HistoryColumn columns[] = {
     {"largest_pore_pressure", "Pa", [](const HistoryRow& r) { return r.largest_pore_pressure; }},
     {"implicit_pressure_loss", "J", [](const HistoryRow& r) { return r.energy.implicit; }},
     {"water_mass", "kg", [](const HistoryRow& r) { return r.water_mass; }},
+    {"contact_force_x", "N", [](const HistoryRow& r) { return r.contact[0]; }},
+    {"contact_force_y", "N", [](const HistoryRow& r) { return r.contact[1]; }},
+    {"contact_force_z", "N", [](const HistoryRow& r) { return r.contact[2]; }},
+    {"contact_moment_x", "N m", [](const HistoryRow& r) { return r.contact[3]; }},
+    {"contact_moment_y", "N m", [](const HistoryRow& r) { return r.contact[4]; }},
+    {"contact_moment_z", "N m", [](const HistoryRow& r) { return r.contact[5]; }},
 };
+constexpr std::size_t in_space_alone = 6;  // the last ones
 
 }  // namespace
 
-std::span<const HistoryColumn> history_columns() { return columns; }
+std::span<const HistoryColumn> history_columns(bool in_space) {
+    return std::span(columns).first(std::size(columns) - (in_space ? 0 : in_space_alone));
+}
 
 }  // namespace grit::mpm

@@ -14,6 +14,7 @@ struct HistoryColumn {
     double (*value)(const HistoryRow&);
 };
 
-std::span<const HistoryColumn> history_columns();
+// In space some more, behind those of the plane.
+std::span<const HistoryColumn> history_columns(bool in_space = false);
 
 }  // namespace grit::mpm

@@ -158,6 +158,7 @@ void Runner::step() {
     const double now[] = {forces.tip, forces.shaft, -forces.traction, forces.base};
     for (std::size_t k = 0; k < 4; ++k) state_now.impulse[k] += dt * now[k];
     state_now.impulse[4] += forces.damping_impulse;
+    for (std::size_t k = 0; k < 6; ++k) state_now.impulse[5 + k] += forces.contact_impulse[k];
     if (simulation.steps() % look_every == 0) check_energy();
     due = simulation.time() >= state_now.next_row;
     const Ended end = end_of_stage();
@@ -253,6 +254,7 @@ HistoryRow Runner::row_so_far() {
     out.hammer_force = per_time * state_now.impulse[2];
     out.base_force = per_time * state_now.impulse[3];
     out.damping_force = per_time * state_now.impulse[4];
+    for (std::size_t k = 0; k < 6; ++k) out.contact[k] = per_time * state_now.impulse[5 + k];
     const Energy energy = simulation.energy();
     out.energy = times(energy, whole);
     out.driven_stored = whole * simulation.stored_energy(driven);

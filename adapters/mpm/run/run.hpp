@@ -22,6 +22,8 @@ struct HistoryRow {
     // damping on the driven body, upwards.
     double tip_force = 0.0, shaft_force = 0.0, hammer_force = 0.0, base_force = 0.0,
            damping_force = 0.0;
+    // In space, of contacts on the driven body: means alike along x, y and z [N], and of their moments about the origin [N m].
+    std::array<double, 6> contact{};
     Energy energy;                // [J]
     double driven_stored = 0.0;   // now in the driven body [J]
     double residual_share = 0.0;  // of the energy turned over [-]
@@ -39,8 +41,9 @@ struct RunState {
     double last_dt = 0.0;
     double start_level = 0.0, stage_level = 0.0;  // [m]
     double next_row = 0.0;                        // [s]
-    // Impulses since the last row [N s]: tip, shaft, hammer, base, damping.
-    std::array<double, 5> impulse{};
+    // Impulses since the last row [N s]: tip, shaft, hammer, base, damping; those of contacts along x, y and z and their
+    // moments [N m s].
+    std::array<double, 11> impulse{};
     double row_time = 0.0;           // of the last row [s]
     std::vector<double> stage_time;  // when stages began [s]; infinite: not yet
 

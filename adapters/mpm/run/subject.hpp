@@ -3,6 +3,7 @@
 // metre in the plane, and of all that is computed in space; forces are along z.
 #pragma once
 
+#include <array>
 #include <iosfwd>
 #include <memory>
 
@@ -43,6 +44,8 @@ class Subject {
     struct Forces {
         double tip = 0.0, shaft = 0.0, traction = 0.0, base = 0.0, damping_impulse = 0.0;
         double largest_gap = 0.0;  // between bodies at a node of both [m]; NaN: not measured
+        // In space, of contacts along x, y and z [N s] and their moments about the origin [N m s].
+        std::array<double, 6> contact_impulse{};
     };
     virtual Forces forces(std::size_t body) = 0;
     virtual double unbalanced_share(double dt) = 0;

@@ -121,6 +121,11 @@ Subject::Forces SpaceSubject::forces(std::size_t body) {
         out.tip += sign * pair.measured().along_z[2];
         out.shaft += sign * pair.measured().sideways[2];
         out.largest_gap = std::fmax(out.largest_gap, pair.measured().largest_gap);
+        const Twist impulse = pair.impulse_on(body, {0.0, 0.0, 0.0});
+        for (int k = 0; k < 3; ++k) {
+            out.contact_impulse[static_cast<std::size_t>(k)] += impulse.along[k];
+            out.contact_impulse[static_cast<std::size_t>(k) + 3] += impulse.about[k];
+        }
     }
     out.traction = simulation.traction_force(body)[2];
     out.base = base_reaction();
