@@ -1,22 +1,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "element/calibration/problem.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <exception>
+#include <mutex>
+#include <system_error>
 #include <thread>
 
 namespace calibration {
 
 void in_parallel(int threads, std::size_t count, const std::function<void(std::size_t)>& work) {
     std::atomic<std::size_t> next{0};
+    std::mutex mutex;  // of what follows
+    std::size_t failed = count;
+    std::exception_ptr failure;
     const auto serve = [&] {
-        for (std::size_t i = next++; i < count; i = next++) work(i);
+        for (std::size_t i = next++; i < count; i = next++) {
+            try {
+                work(i);
+            } catch (...) {
+                const std::lock_guard lock(mutex);
+                if (i < failed) {
+                    failed = i;
+                    failure = std::current_exception();
+                }
+                next = count;  // those before it have been taken
+            }
+        }
     };
     std::vector<std::thread> helpers;
-    for (int i = 1; i < threads && static_cast<std::size_t>(i) < count; ++i)
-        helpers.emplace_back(serve);
+    helpers.reserve(std::min(static_cast<std::size_t>(std::max(threads, 1)), count));
+    try {
+        for (int i = 1; i < threads && static_cast<std::size_t>(i) < count; ++i)
+            helpers.emplace_back(serve);
+    } catch (
+        const std::system_error&) {  // no more threads are to be had: those that are there do it
+    }
     serve();
     for (std::thread& helper : helpers) helper.join();
+    if (failure) std::rethrow_exception(failure);
 }
 
 Problem::Problem(ParameterSpace space, std::vector<Experiment> experiments,

@@ -65,7 +65,7 @@ class Problem {
     std::vector<Vector> common;        // of each: what weigh_starts has found, empty: nothing
 };
 
-// work(i) for i = 0 ... count - 1, in so many threads.
+// work(i) for i = 0 ... count - 1, in so many threads, or fewer if the system gives no more. Throws what the lowest threw.
 void in_parallel(int threads, std::size_t count, const std::function<void(std::size_t)>& work);
 
 }  // namespace calibration

@@ -56,6 +56,28 @@ TEST(BlocksOnSprings, RestWhateverTheStep) {
     EXPECT_NEAR(blocks.run().overlap, overlap, 0.03 * overlap);
 }
 
+// A node beyond a body that is thinner than a cell has both on one side, and sees no surface between them: springs there
+// threw them apart.
+TEST(BlocksOnSprings, ThinnerThanACellStayWhereTheyTouch) {
+    constexpr double h = 0.1, E = 1e6;
+    for (const int normal :
+         {GRIT_CONTACT_NORMAL_OF_A, GRIT_CONTACT_NORMAL_OF_B, GRIT_CONTACT_NORMAL_AVERAGE}) {
+        Simulation simulation(Axis::uniform(0.0, 0.8, 8), Axis::uniform(0.0, 0.8, 8),
+                              {.axisymmetric = false});
+        simulation.add_body(make_box({0.25, 0.55, 0.31, 0.36, 6, 2, 1000.0}, false,
+                                     std::make_unique<LinearElastic>(E, 0.0)));
+        simulation.add_body(make_box({0.25, 0.55, 0.36, 0.42, 6, 2, 1000.0}, false,
+                                     std::make_unique<LinearElastic>(E, 0.0)));
+        ContactLaw law = contact_law(GRIT_CONTACT_GEO, 0.0);
+        law.gated = true;
+        law.normal = normal;
+        stiffen(law, 1.0, E, h);
+        simulation.add_contact(law);
+        for (int i = 0; i < 40; ++i) simulation.step();
+        EXPECT_LT(simulation.energy().kinetic, 1e-20 * E * h * h) << normal;
+    }
+}
+
 // Around the punch's edge the soil is hollow: the gap along the diagonal there is no overlap to push against, which
 // made the punch 1.9 times as stiff. 11.10 MN/m by finite elements: contact_study punch.
 TEST(PunchOnSprings, IsNearerToTheElasticOneTheStifferTheyAre) {

@@ -69,6 +69,31 @@ TEST(PenaltyBlockOnASlope, RestsBelowTheFrictionAngleAndSlidesAboveIt) {
     EXPECT_NEAR(sliding.residual, 0.0, 0.02);
 }
 
+// Stresses that are no numbers move a line before any sum tells: it would be cut into no number of segments.
+TEST(PenaltyLine, EndsTheStepByNameWhereItsBodyMovesByNoNumber) {
+    for (const double stress : {NAN, INFINITY}) {
+        const MeetingBars bars{0.5 * MeetingBars::h, 0.0};
+        const auto simulation = bars.build();
+        PenaltyLaw law = penalty_law(0.0, 1.0, MeetingBars::E, MeetingBars::h);
+        law.line_a.points = {{MeetingBars::width, bars.top_of_lower()}, {0.0, bars.top_of_lower()}};
+        law.line_b.points = {{0.0, bars.bottom_of_upper()},
+                             {MeetingBars::width, bars.bottom_of_upper()}};
+        simulation->add_contact(law);
+        simulation->step();
+        const Particles& lower = simulation->body(0).particles;
+        for (std::ptrdiff_t p = 0; p < lower.size(); ++p)
+            simulation->body(0).particles.view()[column::S_zz][p] = stress;
+        try {
+            simulation->step();
+            FAIL() << "it went on";
+        } catch (const std::runtime_error& error) {
+            EXPECT_NE(std::string(error.what()).find("m, off the grid; is cfl too large?"),
+                      std::string::npos)
+                << error.what();
+        }
+    }
+}
+
 // A line is split as its body stretches, and no vertex leaves it.
 TEST(PenaltyLine, FollowsABodyThatStretches) {
     constexpr double h = 0.1, rate = 2.0;

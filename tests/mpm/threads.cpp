@@ -12,6 +12,7 @@
 
 #include <adapters/mpm/step/thread_pool.hpp>
 
+#include "../few_threads.hpp"
 #include "support/box.hpp"
 
 namespace {
@@ -57,6 +58,15 @@ TEST(ThreadPool, DoesEachTaskOnceWhateverTheThreads) {
                 ASSERT_EQ(done[i], static_cast<int>(i) + 1) << threads << ' ' << pass;
         }
     }
+}
+
+TEST(ThreadPool, DoesWithTheThreadsThatTheSystemGives) {
+    const RoomForFewThreads room;
+    ThreadPool pool(1000);
+    EXPECT_LT(pool.size(), 1000);
+    std::vector<int> done(100, 0);
+    pool.run(100, [&](int i) { done[static_cast<std::size_t>(i)] += 1; });
+    EXPECT_EQ(done, std::vector<int>(100, 1));
 }
 
 TEST(ThreadPool, ThrowsWhatTheLowestTaskThrew) {

@@ -78,6 +78,26 @@ TEST(SpaceContact, LeavesBodiesAloneThatAreApart) {
     EXPECT_LT(gap_at_touch, 1e-3);
 }
 
+// See BlocksOnSprings of the plane.
+TEST(SpaceContact, WithSpringsLeavesBodiesAloneThatAreThinnerThanACell) {
+    constexpr double h = 0.1, E = 1e6;
+    for (const int normal :
+         {GRIT_CONTACT_NORMAL_OF_A, GRIT_CONTACT_NORMAL_OF_B, GRIT_CONTACT_NORMAL_AVERAGE}) {
+        Simulation simulation(cube_of_cells(0.8, 8), {});
+        simulation.add_body(make_brick({{0.25, 0.25, 0.31}, {0.45, 0.45, 0.36}, {4, 4, 2}, 1000.0},
+                                       std::make_unique<LinearElastic>(E, 0.0)));
+        simulation.add_body(make_brick({{0.25, 0.25, 0.36}, {0.45, 0.45, 0.42}, {4, 4, 2}, 1000.0},
+                                       std::make_unique<LinearElastic>(E, 0.0)));
+        ContactLaw law = nodal_law(GRIT_CONTACT_GEO, 0.0, 0, 1);
+        law.gated = true;
+        law.normal = normal;
+        grit::mpm::stiffen(law, 1.0, E, h);
+        simulation.add_contact(law);
+        for (int i = 0; i < 20; ++i) simulation.step();
+        EXPECT_LT(simulation.energy().kinetic, 1e-20 * E * h * h * h) << normal;
+    }
+}
+
 // On a coarse grid; finer ones: space_convergence, docs/space.md.
 TEST(SpaceContact, OfAParaboloidOnAPlaneIsThatOfHertz) {
     const Hertz::Result result = Hertz{.rise = 0.03, .rest = 0.02}.run();

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robustness/campaign.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <charconv>
 #include <chrono>
 #include <csignal>
 #include <cstdint>
@@ -12,6 +16,8 @@
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -24,6 +30,29 @@ namespace robustness {
 namespace {
 
 std::atomic<bool> asked_to_stop = false;
+
+// What threads are at: for a signal that ends the program, whose thread may be one that a trial has started.
+constexpr int most_threads = 1024;
+std::array<std::atomic<long>, most_threads> blocks_begun;  // their numbers plus 1
+
+// Nothing here takes memory or a lock.
+void name_blocks(int signal) {
+    const auto say = [](std::string_view text) {
+        if (write(STDERR_FILENO, text.data(), text.size()) < 0) return;
+    };
+    say("\ntorture: ended by a signal at block");
+    for (const auto& begun : blocks_begun) {
+        std::array<char, 24> digits;
+        if (const long number = begun) {
+            const auto end = std::to_chars(digits.begin(), digits.end(), number - 1).ptr;
+            say(" ");
+            say({digits.begin(), end});
+        }
+    }
+    say(": --only repeats one\n");
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+}
 
 // What blocks have cost, and by which programs.
 struct Effort {
@@ -99,7 +128,10 @@ class Journal {
 
 bool run(const Kind& kind, const Campaign& campaign) {
     using Clock = std::chrono::steady_clock;
-    const auto blocks = static_cast<std::size_t>((campaign.count + kind.block - 1) / kind.block);
+    const bool alone = campaign.only >= 0;
+    const auto blocks =
+        alone ? std::size_t{1}
+              : static_cast<std::size_t>((campaign.count + kind.block - 1) / kind.block);
     std::vector<bool> done(blocks);
     Findings all(kind.words);
     Effort effort;
@@ -109,6 +141,8 @@ bool run(const Kind& kind, const Campaign& campaign) {
         if (!done[i]) left.push_back(i);
     const std::size_t before = blocks - left.size();
 
+    for (const int each : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL})
+        std::signal(each, name_blocks);
     for (const int each : {SIGINT, SIGTERM}) std::signal(each, [](int) { asked_to_stop = true; });
     const auto start = Clock::now();
     const auto seconds = [&] {
@@ -118,7 +152,7 @@ bool run(const Kind& kind, const Campaign& campaign) {
     std::size_t next = 0, ended = 0;
     std::string failure;
     double told = 0.0;
-    const auto work = [&] {
+    const auto work = [&](int thread) {
         for (;;) {
             std::size_t block;
             {
@@ -127,12 +161,23 @@ bool run(const Kind& kind, const Campaign& campaign) {
                 if (next == left.size() || asked_to_stop || late || !failure.empty()) return;
                 block = left[next++];
             }
+            const auto number = alone ? static_cast<std::uint64_t>(campaign.only) : block;
+            blocks_begun[static_cast<std::size_t>(thread)] = static_cast<long>(number) + 1;
             Findings found(kind.words);
             // Neighbouring seeds and blocks have streams that share nothing.
-            Random random(Random(campaign.seed).bits() ^ Random(~std::uint64_t{block}).bits());
+            Random random(Random(campaign.seed).bits() ^ Random(~number).bits());
             const double began = seconds();
-            kind.run(random, kind.block, found);
+            std::string thrown;
+            try {
+                kind.run(random, kind.block, found);
+            } catch (const std::exception& error) {
+                thrown = error.what();
+            }
             const std::lock_guard lock(mutex);
+            if (!thrown.empty()) {
+                failure = "block " + std::to_string(number) + ": " + thrown;
+                return;
+            }
             const double took = seconds() - began;
             try {
                 journal.add(block, took, found);
@@ -153,9 +198,14 @@ bool run(const Kind& kind, const Campaign& campaign) {
         }
     };
     std::vector<std::thread> others;
-    for (int i = 1; i < campaign.threads; ++i) others.emplace_back(work);
-    work();
+    try {
+        for (int i = 1; i < std::min(campaign.threads, most_threads); ++i)
+            others.emplace_back(work, i);
+    } catch (const std::system_error&) {  // no more threads: the others do it
+    }
+    work(0);
     for (std::thread& each : others) each.join();
+    for (auto& each : blocks_begun) each = 0;
     if (!failure.empty()) throw std::runtime_error(failure);
 
     std::printf("%s: %zu of %zu blocks of %ld cases, seed %lu, Grit %s\n", kind.name.c_str(),

@@ -24,12 +24,14 @@ struct Campaign {
     long count = 100000;  // cases, whole blocks
     unsigned long seed = 1;
     double hours = 0.0;  // start no block after them; 0: without end
+    long only = -1;      // this block alone, if it is one
     int threads = 1;
     std::string journal;  // a line per block that is done, to go on from; empty: none
 };
 
 // Runs the blocks that the journal does not have and prints what all of them have found, in the end or when interrupted.
-// Says whether no rule was broken. Throws std::runtime_error if the journal is of other trials or cannot be written.
+// Says whether no rule was broken. Throws std::runtime_error if the journal is of other trials or cannot be written, and
+// if a trial throws, with the number of its block; a signal that ends the program names the blocks that it was at.
 bool run(const Kind& kind, const Campaign& campaign);
 
 }  // namespace robustness

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// torture sand|contact|penalty|surface|mpm [--count N] [--seed S] [--hours H] [--threads N] [--journal FILE]: random trials, what they found, and
-// for each rule that was broken a program that breaks it again. Ends with 1 if there is one.
+// torture sand|contact|penalty|surface|mpm [--count N] [--seed S] [--only BLOCK] [--hours H] [--threads N] [--journal FILE]: random trials, what
+// they found, and for each rule that was broken a program that breaks it again. Ends with 1 if there is one.
 #include <cstdio>
 #include <map>
 #include <stdexcept>
@@ -32,10 +32,13 @@ int main(int argc, char** argv) {
     app.add_option("--count", campaign.count, "Cases, in whole blocks")
         ->check(CLI::Range(1L, 1000000000000L));
     app.add_option("--seed", campaign.seed, "Other numbers")->check(CLI::NonNegativeNumber);
+    app.add_option("--only", campaign.only, "This block alone, as a longer campaign counts them")
+        ->check(CLI::NonNegativeNumber)
+        ->excludes(app.add_option("--journal", campaign.journal,
+                                  "File with a line per block, to go on from"));
     app.add_option("--hours", campaign.hours, "Begin no block after them")
         ->check(CLI::PositiveNumber);
     app.add_option("--threads", campaign.threads, "Change no result")->check(CLI::Range(1, 1024));
-    app.add_option("--journal", campaign.journal, "File with a line per block, to go on from");
     CLI11_PARSE(app, argc, argv);
     try {
         return run(kinds.at(name)(), campaign) ? 0 : 1;

@@ -289,6 +289,14 @@ void ContactPair::measure_overlaps(const GridView& grid, const ContactBody& soft
     }
 }
 
+// Beyond a body that is thinner than a cell the normals of the two are opposed: neither is that of the surface between
+// them, and what lies along it is no overlap.
+bool ContactPair::has_both_on_one_side(std::size_t node) const {
+    const bool average = pair_law.normal == GRIT_CONTACT_NORMAL_AVERAGE;
+    const double *n = &(average ? direction[3] : normal)[2 * node], *m = &direction[2][2 * node];
+    return n[0] * m[0] + n[1] * m[1] < 0.0;
+}
+
 // The overlap that a spring works against. In the hollow corner of what surrounds an edge the gap along the diagonal is
 // no overlap: there it is what the corners of the softer body have entered of the stiffer one.
 void ContactPair::find_overlaps(const GridView& grid, const ContactBody& soft, Exchange& exchange) {
@@ -298,7 +306,9 @@ void ContactPair::find_overlaps(const GridView& grid, const ContactBody& soft, E
     exchange.min_nodes(overlap_gap.data(), static_cast<std::ptrdiff_t>(is_closed.size()), 2);
     for (const std::ptrdiff_t node : closed) {
         const auto i = static_cast<std::size_t>(node);
-        if (gap[i] <= 0.0) gap[i] = std::min(0.0, std::max(gap[i], overlap_gap[2 * i]));
+        if (gap[i] <= 0.0)
+            gap[i] =
+                has_both_on_one_side(i) ? 0.0 : std::min(0.0, std::max(gap[i], overlap_gap[2 * i]));
     }
 }
 

@@ -102,6 +102,7 @@ class ContactPair {
     template <bool axi> void measure_overlaps(const GridView& grid, const ContactBody& soft);
     void find_overlaps(const GridView& grid, const ContactBody& soft, Exchange& exchange);
     double outside(const double* x, std::size_t node) const;
+    bool has_both_on_one_side(std::size_t node) const;
     bool is_beside(const double* x, std::ptrdiff_t node) const;
     void add(const grit_contact_surfaces& to, int which, const double* x, const double* side,
              const std::ptrdiff_t* nodes, int count);

@@ -186,8 +186,27 @@ void PenaltyPair::move(const GridView& grid, const PenaltyBody& a, const Penalty
                        double dt) {
     check_mass(grid, a, b, Vertices::all);
     taken = -advance(grid, a, dt, lines[0]) - advance(grid, b, dt, lines[1]);
+    check_place(grid, a, b);
     remesh(lines[0]);
     remesh(lines[1]);
+}
+
+// A body whose stresses are no numbers takes its line along before any sum of energies says so.
+void PenaltyPair::check_place(const GridView& grid, const PenaltyBody& a,
+                              const PenaltyBody& b) const {
+    const auto is_near = [](const AxisView& axis, double x) {
+        const double first = axis.node[0], last = axis.node[axis.cells];
+        return x >= 2.0 * first - last && x <= 2.0 * last - first;
+    };
+    for (const int k : {0, 1})
+        for (std::size_t v = 0; v < lines[k].position.size(); v += 2) {
+            const double r = lines[k].position[v], z = lines[k].position[v + 1];
+            if (is_near(grid.r, r) && is_near(grid.z, z)) continue;
+            throw std::runtime_error("penalty contact of " + a.name + " and " + b.name +
+                                     ": vertex " + std::to_string(v / 2) + " of the line of " +
+                                     (k == 0 ? a : b).name + " has moved to r = " + text(r) +
+                                     " m, z = " + text(z) + " m, off the grid; is cfl too large?");
+        }
 }
 
 // Returns the work of the forces on the body: half on the way to where they act, half on the way on.

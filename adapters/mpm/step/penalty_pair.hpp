@@ -51,6 +51,8 @@ class PenaltyPair {
     enum class Vertices { pressed, all };
     void check_mass(const GridView& grid, const PenaltyBody& a, const PenaltyBody& b,
                     Vertices which) const;
+    // ... or where one has moved far off the grid, or nowhere.
+    void check_place(const GridView& grid, const PenaltyBody& a, const PenaltyBody& b) const;
     // Adds the forces found to those of the nodes.
     void push(const GridView& grid, const PenaltyBody& a, const PenaltyBody& b);
     // Vertices move with their bodies.

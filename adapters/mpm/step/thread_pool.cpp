@@ -2,6 +2,7 @@
 #include "adapters/mpm/step/thread_pool.hpp"
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
 namespace grit::mpm {
@@ -39,7 +40,11 @@ std::string word_of_unused_threads(int wanted) {
 }
 
 ThreadPool::ThreadPool(int count) {
-    for (int i = 1; i < count; ++i) threads.emplace_back([this] { serve(); });
+    threads.reserve(static_cast<std::size_t>(std::max(count - 1, 0)));
+    try {
+        for (int i = 1; i < count; ++i) threads.emplace_back([this] { serve(); });
+    } catch (const std::system_error&) {  // no more are to be had: those that are there do it
+    }
 }
 
 ThreadPool::~ThreadPool() {

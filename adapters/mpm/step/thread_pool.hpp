@@ -20,7 +20,7 @@ std::string word_of_unused_threads(int wanted);
 
 class ThreadPool {
   public:
-    // The calling thread is one of them.
+    // The calling thread is one of them. Fewer, if the system gives no more.
     explicit ThreadPool(int threads);
     ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;

@@ -4,11 +4,13 @@
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace fuzz {
 
@@ -17,7 +19,8 @@ class Scratch {
     Scratch() {
         std::string pattern = std::filesystem::exists("/dev/shm") ? "/dev/shm/grit_fuzz_XXXXXX"
                                                                   : "/tmp/grit_fuzz_XXXXXX";
-        if (!mkdtemp(pattern.data())) std::abort();
+        if (!mkdtemp(pattern.data()))
+            throw std::system_error(errno, std::generic_category(), pattern);
         folder = pattern;
     }
     Scratch(const Scratch&) = delete;
@@ -28,7 +31,9 @@ class Scratch {
     }
     std::filesystem::path write(const char* name, std::string_view text) const {
         std::filesystem::path out = folder / name;
-        std::ofstream(out, std::ios::binary) << text;
+        std::ofstream file(out, std::ios::binary);
+        file << text << std::flush;
+        if (!file) throw std::system_error(errno, std::generic_category(), out.string());
         return out;
     }
     const std::filesystem::path& path() const { return folder; }

@@ -400,6 +400,12 @@ double ContactPair::outside(const Vector3& x, std::size_t i) const {
     return out;
 }
 
+// See the plane's.
+bool ContactPair::has_both_on_one_side(std::size_t i) const {
+    const bool average = pair_law.normal == GRIT_CONTACT_NORMAL_AVERAGE;
+    return dot(at(average ? direction[4] : normal, i), at(direction[3], i)) < 0.0;
+}
+
 // The overlap that a spring works against; see the plane's.
 void ContactPair::find_overlaps() {
     std::fill(overlap.begin(), overlap.end(), far);
@@ -412,7 +418,8 @@ void ContactPair::find_overlaps() {
             }
     }
     for (std::size_t i = 0; i < gap.size(); ++i)
-        if (closed[i] && gap[i] <= 0.0) gap[i] = std::min(0.0, std::max(gap[i], overlap[i]));
+        if (closed[i] && gap[i] <= 0.0)
+            gap[i] = has_both_on_one_side(i) ? 0.0 : std::min(0.0, std::max(gap[i], overlap[i]));
 }
 
 // How far along its normal a node has weight: the d of (C4), docs/adr/0007-reach-of-a-node.md.

@@ -62,6 +62,7 @@ class ContactPair {
     void part_corners();
     void find_overlaps();
     double outside(const Vector3& x, std::size_t i) const;
+    bool has_both_on_one_side(std::size_t i) const;
     bool is_beside(const Vector3& x, std::size_t i) const;
     grit_contact_surfaces surfaces(std::vector<double>& of);
     grit_contact_surfaces along_direction(int k);
