@@ -2,6 +2,7 @@
 #include "adapters/python/arrays.hpp"
 
 #include <algorithm>
+#include <climits>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
@@ -67,19 +68,26 @@ std::string shape_text(const std::vector<py::ssize_t>& shape) {
     return text + (shape.size() == 1 ? ",)" : ")");
 }
 
+Arrays::Arrays(const char* name, const py::object& first) {
+    const auto shape = shape_of(judged(name, first, false));
+    if (shape.size() != 1) refuse("%s must be (n,), got %s", name, shape_text(shape).c_str());
+    n = m = shape[0];
+    c = 1;
+}
+
 Arrays::Arrays(const char* name, const py::object& first,
-               const std::vector<py::ssize_t>& components) {
+               const std::vector<py::ssize_t>& components, bool one_without_n) {
     const py::array array = judged(name, first, false);
     const auto shape = shape_of(array);
     const bool fits =
-        (shape.size() == 1 || shape.size() == 2) &&
+        (shape.size() == 2 || (shape.size() == 1 && one_without_n)) &&
         std::find(components.begin(), components.end(), shape.back()) != components.end();
     if (!fits) {
         std::string wanted;
         for (const py::ssize_t k : components)
             wanted += (wanted.empty() ? "" : " or ") + ("(n, " + std::to_string(k) + ")");
-        refuse("%s must be %s, without n for one point, got %s", name, wanted.c_str(),
-               shape_text(shape).c_str());
+        refuse("%s must be %s%s, got %s", name, wanted.c_str(),
+               one_without_n ? ", without n for one point" : "", shape_text(shape).c_str());
     }
     single = shape.size() == 1;
     n = m = single ? 1 : shape[0];
@@ -182,15 +190,52 @@ const ptrdiff_t* Arrays::read_index(const py::object& object) {
     return index.data();
 }
 
-void Arrays::check_overlap() const {
+void Arrays::check_overlap(const Arrays* other) const {
     const py::object shares = py::module_::import("numpy").attr("shares_memory");
-    for (std::size_t i = 0; i < held.size(); ++i)
-        for (std::size_t j = i + 1; j < held.size(); ++j) {
-            if (!held[i].written && !held[j].written) continue;
-            if (shares(held[i].array, held[j].array).cast<bool>())
-                refuse("%s and %s share memory, and one of them is written to", held[i].name,
-                       held[j].name);
+    std::vector<const Held*> all;
+    for (const Arrays* each : {this, other})
+        for (std::size_t i = 0; each && i < each->held.size(); ++i) all.push_back(&each->held[i]);
+    for (std::size_t i = 0; i < all.size(); ++i)
+        for (std::size_t j = i + 1; j < all.size(); ++j) {
+            if (!all[i]->written && !all[j]->written) continue;
+            if (shares(all[i]->array, all[j]->array).cast<bool>())
+                refuse("%s and %s share memory, and one of them is written to", all[i]->name,
+                       all[j]->name);
         }
+}
+
+WholeNumbers whole_numbers(const char* name, const py::object& object) {
+    if (!py::isinstance<py::array>(object))
+        refuse("%s must be a NumPy array of integers, got %s", name, type_name(object).c_str());
+    const auto array = py::reinterpret_borrow<py::array>(object);
+    const char kind = array.dtype().kind();
+    if (kind != 'i' && kind != 'u')
+        refuse("%s must be an array of integers, got %s", name,
+               std::string(py::str(array.dtype())).c_str());
+    const py::array_t<std::int64_t, py::array::c_style | py::array::forcecast> list(array);
+    return {shape_of(array), {list.data(), list.data() + list.size()}};
+}
+
+std::vector<int> labels(const char* name, const py::object& object, py::ssize_t size) {
+    if (object.is_none()) return {};
+    const WholeNumbers list = whole_numbers(name, object);
+    if (list.shape != std::vector<py::ssize_t>{size})
+        refuse("%s must be (%td,), got %s", name, size, shape_text(list.shape).c_str());
+    std::vector<int> out;
+    for (const ptrdiff_t value : list.values)
+        out.push_back(static_cast<int>(std::clamp<ptrdiff_t>(value, INT_MIN, INT_MAX)));
+    return out;
+}
+
+std::vector<ptrdiff_t> offsets(const char* name, const py::object& object, py::ssize_t entries) {
+    const WholeNumbers list = whole_numbers(name, object);
+    if (list.shape.size() != 1 || list.values.empty())
+        refuse("%s must be (n + 1,), got %s", name, shape_text(list.shape).c_str());
+    if (list.values.front() < 0 || list.values.back() > entries ||
+        !std::is_sorted(list.values.begin(), list.values.end()))
+        refuse("%s must rise from 0 or more to %td or less, the entries of the list", name,
+               entries);
+    return list.values;
 }
 
 }  // namespace grit_python

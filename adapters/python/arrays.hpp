@@ -16,9 +16,12 @@ namespace py = pybind11;
 // written must be writeable and share no memory with anything else of the call.
 class Arrays {
   public:
-    // The first array says how many points there are: shape (n, components) or (components,) with one
-    // of the numbers of components allowed.
-    Arrays(const char* name, const py::object& first, const std::vector<py::ssize_t>& components);
+    // The first array says how many points there are: shape (n, components) or, where one may be without n, (components,)
+    // with one of the numbers of components allowed.
+    Arrays(const char* name, const py::object& first, const std::vector<py::ssize_t>& components,
+           bool one_without_n = true);
+    // Of shape (n,).
+    Arrays(const char* name, const py::object& first);
 
     py::ssize_t points() const { return n; }
     int components() const { return c; }
@@ -39,8 +42,8 @@ class Arrays {
     // How many points are taken: n, or as many as the index has.
     py::ssize_t taken() const { return m; }
 
-    // Call when all are known.
-    void check_overlap() const;
+    // Call when all are known, with the other arrays of the call, if any.
+    void check_overlap(const Arrays* other = nullptr) const;
 
   private:
     struct Held {
@@ -58,6 +61,17 @@ class Arrays {
     bool single = false;
     std::vector<ptrdiff_t> index;
 };
+
+// Whole numbers of any of NumPy's types of integers, copied.
+struct WholeNumbers {
+    std::vector<py::ssize_t> shape;
+    std::vector<ptrdiff_t> values;
+};
+WholeNumbers whole_numbers(const char* name, const py::object& object);
+// (size,), as the C interface takes flags and labels; none of None.
+std::vector<int> labels(const char* name, const py::object& object, py::ssize_t size);
+// n + 1 numbers that begin and end parts of a list of so many entries.
+std::vector<ptrdiff_t> offsets(const char* name, const py::object& object, py::ssize_t entries);
 
 // "(3, 6)"
 std::string shape_text(const std::vector<py::ssize_t>& shape);

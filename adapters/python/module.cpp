@@ -16,5 +16,8 @@ PYBIND11_MODULE(_grit, module) {
     grit_python::add_errors(module);
     grit_python::add_sand(module);
     grit_python::add_contact(module);
+    grit_python::add_contact_normals(module);
+    grit_python::add_contact_distance(module);
+    grit_python::add_penalty(module);
     grit_python::add_element(module);
 }

@@ -23,6 +23,9 @@ void add_sand(py::module_& module);
 py::class_<Sand> add_sand_type(py::module_& module);
 void add_sand_operators(py::class_<Sand>& sand);
 void add_contact(py::module_& module);
+void add_contact_normals(py::module_& module);
+void add_contact_distance(py::module_& module);
+void add_penalty(py::module_& module);
 void add_element(py::module_& module);
 
 }  // namespace grit_python

@@ -5,6 +5,7 @@ CMake builds the module out of the source tree that this folder stands in, in bu
 temporary folder where that cannot be written."""
 
 import atexit
+import importlib.metadata
 import os
 import pathlib
 import re
@@ -71,6 +72,18 @@ class TaggedWheel(bdist_wheel):
         return python, abi, platform
 
 
+def numpy_needed():
+    """pybind11 knows NumPy 2 from 2.12 on; modules made with an older one misread what NumPy 2 tells of arrays."""
+    try:
+        told = subprocess.check_output(["pkg-config", "--modversion", "pybind11"], text=True, stderr=subprocess.DEVNULL)
+    except (OSError, subprocess.CalledProcessError):
+        try:
+            told = importlib.metadata.version("pybind11")
+        except importlib.metadata.PackageNotFoundError:
+            told = "0.0"
+    return "numpy" if tuple(map(int, told.split(".")[:2])) >= (2, 12) else "numpy<2"
+
+
 setup(
     name="grit-sand",
     version=version,
@@ -79,7 +92,7 @@ setup(
     packages=["grit"],
     package_data={"grit": ["*.pyi", "py.typed"]},
     python_requires=">=3.9",
-    install_requires=["numpy"],
+    install_requires=[numpy_needed()],
     ext_modules=[Extension("grit._grit", [])],
     options={"build": {"build_base": str(work / "setup")}, "egg_info": {"egg_base": str(work / "info")}},
     cmdclass={"build_ext": BuildWithCMake, "bdist_wheel": TaggedWheel},

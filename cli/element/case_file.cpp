@@ -165,7 +165,7 @@ CaseFile read_case(const std::filesystem::path& path, TomlTable& root, const std
 
 std::vector<CaseFile> read_case_file(const std::filesystem::path& path, const UmatChoice& umat,
                                      const std::filesystem::path& sand,
-                                     const std::vector<std::string>& settings) {
+                                     const std::vector<CaseSetting>& settings) {
     std::vector<std::filesystem::path> inputs;
     TomlTable root = TomlTable::of_file(path, &inputs, settings);
     const Samples samples = read_samples(root);

@@ -12,6 +12,7 @@
 
 #include "cli/element/reference.hpp"
 #include "cli/element/stage_reader.hpp"
+#include "cli/toml/case_setting.hpp"
 #include "element/grit_law.hpp"
 #include "element/library_law.hpp"
 #include "element/simulate.hpp"
@@ -60,6 +61,6 @@ struct CaseFile {
 // see toml_document.hpp.
 std::vector<CaseFile> read_case_file(const std::filesystem::path& path, const UmatChoice& umat,
                                      const std::filesystem::path& sand = {},
-                                     const std::vector<std::string>& settings = {});
+                                     const std::vector<CaseSetting>& settings = {});
 
 }  // namespace cli

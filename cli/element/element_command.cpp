@@ -25,8 +25,8 @@ namespace fs = std::filesystem;
 
 // What one run of a study has besides --set.
 struct Variant {
-    std::vector<std::string> settings;  // "KEY=VALUE"
-    std::string name, words;            // "0.6" of files, "void_ratio = 0.6" for people
+    std::vector<CaseSetting> settings;
+    std::string name, words;  // "0.6" of files, "void_ratio = 0.6" for people
 };
 
 // Between brackets a comma belongs to a list.
@@ -57,7 +57,7 @@ std::vector<Variant> variants_of(const std::vector<std::string>& varied) {
         for (const Variant& variant : out)
             for (const std::string& value : values) {
                 Variant& next = longer.emplace_back(variant);
-                next.settings.push_back(key + "=" + value);
+                next.settings.emplace_back(key + "=" + value, "--vary");
                 next.name += "_" + value;
                 next.words += fmt::format("{}{} = {}", next.words.empty() ? "" : ", ",
                                           key.substr(key.rfind('.') + 1), value);
@@ -75,7 +75,7 @@ std::vector<CaseFile> read_cases(const ElementRequest& request) {
     std::vector<CaseFile> cases;
     for (const fs::path& path : request.cases)
         for (const Variant& variant : variants_of(request.varied)) {
-            std::vector<std::string> settings = request.settings;
+            std::vector<CaseSetting> settings = request.settings;
             settings.insert(settings.end(), variant.settings.begin(), variant.settings.end());
             for (CaseFile& file : read_case_file(path, request.umat, request.sand, settings)) {
                 if (!variant.words.empty()) {

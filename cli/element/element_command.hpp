@@ -7,6 +7,7 @@
 
 #include "cli/element/case_file.hpp"
 #include "cli/process/exit_code.hpp"
+#include "cli/toml/case_setting.hpp"
 
 namespace cli {
 
@@ -15,7 +16,7 @@ struct ElementRequest {
     std::filesystem::path out = ".";
     UmatChoice umat;
     std::filesystem::path sand;         // instead of the sands of the cases, empty: none
-    std::vector<std::string> settings;  // "KEY=VALUE" instead of what the cases say
+    std::vector<CaseSetting> settings;  // "KEY=VALUE" instead of what the cases say
     std::vector<std::string> varied;    // "KEY=VALUE,VALUE...": a run for each
     bool no_plot = false;
     bool quiet = false;      // the table alone

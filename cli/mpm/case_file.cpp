@@ -111,7 +111,7 @@ FieldsPlan read_fields(TomlTable table, const std::vector<MpmField>& known) {
 }  // namespace
 
 MpmCaseFile read_mpm_case(const std::filesystem::path& path, const std::filesystem::path& sand,
-                          const std::vector<std::string>& settings) {
+                          const std::vector<CaseSetting>& settings) {
     MpmCaseFile out;
     TomlTable root = TomlTable::of_file(path, &out.inputs, settings);
     if (!sand.empty()) out.inputs.push_back(sand);

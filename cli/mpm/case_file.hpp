@@ -11,6 +11,7 @@
 #include <adapters/mpm/case/case.hpp>
 
 #include "cli/mpm/fields.hpp"
+#include "cli/toml/case_setting.hpp"
 
 namespace cli {
 
@@ -29,6 +30,6 @@ struct MpmCaseFile {
 // sand: a file whose parameters take the place of those of all bodies of sand, empty: none. settings: "KEY=VALUE", see
 // toml_document.hpp. Throws BadInput naming file, line and key.
 MpmCaseFile read_mpm_case(const std::filesystem::path& path, const std::filesystem::path& sand = {},
-                          const std::vector<std::string>& settings = {});
+                          const std::vector<CaseSetting>& settings = {});
 
 }  // namespace cli

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/process/exit_code.hpp"
+#include "cli/toml/case_setting.hpp"
 
 namespace cli {
 
@@ -19,7 +20,7 @@ struct MpmRequest {
     std::optional<int> threads;  // instead of the case's
     double checkpoint_minutes = 0.0;
     bool restart = false;
-    std::vector<std::string> settings;  // "KEY=VALUE", see toml_document.hpp
+    std::vector<CaseSetting> settings;  // "KEY=VALUE", see toml_document.hpp
     bool no_plot = false;
     bool field_svg = false;  // pictures of fields as .svg too
     bool quiet = false;

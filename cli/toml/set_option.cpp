@@ -5,9 +5,15 @@
 
 namespace cli {
 
-CLI::Option* add_set_option(CLI::App& command, std::vector<std::string>& settings,
+CLI::Option* add_set_option(CLI::App& command, std::vector<CaseSetting>& settings,
                             const std::string& example) {
-    return command.add_option("--set", settings, "KEY=VALUE instead of a case's, as " + example)
+    return command
+        .add_option_function<std::vector<std::string>>(
+            "--set",
+            [&settings](const std::vector<std::string>& texts) {
+                settings.insert(settings.end(), texts.begin(), texts.end());
+            },
+            "KEY=VALUE instead of a case's, as " + example)
         ->take_all()
         ->expected(1)
         ->allow_extra_args(false);

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/toml/case_setting.hpp"
+
 namespace CLI {
 class App;
 class Option;
@@ -12,8 +14,8 @@ class Option;
 
 namespace cli {
 
-// settings: for parse_document. example: a key and its value.
-CLI::Option* add_set_option(CLI::App& command, std::vector<std::string>& settings,
+// settings: added to. example: a key and its value.
+CLI::Option* add_set_option(CLI::App& command, std::vector<CaseSetting>& settings,
                             const std::string& example);
 
 }  // namespace cli

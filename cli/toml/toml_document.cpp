@@ -56,7 +56,7 @@ struct Place {
     const fs::path& path;
     const toml::node& value;
     const std::string& key;
-    std::string setting = {};  // of --set; empty: in a file
+    std::string setting = {};  // of an option; empty: in a file
 
     [[noreturn]] void refuse(const std::string& message) const {
         if (!setting.empty()) throw BadInput(fmt::format("{}: {}", setting, message));
@@ -146,16 +146,15 @@ toml::table parse_all(const fs::path& path, std::vector<fs::path>* inputs, int d
     return base;
 }
 
-// "KEY=VALUE".
-void set(toml::table& document, const std::string& setting) {
-    static const fs::path here = "--set";
-    const std::size_t equals = setting.find('=');
-    if (equals == std::string::npos || equals == 0 || equals + 1 == setting.size())
-        throw BadInput(fmt::format("--set needs KEY=VALUE, got \"{}\"", setting));
-    const std::string key = setting.substr(0, equals), text = setting.substr(equals + 1);
-    if (setting.find_first_of("'\n") < equals)
-        throw BadInput(fmt::format("--set: \"{}\" is no key", key));
-    const std::string whole = "--set " + setting;
+void set(toml::table& document, const CaseSetting& setting) {
+    const fs::path here = setting.option;
+    const std::size_t equals = setting.text.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == setting.text.size())
+        throw BadInput(fmt::format("{} needs KEY=VALUE, got \"{}\"", setting.option, setting.text));
+    const std::string key = setting.text.substr(0, equals), text = setting.text.substr(equals + 1);
+    if (setting.text.find_first_of("'\n") < equals)
+        throw BadInput(fmt::format("{}: \"{}\" is no key", setting.option, key));
+    const std::string whole = setting.option + " " + setting.text;
     toml::table value;
     try {
         value = toml::parse("value = " + text, whole);
@@ -171,9 +170,9 @@ void set(toml::table& document, const std::string& setting) {
 
 std::shared_ptr<const toml::table> parse_document(const fs::path& path,
                                                   std::vector<fs::path>* inputs,
-                                                  const std::vector<std::string>& settings) {
+                                                  const std::vector<CaseSetting>& settings) {
     toml::table document = parse_all(path, inputs, 0);
-    for (const std::string& setting : settings) set(document, setting);
+    for (const CaseSetting& setting : settings) set(document, setting);
     return std::make_shared<const toml::table>(std::move(document));
 }
 

@@ -9,17 +9,17 @@
 
 #include <filesystem>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include <toml++/toml.h>
 
+#include "cli/toml/case_setting.hpp"
+
 namespace cli {
 
-// inputs: all files that were read. settings, as of --set: "KEY=VALUE" with keys as of [override]; a value that is none of
-// TOML is a text. Throws BadInput naming file, line and key.
+// inputs: all files that were read. Throws BadInput naming file, line and key.
 std::shared_ptr<const toml::table> parse_document(const std::filesystem::path& path,
                                                   std::vector<std::filesystem::path>* inputs,
-                                                  const std::vector<std::string>& settings = {});
+                                                  const std::vector<CaseSetting>& settings = {});
 
 }  // namespace cli

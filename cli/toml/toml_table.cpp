@@ -27,7 +27,7 @@ TomlTable::TomlTable(std::shared_ptr<const Content> table_content, std::string f
 
 TomlTable TomlTable::of_file(const std::filesystem::path& path,
                              std::vector<std::filesystem::path>* inputs,
-                             const std::vector<std::string>& settings) {
+                             const std::vector<CaseSetting>& settings) {
     const std::shared_ptr<const toml::table> document = parse_document(path, inputs, settings);
     return {std::make_shared<const Content>(Content{document, document.get()}), path.string(), "",
             nullptr};
@@ -48,7 +48,7 @@ void TomlTable::fail(const std::string& key, const std::string& message) const {
     const auto line = source.begin.line;
     const std::string& file = source.path ? *source.path : path;  // its own, or that of its base
     const std::string sample = columns ? fmt::format("sample {}: ", columns->name) : "";
-    const bool has_lines = line && !file.starts_with("--set ");
+    const bool has_lines = line && !file.starts_with("--");  // of no option
     throw BadInput(has_lines ? fmt::format("{}:{}: {}{}", file, line, sample, message)
                              : fmt::format("{}: {}{}", file, sample, message));
 }

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/toml/case_setting.hpp"
+
 namespace cli {
 
 // A row of a table of samples: its name, and what "column NAME" stands for, by name.
@@ -25,7 +27,7 @@ class TomlTable {
     // BadInput for a file that cannot be read or is no TOML.
     static TomlTable of_file(const std::filesystem::path& path,
                              std::vector<std::filesystem::path>* inputs = nullptr,
-                             const std::vector<std::string>& settings = {});
+                             const std::vector<CaseSetting>& settings = {});
 
     bool has(const std::string& key);
     double number(const std::string& key);

@@ -91,6 +91,9 @@ TEST(Study, RunsACaseForEachValueAndDrawsThemTogether) {
     const Answer answer =
         here.grit("element x.toml --vary start.void_ratio=0.55,0.65 --vary numerics.tolerance=1");
     EXPECT_TRUE(answer.says("--vary needs KEY=VALUE,VALUE,..., got \"numerics.")) << answer.text;
+    const Answer misspelt = here.grit("element x.toml --vary start.void_ration=0.55,0.65");
+    EXPECT_TRUE(misspelt.says("--vary start.void_ration=0.55: unknown key start.void_ration"))
+        << misspelt.text;
     const Answer study =
         here.grit("element x.toml --out out --vary start.void_ratio=0.55,0.65 --vary "
                   "sand.name=lausitz,hochstetten");

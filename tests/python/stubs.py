@@ -63,12 +63,13 @@ assert set(names_of(top)) | {"stage"} == set(grit.__all__), set(names_of(top)) ^
 stage = parsed("stage.pyi")
 public = {name for name in vars(grit.stage) if not name.startswith("_")}
 assert set(names_of(stage)) == public, set(names_of(stage)) ^ public
-(sand,) = [each for each in top if isinstance(each, ast.ClassDef) and each.name == "Sand"]
-public = {name for name in vars(grit.Sand) if not name.startswith("_")} | {"__init__"}
-assert set(names_of(sand.body)) == public, set(names_of(sand.body)) ^ public
-
-count = compare(top, grit, "grit") + compare(stage, grit.stage, "grit.stage") + compare(sand.body, grit.Sand, "grit.Sand")
-assert count > 25, count
+count = compare(top, grit, "grit") + compare(stage, grit.stage, "grit.stage")
+for kind in (grit.Sand, grit.ContactSurfaces):
+    (stub,) = [each for each in top if isinstance(each, ast.ClassDef) and each.name == kind.__name__]
+    public = {name for name in vars(kind) if not name.startswith("_")} | {"__init__"}
+    assert set(names_of(stub.body)) == public, set(names_of(stub.body)) ^ public
+    count += compare(stub.body, kind, f"grit.{kind.__name__}")
+assert count > 35, count
 failed, tried = doctest.testmod(grit)
-assert failed == 0 and tried >= 9, (failed, tried)
+assert failed == 0 and tried >= 18, (failed, tried)
 print(f"{count} signatures, {tried} examples")

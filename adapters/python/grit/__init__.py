@@ -25,8 +25,24 @@ array([-98.14, -80.37, -80.37,   0.  ,   0.  ,   0.  ])
 >>> reports["status"]
 array([0, 0], dtype=int32)
 
+Contact of two bodies at grid nodes, here two nodes with A below B: normals from gradients, distances from particles,
+one of each body, and one call that corrects the velocities.
+
+>>> normal = grit.contact_normals("a", gradient_a=numpy.array([[0.0, 2], [0.0, 3]]))
+>>> surfaces = grit.ContactSurfaces(numpy.array([[0.0, 0], [1, 0]]), normal)
+>>> half_sides = numpy.array([[[0.25, 0], [0, 0.25]]])
+>>> surfaces.add("a", numpy.array([[0.5, -0.25]]), node=numpy.array([[0, 1]]), side=half_sides)
+>>> surfaces.add("b", numpy.array([[0.5, 0.5]]), node=numpy.array([[0, 1]]), side=half_sides)
+>>> surfaces.distance(stiffer="a"), surfaces.gap()
+(array([0., 0.]), array([0.25, 0.25]))
+>>> velocity_a, velocity_b = numpy.array([[0.0, 1], [0, 1]]), numpy.zeros((2, 2))
+>>> reports = grit.contact_correct(numpy.ones(2), numpy.ones(2), normal, velocity_a, velocity_b,
+...                                distance=surfaces.distance("a"), cell_size=numpy.ones(2))
+>>> velocity_a[:, 1], velocity_b[:, 1]
+(array([0.5, 0.5]), array([0.5, 0.5]))
+
 Further: Sand.update_undrained with water in the pores, Sand.update_differentiated for derivatives by parameters,
-contact_correct for bodies that touch at grid nodes; sands() lists what there is. help() of each gives shapes, units,
+contact_normals_by_regression, penalty_forces between boundary lines; sands() lists what there is. help() of each gives shapes, units,
 signs and errors. Errors are exceptions below grit.Error, and a call that raises BadCall or BadState has changed nothing:
 
 >>> sand.update(strain_increment[:, :5], stress, state)
@@ -37,14 +53,18 @@ grit.BadCall: strain_increment must be (n, 6) or (n, 4), without n for one point
 import sys
 
 from grit._grit import (
-    BadCall, BadParameter, BadState, CAVITATED, Error, H_CLAMPED, INACTIVE, InternalError, NotConverged,
-    OPEN, OUTSIDE_CONE, SEPARATION, SLIP, STATE_SIZE, STICK, STRESS_FREE, Sand, VOID_CLAMPED, VOID_RATIO,
-    __commit__, __version__, contact_correct, element_test, penalty_factor, sands, stage)
+    BadCall, BadParameter, BadState, CAVITATED, ContactSurfaces, Error, H_CLAMPED, INACTIVE, InternalError,
+    NotConverged, OPEN, OUTSIDE_CONE, PENALTY_OPEN, PENALTY_SLIP, PENALTY_STICK, SEPARATION, SLIP, STATE_SIZE,
+    STICK, STRESS_FREE, Sand, VOID_CLAMPED, VOID_RATIO, __commit__, __version__, contact_correct,
+    contact_normals, contact_normals_by_regression, element_test, penalty_factor, penalty_flush_stiffness,
+    penalty_forces, penalty_remesh, penalty_stable_step, penalty_stiffness, sands, stage)
 
 sys.modules["grit.stage"] = stage  # so that "import grit.stage" finds it
 
 __all__ = [
-    "BadCall", "BadParameter", "BadState", "CAVITATED", "Error", "H_CLAMPED", "INACTIVE",
-    "InternalError", "NotConverged", "OPEN", "OUTSIDE_CONE", "SEPARATION", "SLIP", "STATE_SIZE", "STICK",
-    "STRESS_FREE", "Sand", "VOID_CLAMPED", "VOID_RATIO", "__commit__", "__version__",
-    "contact_correct", "element_test", "penalty_factor", "sands", "stage"]
+    "BadCall", "BadParameter", "BadState", "CAVITATED", "ContactSurfaces", "Error", "H_CLAMPED", "INACTIVE",
+    "InternalError", "NotConverged", "OPEN", "OUTSIDE_CONE", "PENALTY_OPEN", "PENALTY_SLIP", "PENALTY_STICK",
+    "SEPARATION", "SLIP", "STATE_SIZE", "STICK", "STRESS_FREE", "Sand", "VOID_CLAMPED", "VOID_RATIO",
+    "__commit__", "__version__", "contact_correct", "contact_normals", "contact_normals_by_regression",
+    "element_test", "penalty_factor", "penalty_flush_stiffness", "penalty_forces", "penalty_remesh",
+    "penalty_stable_step", "penalty_stiffness", "sands", "stage"]

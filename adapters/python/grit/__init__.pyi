@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from grit import stage as stage
 
-# Float64, changed in place, never copied; of index int64.
+# Float64, changed in place, never copied; of lists of nodes and particles, labels and bits integers, of index int64.
 Array = NDArray[Any]
 
 __version__: str
@@ -17,6 +17,9 @@ H_CLAMPED: int
 INACTIVE: int
 OPEN: int
 OUTSIDE_CONE: int
+PENALTY_OPEN: int
+PENALTY_SLIP: int
+PENALTY_STICK: int
 SEPARATION: int
 SLIP: int
 STATE_SIZE: int
@@ -78,6 +81,19 @@ class Sand:
         self, unit_weight: float, depth: float, surcharge: float = 0.0, K0: float = -1.0, axis: int = 2,
     ) -> Array: ...
 
+class ContactSurfaces:
+    def __init__(self, position: Array, normal: Array, centres: bool = False) -> None: ...
+    @property
+    def surface(self) -> Array: ...
+    @property
+    def centre(self) -> Array | None: ...
+    def add(
+        self, body: str, position: Array, node: Array, *, offset: Array | None = None, side: Array | None = None,
+    ) -> None: ...
+    def merge(self, other: ContactSurfaces) -> None: ...
+    def distance(self, stiffer: str, measure: str = 'support') -> Array: ...
+    def gap(self) -> Array: ...
+
 def contact_correct(
     mass_a: Array, mass_b: Array, normal: Array, velocity_a: Array, velocity_b: Array, *,
     distance: Array | None = None, cell_size: Array | None = None, spacing: Array | None = None,
@@ -87,6 +103,14 @@ def contact_correct(
     adhesion: float = 0.0, time_step: float = 0.0, relaxation_time: float = 0.0,
     contact_stiffness: float = 0.0, rigid: str | None = None, allow_zero_normal: bool = False,
 ) -> Array: ...
+def contact_normals(
+    source: str, *, gradient_a: Array | None = None, gradient_b: Array | None = None, given: Array | None = None,
+    scale: Array | None = None, threshold: float = 0.0, fixed: Array | None = None,
+) -> Array: ...
+def contact_normals_by_regression(
+    position: Array, body: Array, offset: Array, particle: Array | None = None, *, length: float,
+    weight: Array | None = None, ridge: float = 0.0, iteration_limit: int = 0, fixed: Array | None = None,
+) -> Array: ...
 def element_test(
     sand: Sand, stages: Sequence[stage.Stage], stress: ArrayLike, void_ratio: float,
     direction: ArrayLike | None = ..., rho: float = 1.0, tolerance: float = 0.0002,
@@ -94,4 +118,22 @@ def element_test(
     stress_slope: ArrayLike | None = None, void_ratio_slope: ArrayLike | None = None,
 ) -> dict[str, Any]: ...
 def penalty_factor(s: float, d: float, k: float = 6.0) -> float: ...
+def penalty_flush_stiffness(
+    position: Array, *, normal_stiffness: float, tangential_stiffness: float = 0.0, friction_coefficient: float = 0.0,
+    closed: bool = False, axisymmetric: bool = False,
+) -> Array: ...
+def penalty_forces(
+    position_a: Array, position_b: Array, *, normal_stiffness: float, depth_max: float,
+    tangential_stiffness: float = 0.0, friction_coefficient: float = 0.0, time_step: float = 0.0,
+    velocity_a: Array | None = None, velocity_b: Array | None = None, history_a: Array | None = None,
+    history_b: Array | None = None, closed_a: bool = False, closed_b: bool = False, axisymmetric: bool = False,
+) -> dict[str, Any]: ...
+def penalty_remesh(
+    position: Array, *, longest: float, shortest: float = 0.0, tolerance: float = 0.0, closed: bool = False,
+    history: Array | None = None,
+) -> dict[str, Array]: ...
+def penalty_stable_step(
+    mass_a: Array, stiffness_a: Array, mass_b: Array | None = None, stiffness_b: Array | None = None,
+) -> float: ...
+def penalty_stiffness(multiple: float, modulus: float, cell_size: float) -> float: ...
 def sands() -> dict[str, Any]: ...

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What an option changes in a case.
+#pragma once
+
+#include <string>
+#include <utility>
+
+namespace cli {
+
+// "KEY=VALUE" with a key as of [override] in toml_document.hpp, and the option that it was given with; a value that is none
+// of TOML is a text.
+struct CaseSetting {
+    CaseSetting(std::string key_and_value, std::string given_with = "--set")
+        : text(std::move(key_and_value)), option(std::move(given_with)) {}
+
+    std::string text, option;
+};
+
+}  // namespace cli
