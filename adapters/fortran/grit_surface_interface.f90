@@ -7,13 +7,14 @@ module grit_surface_interface
    public
 
    type, bind(c) :: grit_surface_options
-      integer(c_size_t) :: struct_size = 64
+      integer(c_size_t) :: struct_size = 72
       integer(c_int) :: components, axisymmetric, validate_only, sweep_limit
       real(c_double) :: sweep_tolerance       ! [-]
       real(c_double) :: friction_coefficient  ! mu [-]
       real(c_double) :: time_step             ! dt [time]
       real(c_double) :: spacing               ! [length]
       real(c_double) :: reach                 ! [length]
+      real(c_double) :: end_spacings          ! [-]
    end type
 
    ! facet (components, facets), node and weight (nodes_each, vertices), fixed and water_fixed (nodes), spacing and

@@ -150,9 +150,11 @@ void add_contacts(const Case& plan, FixWords& fix) {
             const double value = member.get(contact);
             const bool is_none =
                 member.word->kind == Kind::number && (value == 0.0 || !std::isfinite(value));
-            const bool is_of_surface = member.fix == "after_damping";
+            const bool is_of_surface =
+                member.fix == "after_damping" || member.fix == "pressure_spacing";
             if (member.fix.empty() || contact.at_surfaces != is_of_surface || is_none ||
-                (is_of_surface && value == 0.0) || (member.fix == "power" && !geo) ||
+                (is_of_surface && value == member.get(ContactPlan{})) ||
+                (member.fix == "power" && !geo) ||
                 (member.fix == "distance" && !geo && !contact.gated))
                 continue;
             more += fmt::format(" {} {}", member.fix, value_of(member, contact));

@@ -165,6 +165,8 @@ grit_status read_options(const grit_surface_options* given, grit_surface_options
                  "spacing must be in (0, 1e30] (length), got %g", o.spacing);
     GRIT_REQUIRE(o.reach > 0.0 && o.reach <= largest_number,
                  "reach must be in (0, 1e30] (length), got %g", o.reach);
+    GRIT_REQUIRE(o.end_spacings >= 1.0 && o.end_spacings <= 10.0,
+                 "end_spacings must be in [1, 10], got %g", o.end_spacings);
     return GRIT_OK;
 }
 

@@ -18,7 +18,8 @@ template <int C> class Call {
     Call(const grit_surface_options& given, const grit_surface& of_a, const grit_surface& of_b,
          Arena& memory)
         : o(given), arena(memory), a(read_skin<C>(memory, of_a)), b(read_skin<C>(memory, of_b)),
-          pressures(memory, a, given.spacing), system(memory, a, b, pressures) {}
+          pressures(memory, a, given.spacing, given.end_spacings), system(memory, a, b, pressures) {
+    }
 
     // False where the workspace is too small: nothing is written then.
     bool run() { return !arena.is_overrun() && find_points() && find_shares() && solve(); }
@@ -179,6 +180,7 @@ grit_surface_options defaults() {
     o.components = 2;
     o.sweep_limit = 500;
     o.sweep_tolerance = 1e-6;
+    o.end_spacings = 1.0;
     return o;
 }
 

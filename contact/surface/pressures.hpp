@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The points of a surface that carry its pressure, (V2): some of its vertices. A stretch is what hangs together and
 // turns by less than 30 degrees from facet to facet; in the plane it is parted into equal lengths, as near to the
-// spacing as they go, counted in spacings where these change; in space no point of it is nearer to another than its
-// spacing, its rim comes first.
+// spacing as they go, counted in spacings where these change, but for what lies next to its ends, which may be longer;
+// in space no point of it is nearer to another than its spacing, its rim comes first.
 #pragma once
 
 #include <cmath>
@@ -21,9 +21,10 @@ template <int C> struct PressurePoint {
 
 template <int C> class Pressures {
   public:
-    // spacing: of facets that are given none.
-    Pressures(Arena& memory, const Skin<C>& of, double spacing)
-        : arena(memory), skin(of), common_spacing(spacing), facets(of.given->facets) {
+    // spacing: of facets that are given none; end_spacings: from an end of a stretch to the next point.
+    Pressures(Arena& memory, const Skin<C>& of, double spacing, double end_spacings)
+        : arena(memory), skin(of), common_spacing(spacing), ends(end_spacings),
+          facets(of.given->facets) {
         stretch = arena.take<std::ptrdiff_t>(facets);
         corner = arena.take<Corner>(C * facets);
         boxes = arena.take<Box<C>>(C * facets);
@@ -173,10 +174,16 @@ template <int C> class Pressures {
         do length += spacings(f);
         while ((f = next[f]) >= 0 && f != start);
         const bool ring = f == start;
+        // What is too short for two ends and something between them has none but ends.
+        const bool has_ends = !ring && ends > 1.0 && length > 2.0 * ends + 0.4;
+        const double at_end = has_ends ? ends : 0.0;
+        const double unit = !ring && !has_ends ? ends : 1.0;
         // Halves, which even surfaces of halved cells have, not by the last bit: always up.
-        const double parts = std::floor(length + 0.6), each = length / std::max(parts, 1.0);
-        add_point(start, 0);
-        double at = 0.0, wanted = each;
+        const double parts = std::floor((length - 2.0 * at_end) / unit + 0.6);
+        const double each = (length - 2.0 * at_end) / std::max(parts, 1.0);
+        const double last = has_ends ? length - at_end : length - each;
+        add_point(start, 0, has_ends ? ends : unit);
+        double at = 0.0, wanted = has_ends ? at_end : each;
         for (f = start; f >= 0;) {
             const std::ptrdiff_t after = next[f];
             next[f] = -2;
@@ -184,16 +191,16 @@ template <int C> class Pressures {
             const bool is_last = after < 0 || after == start;
             // The vertex that is nearest to where the point is wanted.
             const double rest = is_last ? 0.0 : 0.5 * spacings(after);
-            if (is_last ? !ring && parts > 0.0
-                        : at + rest > wanted && wanted < length - 0.5 * each) {
-                add_point(f, 1);
+            if (is_last ? !ring && parts > 0.0 : at + rest > wanted && wanted < last + 0.5 * each) {
+                add_point(f, 1, has_ends && is_last ? ends : unit);
                 wanted += each * std::max(1.0, std::floor((at + rest - wanted) / each) + 1.0);
             }
             f = is_last ? -1 : after;
         }
     }
-    void add_point(std::ptrdiff_t f, int end) {
-        point[count++] = {skin.facet[f].x[end], skin.facet[f].n, stretch[f], spacing(f)};
+    void add_point(std::ptrdiff_t f, int end, double spacings_apart) {
+        point[count++] = {skin.facet[f].x[end], skin.facet[f].n, stretch[f],
+                          spacings_apart * spacing(f)};
     }
 
     // In space: all vertices that have none near yet, the rims of stretches first.
@@ -227,7 +234,7 @@ template <int C> class Pressures {
 
     Arena& arena;
     const Skin<C>& skin;
-    double common_spacing, longest = 0.0, largest_radius = 0.0;
+    double common_spacing, ends, longest = 0.0, largest_radius = 0.0;
     std::ptrdiff_t facets, count = 0;
     std::ptrdiff_t* stretch = nullptr;  // [facets] the first facet of it
     Corner* corner = nullptr;

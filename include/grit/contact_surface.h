@@ -34,9 +34,14 @@ typedef struct grit_surface_options {
     double friction_coefficient; /* mu [-] in [0, 1e6], default 0 */
     double time_step;            /* dt [time] in (0, 1e30], no default */
     double spacing; /* [length] in (0, 1e30], no default: of the points that carry pressure, about;
-                       two cells of the grid: less is more than its nodes can follow */
+                       two cells of the grid: less is more than its nodes can follow beside ends of
+                       a stretch, see end_spacings */
     double reach;   /* [length] in (0, 1e30], no default: how far apart, or how deep in each other,
                        facets are looked at; about a cell, and more than a step's motion */
+    double
+        end_spacings; /* [-] in [1, 10], default 1: 2 components: how many spacings the points next
+                       to an end of a smooth stretch are away from it. 2 with a spacing of one cell:
+                       closer where surfaces curve, and no stiffer at the edge of a punch */
 } grit_surface_options;
 
 GRIT_API grit_status grit_surface_options_init(grit_surface_options* options, size_t struct_size);

@@ -3,7 +3,7 @@
 
 #if defined(__LP64__)
 
-SIZE(grit_surface_options, 64);
+SIZE(grit_surface_options, 72);
 PLACE(grit_surface_options, struct_size, 0);
 PLACE(grit_surface_options, components, 8);
 PLACE(grit_surface_options, axisymmetric, 12);
@@ -14,6 +14,7 @@ PLACE(grit_surface_options, friction_coefficient, 32);
 PLACE(grit_surface_options, time_step, 40);
 PLACE(grit_surface_options, spacing, 48);
 PLACE(grit_surface_options, reach, 56);
+PLACE(grit_surface_options, end_spacings, 64);
 
 SIZE(grit_surface, 288);
 PLACE(grit_surface, struct_size, 0);

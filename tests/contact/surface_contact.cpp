@@ -295,6 +295,27 @@ TEST(SurfaceContact, TakesTheSpacingOfFacetsBeforeThatOfTheOptions) {
     }
 }
 
+// A face of seven spacings: what is next to its ends keeps away from them, what is between them does not.
+TEST(SurfaceContact, KeepsItsPressuresAwayFromTheEndsOfAStretch) {
+    for (const auto& [ends, rows] : {std::pair{1.0, 8}, {2.0, 6}, {3.0, 4}, {4.0, 3}}) {
+        GridBody floor, block;
+        add_face(floor, false, 0.0, 7.0, 14, [](double, double) { return 3.0; });
+        add_face(block, true, 0.0, 7.0, 14, [](double, double) { return 3.0; });
+        floor.rigid = true;
+        std::mt19937_64 random(1);
+        block.fill(random, 0.0, 0.0);
+        block.weigh(0.0, 7.0);
+        for (std::size_t i = 1; i < block.v.size(); i += 2) block.v[i] = -1.0;
+        SurfaceCall call(2);
+        call.options.spacing = 1.0;
+        call.options.end_spacings = ends;
+        ASSERT_EQ(call(floor, block), GRIT_OK);
+        EXPECT_EQ(call.totals.rows, rows) << ends;
+        for (std::size_t v = 0; v < block.vertices(); ++v)
+            EXPECT_NEAR(block.velocity_of_vertex(v), 0.0, 1e-9) << ends;
+    }
+}
+
 // What lies behind the nearest facet is not met.
 TEST(SurfaceContact, MeetsTheNearestOfSeveralLayers) {
     GridBody floor, block;
@@ -337,6 +358,8 @@ TEST(SurfaceContact, ChangesNothingWhereItIsRefusedOrOnlyValidates) {
          [](Meeting&, SurfaceCall& c) { c.options.time_step = 0.0; }},
         {"spacing must be in (0, 1e30] (length), got nan", GRIT_BAD_CALL,
          [](Meeting&, SurfaceCall& c) { c.options.spacing = std::nan(""); }},
+        {"end_spacings must be in [1, 10], got 0.5", GRIT_BAD_CALL,
+         [](Meeting&, SurfaceCall& c) { c.options.end_spacings = 0.5; }},
         {"surface a facet 4: spacing must be in (0, 1e30] (length), got 0", GRIT_BAD_STATE,
          [](Meeting& x, SurfaceCall&) {
              x.a.spacing.assign(x.a.facet.size(), 1.0);

@@ -29,4 +29,12 @@ TEST(PressedParaboloid, HasThePressureOfHertzBySurfaceContactOnAGridLineAndBetwe
         is_that_of_hertz({.cells = 11, .beyond = beyond, .kind = ContactKind::surface});
 }
 
+// Two cells apart the radius is off by 2.7 %.
+TEST(PressedParaboloid, HasThePressureOfHertzWithSevenCellsAndPressuresACellApart) {
+    const Hertz::Result result =
+        Hertz{.cells = 7, .beyond = 0.75, .kind = ContactKind::surface_1}.run();
+    EXPECT_NEAR(result.pressure_error, 0.0, 0.028);
+    EXPECT_NEAR(result.radius_error, 0.0, 0.02);
+}
+
 }  // namespace

@@ -26,4 +26,11 @@ TEST(DiskOnASlope, RollsAsARigidOneBySurfaceContactOnAFineGrid) {
     EXPECT_NEAR(at_16.residual, 0.0, 0.01);
 }
 
+// Pressures two cells apart: 2.8 %.
+TEST(DiskOnASlope, RollsBetterWithPressuresACellApart) {
+    RollingDisk disk;
+    disk.kind = ContactKind::surface_1;
+    EXPECT_NEAR(disk.run(8).way, 1.0, 0.022);
+}
+
 }  // namespace

@@ -33,6 +33,9 @@ TEST(SurfaceContactOfBodies, CarriesAConstantStressAcrossAnInclinedInterface) {
             bars.angle = angle;
             bars.friction_coefficient = mu;
             EXPECT_LT(bars.run(), 1e-3) << angle << ", " << mu;
+            if (angle != 0.1) continue;  // the worst of them with pressures a cell apart
+            bars.kind = ContactKind::surface_1;
+            EXPECT_LT(bars.run(), 1e-3) << angle << ", " << mu;
         }
 }
 
@@ -56,6 +59,10 @@ TEST(SurfaceContactOfBodies, PunchesAsStifflyAsFiniteElementsWhateverCellsAreEls
         punch.last_cell = last_cell;
         EXPECT_NEAR(punch.stiffness() / 11.10e6, 1.0, 0.02) << last_cell;
     }
+    // A cell apart, but for its edge: 7 % too stiff if they are a cell apart there.
+    Punch punch;
+    punch.kind = ContactKind::surface_1;
+    EXPECT_NEAR(punch.stiffness() / 11.10e6, 1.0, 0.02);
 }
 
 // The wall of a cavity feels what finite elements that know no contact tell, and so do the particles beside it: those

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Prints what the contacts do at a surface: contact_study CASE, see docs/contact.md.
+// Prints what the contacts do at a surface: contact_study CASE [CONTACT], see docs/contact.md. CONTACT: as the rows name it.
 #include <cstdio>
 #include <cstring>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include <tests/mpm/support/cavity_in_sand.hpp>
@@ -19,7 +20,10 @@ namespace {
 using namespace mpm_test;
 
 constexpr ContactKind all[] = {ContactKind::geo, ContactKind::frictional, ContactKind::penalty,
-                               ContactKind::surface};
+                               ContactKind::surface, ContactKind::surface_1};
+
+const char* only = nullptr;  // contact
+bool wanted(const char* contact) { return !only || std::strcmp(only, contact) == 0; }
 
 void blocks() {
     std::printf(
@@ -27,6 +31,7 @@ void blocks() {
         "[kPa], overlap [h].\n\n| contact | offset [h] | CFL | least | most | overlap |\n"
         "|---|---|---|---|---|---|\n");
     const auto row = [](ContactKind kind, double offset, double cfl) {
+        if (!wanted(name_of(kind))) return;
         PressedBlocks blocks;
         blocks.kind = kind;
         blocks.offset = offset;
@@ -39,8 +44,9 @@ void blocks() {
     for (const ContactKind kind :
          {ContactKind::geo, ContactKind::geo_spring, ContactKind::frictional, ContactKind::penalty})
         for (const double cfl : {0.4, 0.1}) row(kind, 0.3, cfl);
-    for (const double cfl : {0.4, 0.1})
-        for (int i = 0; i < 10; ++i) row(ContactKind::surface, 0.1 * i, cfl);
+    for (const ContactKind kind : {ContactKind::surface, ContactKind::surface_1})
+        for (const double cfl : {0.4, 0.1})
+            for (int i = 0; i < 10; ++i) row(kind, 0.1 * i, cfl);
 }
 
 void cylinders() {
@@ -48,6 +54,7 @@ void cylinders() {
                 "first force [ms] | momentum lost before [%%] |\n|---|---|---|---|\n");
     for (const ContactKind kind : all)
         for (const double radius : {0.2, 0.205, 0.2125, 0.22}) {
+            if (!wanted(name_of(kind))) continue;
             Cylinders c;
             c.kind = kind;
             c.radius = radius;
@@ -60,6 +67,7 @@ void cylinders() {
 
 // Against finite elements with the same motion of the wall, the same sand and the same damping.
 void cavity_row(const char* what, const CavityByPoints& points, const CavityCurve& exact) {
+    if (!wanted(name_of(points.kind))) return;
     const CavityByPoints::Result r = points.run();
     double out = 0.0, back = 0.0;
     for (std::size_t i = 0; i < r.curve.time.size(); ++i) {
@@ -181,16 +189,26 @@ void punch() {
                         holds ? "held" : "free", cells, 1e-6 * found,
                         100.0 * (found / exact - 1.0));
         }
-    for (const ContactKind kind :
-         {ContactKind::surface, ContactKind::geo, ContactKind::geo_ungated, ContactKind::geo_spring,
-          ContactKind::geo_spring_10, ContactKind::frictional, ContactKind::penalty})
+    struct Law {
+        ContactKind kind;
+        double power = 0.0;  // k; 0: its default
+    };
+    for (const Law& law :
+         {Law{ContactKind::surface}, Law{ContactKind::surface_1}, Law{ContactKind::geo},
+          Law{ContactKind::geo_ungated}, Law{ContactKind::geo_spring},
+          Law{ContactKind::geo_spring_10}, Law{ContactKind::geo_spring_10, 2.0},
+          Law{ContactKind::frictional}, Law{ContactKind::penalty}})
         for (const double first : {4.0, 4.2, 4.4, 4.6, 4.8})
             for (const int finer : {1, 2, 4}) {
+                const std::string name =
+                    name_of(law.kind) + std::string(law.power > 0.0 ? ", k 2" : "");
+                if (!wanted(name.c_str())) continue;
                 Punch p;
-                p.kind = kind;
+                p.kind = law.kind;
+                p.power = law.power;
                 p.cells = first * finer;
                 const double found = p.stiffness();
-                std::printf("| %s | %.1f | %.3f | %+.1f |\n", name_of(kind), p.cells, 1e-6 * found,
+                std::printf("| %s | %.1f | %.3f | %+.2f |\n", name.c_str(), p.cells, 1e-6 * found,
                             100.0 * (found / exact - 1.0));
                 std::fflush(stdout);
             }
@@ -204,6 +222,7 @@ void hertz() {
     for (const ContactKind kind : all)
         for (const double beyond : {0.0, 0.25, 0.5, 0.75})
             for (const int cells : {7, 11, 14}) {
+                if (!wanted(name_of(kind))) continue;
                 Hertz problem;
                 problem.kind = kind;
                 problem.cells = cells;
@@ -222,6 +241,7 @@ void rolling() {
         "| contact | R/h | rolling | energy residual | sliding |\n|---|---|---|---|---|\n");
     for (const ContactKind kind : all)
         for (const int cells : {4, 8, 16}) {
+            if (!wanted(name_of(kind))) continue;
             RollingDisk rolls, slides;
             rolls.kind = slides.kind = kind;
             slides.friction = 0.1;
@@ -239,6 +259,7 @@ void sliding() {
         "| contact | way | height | crept [m] | velocity [m/s] | slips at [s] | velocity | way "
         "|\n|---|---|---|---|---|---|---|---|\n");
     for (const ContactKind kind : all) {
+        if (!wanted(name_of(kind))) continue;
         const SlidingCube::Result cube = SlidingCube{kind}.run();
         const LoadedBlock::Result block = LoadedBlock{kind}.run();
         std::printf("| %s | %.3f | %.1e | %.1e | %.1e | %.4f | %+.2f | %+.2f |\n", name_of(kind),
@@ -260,7 +281,8 @@ constexpr Study studies[] = {{"blocks", blocks},  {"cavity", cavity}, {"cylinder
 
 int main(int count, char** words) {
     for (const Study& study : studies)
-        if (count == 2 && std::strcmp(words[1], study.name) == 0) {
+        if (count > 1 && count < 4 && std::strcmp(words[1], study.name) == 0) {
+            only = count == 3 ? words[2] : nullptr;
             study.print();
             return 0;
         }

@@ -257,6 +257,7 @@ class Writer {
             case 2:
             case 3:
                 line("law = \"surface\"");
+                maybe(4, "pressure_spacing_cells = {:.17g}", random.log_uniform(1.0, 4.0));
                 maybe(4, "after_damping = true");
                 return;
             default: penalty(stiff, soft); return;

@@ -80,6 +80,7 @@ void add_penalty_contact(const Case& plan, const ContactPlan& contact, Simulatio
 void add_surface_contact(const Case& plan, const ContactPlan& contact, Simulation& simulation) {
     SurfaceLaw law = surface_law(contact.friction_coefficient);
     law.line_a = contact.surface_line;
+    law.spacing = contact.pressure_spacing;
     law.after_damping = contact.after_damping;
     law.a = plan.body(contact.stiff);
     law.b = plan.body(contact.soft);

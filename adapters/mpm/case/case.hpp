@@ -140,6 +140,7 @@ struct ContactPlan {
     std::optional<PenaltyPlan> penalty = {};  // in place of a nodal law
     bool at_surfaces = false;                 // in place of a nodal law ...
     BoundaryLine surface_line = {};  // ... along this line of the stiff body; empty: its free edges
+    double pressure_spacing = 2.0;   // of that: [cells]
     bool after_damping = false;      // of that: once more, on what local damping has changed
 };
 

@@ -57,6 +57,8 @@ constexpr Member<ContactPlan> of_contact[] = {
                                                        "relaxation_time"),
     member<ContactPlan, &ContactPlan::contact_stiffness_multiple>(
         case_word("contact", "contact_stiffness_multiple"), "stiffness_multiple"),
+    member<ContactPlan, &ContactPlan::pressure_spacing>(
+        case_word("contact", "pressure_spacing_cells"), "pressure_spacing"),
     member<ContactPlan, &ContactPlan::after_damping>(case_word("contact", "after_damping"),
                                                      "after_damping"),
     member<ContactPlan, &ContactPlan::modulus>(case_word("contact", "modulus_kPa"), "modulus")};
@@ -116,10 +118,10 @@ constexpr FixKeyword keywords[] = {
     {"contact",
      "STIFF SOFT {contact.law} MU [`power` K] [`normal` {contact.normal}] [`distance` "
      "{contact.distance}] [`gated` `yes`|`no`] [`relaxation_time` TAU] [`stiffness_multiple` X "
-     "`modulus` M] [`after_damping` `yes`|`no`]",
+     "`modulus` M] [`pressure_spacing` CELLS] [`after_damping` `yes`|`no`]",
      "`power`, TAU [s] and X of M [Pa] / shortest cell of the geo law alone, X with gate, "
      "`distance` not without gate where it is frictional; `surface` has none of these but "
-     "`after_damping`, which it has alone"},
+     "`pressure_spacing` and `after_damping`, which it has alone"},
     {"stages", "N NAME...",
      "all stages, in order; default: one, `run`; names: letters, digits, _ and -"},
     {"driven", "NAME {history.depth_of}", "the body of the history; default: the first"}};

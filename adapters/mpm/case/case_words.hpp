@@ -309,6 +309,11 @@ inline constexpr CaseWord all[] = {
     number("contact", "contact_stiffness_multiple", {0.0, 1e6}, none,
            "of geo, gated: a spring of that multiple of modulus / shortest cell against overlap, "
            "with f_p as its dashpot; 0: none"),
+    number(
+        "contact", "pressure_spacing_cells", {1.0, 4.0}, none,
+        "of surface: between points that know its pressure; next to ends of a smooth stretch two "
+        "at least; 1 where curved surfaces meet",
+        "2"),
     yes_or_no("contact", "after_damping",
               "of surface: once more in each step, on velocities that local damping has changed"),
     number("contact", "modulus_kPa", above_zero, kilopascal, "P-wave modulus of the softer body",

@@ -189,7 +189,8 @@ Objections objection_to(const ContactPlan& contact, const IsGiven& given) {
                 return Objection{key, " belongs to laws at nodes, not to the surface one"};
         return {};
     }
-    if (given("after_damping")) return Objection{"after_damping", " belongs to the surface law"};
+    for (const char* key : {"pressure_spacing_cells", "after_damping"})
+        if (given(key)) return Objection{key, " belongs to the surface law"};
     if (contact.penalty) return {};
     if (contact.contact_stiffness_multiple > 0.0 && contact.law == GRIT_CONTACT_GEO) {
         if (!contact.gated)

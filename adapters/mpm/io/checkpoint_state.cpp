@@ -73,6 +73,8 @@ void contact_words(const Simulation& s, std::ostream& out) {
         const SurfaceLaw& law = s.surface_contact(i).law();
         out << "surface contact " << i << ": bodies " << law.a << " and " << law.b
             << ", friction coefficient " << law.options.friction_coefficient;
+        if (law.spacing != SurfaceLaw{}.spacing)
+            out << ", pressures " << law.spacing << " cells apart";
         if (law.after_damping) out << ", after damping too";
         if (!law.line_a.points.empty()) out << (law.line_a.closed ? ", closed line" : ", line");
         for (const Vector2& x : law.line_a.points) out << ' ' << x[0] << ' ' << x[1];

@@ -13,8 +13,8 @@ namespace grit::mpm {
 namespace {
 
 constexpr double neighbours =
-    0.25;  // share of a width: domains no farther apart leave no free edge
-constexpr double cells_apart = 2.0;  // what carries the pressure (ADR 12)
+    0.25;                        // share of a width: domains no farther apart leave no free edge
+constexpr double at_ends = 2.0;  // cells between what carries the pressure, at least (ADR 12)
 constexpr int nodes_each = 4;
 constexpr std::ptrdiff_t stride = sizeof(KeyedNumbers) / sizeof(double);  // of what a zone has
 
@@ -36,6 +36,7 @@ SurfacePair::SurfacePair(const SurfaceLaw& law, double shortest_cell, ContactZon
                          bool axisymmetric, const Particles& a)
     : pair_law(law), zone(std::move(of_both)), line_a(law.line_a, 0.5 * shortest_cell, a) {
     pair_law.options.axisymmetric = axisymmetric;
+    pair_law.options.end_spacings = std::max(at_ends / law.spacing, 1.0);
     step_rows.a = law.a;
     step_rows.b = law.b;
     forget();
@@ -104,11 +105,11 @@ void SurfacePair::find_spacing() {
         const double h_r = cell(grid.r, 0.5 * (from[0] + to[0]));
         const double h_z = cell(grid.z, 0.5 * (from[1] + to[1]));
         const double length = std::hypot(r, z);
-        spacing.push_back(cells_apart *
+        spacing.push_back(pair_law.spacing *
                           (length > 0.0 ? std::hypot(r * h_r, z * h_z) / length : h_r));
         least = std::min({least, h_r, h_z});
     }
-    pair_law.options.spacing = cells_apart * least;
+    pair_law.options.spacing = pair_law.spacing * least;
     pair_law.options.reach = least;
 }
 

@@ -18,7 +18,9 @@ namespace grit::mpm {
 struct SurfaceLaw {
     std::size_t a = 0, b = 1;  // bodies; a's surface gives the normals and carries the pressure
     grit_surface_options options{};
-    BoundaryLine line_a;         // at the start, in the place of a's free edges; empty: these
+    BoundaryLine line_a;  // at the start, in the place of a's free edges; empty: these
+    double spacing =
+        2.0;  // of what carries the pressure [cells]; at ends of a stretch two at least
     bool after_damping = false;  // once more, on velocities that local damping has changed
 };
 

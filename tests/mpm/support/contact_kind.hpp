@@ -16,7 +16,8 @@ enum class ContactKind {
     frictional,
     frictional_ungated,
     penalty,
-    surface
+    surface,
+    surface_1,  // pressures a cell apart
 };
 
 inline const char* name_of(ContactKind kind) {
@@ -28,6 +29,7 @@ inline const char* name_of(ContactKind kind) {
         case ContactKind::frictional: return "FCA gated";
         case ContactKind::frictional_ungated: return "FCA";
         case ContactKind::penalty: return "PCA";
+        case ContactKind::surface_1: return "surface, 1 cell";
         default: return "surface";
     }
 }
@@ -42,11 +44,17 @@ struct PenaltyNeeds {
     BoundaryLine line_a, line_b;
 };
 
+inline bool is_at_surfaces(ContactKind kind) {
+    return kind == ContactKind::surface || kind == ContactKind::surface_1;
+}
+
 // Between bodies 0 and 1; 0 is the stiffer one. power: k of the Geo-contact; 0: its default.
 inline void add_contact(Simulation& simulation, ContactKind kind, double mu,
                         const PenaltyNeeds& needs, double power = 0.0) {
-    if (kind == ContactKind::surface) {
-        simulation.add_contact(surface_law(mu));
+    if (is_at_surfaces(kind)) {
+        SurfaceLaw law = surface_law(mu);
+        if (kind == ContactKind::surface_1) law.spacing = 1.0;
+        simulation.add_contact(law);
     } else if (kind == ContactKind::penalty) {
         PenaltyLaw law = penalty_law(mu, 1.0, needs.modulus, needs.cell);
         law.line_a = needs.line_a;
@@ -65,7 +73,7 @@ inline void add_contact(Simulation& simulation, ContactKind kind, double mu,
 
 // On body 1 in the last step [N].
 inline grit::Vector2 contact_force(const Simulation& simulation, ContactKind kind, double dt) {
-    if (kind == ContactKind::surface) {
+    if (is_at_surfaces(kind)) {
         const double* J = simulation.surface_contact(0).totals().impulse_on_b;
         return {J[0] / dt, J[1] / dt};
     }
