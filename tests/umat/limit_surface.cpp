@@ -19,6 +19,20 @@ Vec closed_flow_tensor(const Sand& sand, const Vec& T, double e) {
     return f.f_d * a_F * (sum - share * T_hat);
 }
 
+TEST(Factors, OfTheVoidRatioAreThoseOfH7) {
+    for (const Sand& sand : four_sands()) {
+        Random random(7);
+        for (int i = 0; i < 100; ++i) {
+            const State x = random_state(sand, random);
+            const auto [e_i, e_c, e_d] = void_ratios(sand, -trace(x.T) / 3.0);
+            if (x.e <= e_d || x.e >= e_i) continue;
+            const grit_sand_scalar_factors f = factors(sand, x.T, x.e);
+            EXPECT_NEAR(f.f_e / std::pow(e_c / x.e, sand.p.stiffness_void_exponent), 1.0, 1e-12);
+            EXPECT_NEAR(f.f_b * f.f_e / f.f_s, 1.0, 1e-14);
+        }
+    }
+}
+
 TEST(LimitSurface, FlowTensorHasItsClosedForm) {
     for (const Sand& sand : four_sands()) {
         SCOPED_TRACE(sand.name);
