@@ -16,11 +16,13 @@ import subprocess
 import sys
 import time
 
+sys.dont_write_bytecode = True
+from page_blocks import FENCE, as_promised, lines_of, name_of_file, near  # noqa: E402
+
 grit, source, work, build = pathlib.Path(sys.argv[1]), *map(pathlib.Path, sys.argv[2:5])
 write = "--write" in sys.argv
 shutil.rmtree(work, ignore_errors=True)
 work.mkdir(parents=True)
-fence = re.compile(r"^```([\w-]*)\n(.*?)^```$", flags=re.DOTALL | re.MULTILINE)
 long = re.compile(r"^\S*grit (mpm|calibrate) ")
 done, left, took = {}, [], []
 
@@ -45,13 +47,14 @@ def environment():
     prefix = installed()
     lib = next(prefix.glob("lib*/**/pkgconfig")).parent
     return dict(os.environ, PATH=f"{work}/bin:{prefix}/bin:{build}/adapters/lammps:{os.environ['PATH']}", PKG_CONFIG_PATH=f"{lib}/pkgconfig",
-                CMAKE_PREFIX_PATH=str(prefix), GRIT_LIBS=str(lib), PYTHONPATH=str(build / "adapters/python"),
+                CMAKE_PREFIX_PATH=str(prefix), GRIT_LIBS=str(lib), GRIT_ABAQUS=str(lib / "grit/abaqus"), PYTHONPATH=str(build / "adapters/python"),
                 PYTHONDONTWRITEBYTECODE="1", OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
                 OMPI_MCA_btl_vader_single_copy_mechanism="none")
 
 
 # Commands that a page for people has and a test has not: why.
 elsewhere = [
+    (re.compile(r"^apt-get install "), lambda: "script/try_pages does it, on a system that has only its base"),
     (re.compile(r"^(python3 -m venv|venv/bin/pip) "), lambda: "Python.InstallsWithPip tests it"),
     (re.compile(r"^(cmake --preset|cmake --build --preset|script/) ?"), lambda: "builds all"),
     (re.compile(r".*ccx-external"), lambda: None if pathlib.Path("~/.cache/grit/ccx-external").expanduser().exists()
@@ -63,15 +66,6 @@ elsewhere = [
     (re.compile(r"^(cc|c\+\+|python3|pkg-config|cmake) "), lambda: None),
 ]
 needs = {"fortran": lambda: shutil.which("gfortran"), "python": lambda: list((build / "adapters/python").glob("grit/*.so"))}
-
-
-def near(told, printed):
-    """The same words, and numbers as near as two instruction sets are."""
-    a, b = told.split(), printed.split()
-    try:
-        return len(a) == len(b) and all(x == y or abs(float(x) - float(y)) <= 2e-6 + 1e-6 * abs(float(y)) for x, y in zip(a, b))
-    except ValueError:
-        return False
 
 
 def place_of(page):
@@ -89,26 +83,11 @@ def run(page, place, script, env=None):
     return bash.stdout
 
 
-def as_promised(page, promised, printed):
-    """Lines of promised in printed, in their order; between them only where it says so."""
-    rest, gap = printed.splitlines(), False
-    for line in promised.splitlines():
-        if line == "...":
-            gap = True
-            continue
-        at = next((i for i, other in enumerate(rest if gap else rest[:1]) if near(line, other)), None)
-        if at is None:
-            sys.exit(f"{page} promises\n{line}\nits commands printed\n{printed}")
-        rest, gap = rest[at + 1:], False
-    if rest and not gap or not promised.strip():
-        sys.exit(f"{page} does not tell that its commands print\n" + "\n".join(rest))
-
-
 def walk(page):
     """Every block of a page."""
     place, env, printed, lacking = place_of(page), environment(), None, []
     text = page.read_text()
-    for match in list(fence.finditer(text)):
+    for match in list(FENCE.finditer(text)):
         language, block = match.groups()
         if language == "text":
             if printed is None:
@@ -119,16 +98,14 @@ def walk(page):
                 as_promised(page, block, printed)
                 count("outputs")
         elif language:
-            name = re.match(r"(?:/\*|//|!|#) (\S+\.\w+)", block)
-            if not name:
-                sys.exit(f"{page}: a block of {language} without the name of its file:\n{block}")
-            (place / name[1]).write_text(block)
+            name = name_of_file(page, language, block)
+            (place / name).write_text(block)
             count("files")
             if language in needs and not needs[language]():
-                lacking += [name[1], "cmake", "build/"]
+                lacking += [name, "cmake", "build/"]
         else:
             lines, printed, skipped = [], None, None
-            for line in block.replace("\\\n", " ").splitlines():
+            for line in lines_of(block):
                 reason = next((why() for words, why in elsewhere if words.match(line)), None)
                 if not reason and any(word in line for word in lacking):
                     reason = "nothing here that compiles or runs it"
@@ -137,11 +114,11 @@ def walk(page):
                 skipped = skipped or reason
                 if reason:
                     left.append(f"{page.stem}: {line.strip()} ({reason})")
-                elif line.strip():
+                else:
                     lines.append(line)
             if lines:
                 out = run(page, place, "\n".join(lines), env)
-                printed = None if len(lines) < len(block.strip().splitlines()) else out
+                printed = None if len(lines) < len(lines_of(block)) else out
                 count("commands", len(lines))
     if write:
         page.write_text(text)
@@ -236,7 +213,7 @@ for page in [source / "README.md", *sorted((source / "docs").glob("*.md"))]:
         if not near(block, printed):
             sys.exit(f"{page}: {example} prints\n{printed}")
         count("examples")
-    for language, block in fence.findall(page.read_text()):
+    for language, block in FENCE.findall(page.read_text()):
         if language or any(of == "" and block.startswith(start) for of, start in WORLDS):
             fragment(page, place, language, block)
             continue
