@@ -289,12 +289,12 @@ void ContactPair::measure_overlaps(const GridView& grid, const ContactBody& soft
     }
 }
 
-// Beyond a body that is thinner than a cell the normals of the two are opposed: neither is that of the surface between
-// them, and what lies along it is no overlap.
+// Beyond a body that is thinner than a cell the normals of the two are opposed, by more than 120 degrees: neither is that
+// of the surface between them, and what lies along it is no overlap.
 bool ContactPair::has_both_on_one_side(std::size_t node) const {
     const bool average = pair_law.normal == GRIT_CONTACT_NORMAL_AVERAGE;
     const double *n = &(average ? direction[3] : normal)[2 * node], *m = &direction[2][2 * node];
-    return n[0] * m[0] + n[1] * m[1] < 0.0;
+    return n[0] * m[0] + n[1] * m[1] < -0.5;
 }
 
 // The overlap that a spring works against. In the hollow corner of what surrounds an edge the gap along the diagonal is

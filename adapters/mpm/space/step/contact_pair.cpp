@@ -403,7 +403,7 @@ double ContactPair::outside(const Vector3& x, std::size_t i) const {
 // See the plane's.
 bool ContactPair::has_both_on_one_side(std::size_t i) const {
     const bool average = pair_law.normal == GRIT_CONTACT_NORMAL_AVERAGE;
-    return dot(at(average ? direction[4] : normal, i), at(direction[3], i)) < 0.0;
+    return dot(at(average ? direction[4] : normal, i), at(direction[3], i)) < -0.5;
 }
 
 // The overlap that a spring works against; see the plane's.
