@@ -31,8 +31,8 @@ std::vector<Column> history_columns(const grit::mpm::Case& plan) {
         {"tip_force", words.under}, {"shaft_force", words.side}, {"hammer_force", words.load}};
     std::vector<Column> out;
     for (const HistoryColumn& column : columns_of(plan)) {
-        std::string name = column.name,
-                    unit = (is_force(column) ? "k" : "") + std::string(column.unit);
+        std::string name = column.name, unit = column.unit;
+        if (is_force(column)) unit = fmt::format("k{}", unit);
         for (const auto& [of_pile, word] : forces)
             if (name == of_pile) name = word + std::string("_force");
         if (unit == "kN" || unit == "J" || unit == "kg") unit += words.per;
