@@ -217,15 +217,25 @@ TEST(SurfaceContact, StopsABlockWithItsWholeMomentum) {
     }
 }
 
-TEST(SurfaceContact, ClosesTheGapInTheStepAndNoMore) {
+struct Bodies {
     GridBody floor, block;
-    add_face(floor, false, 0.0, 7.0, 7, [](double, double) { return 3.0; });
-    add_face(block, true, 0.0, 7.0, 7, [](double, double) { return 3.015; });
-    floor.rigid = true;
+};
+
+// A rigid floor seven cells long in so many facets, and a block at a gap above it that comes down.
+Bodies block_above_floor(int facets, double gap, double speed) {
+    Bodies out;
+    add_face(out.floor, false, 0.0, 7.0, facets, [](double, double) { return 3.0; });
+    add_face(out.block, true, 0.0, 7.0, facets, [gap](double, double) { return 3.0 + gap; });
+    out.floor.rigid = true;
     std::mt19937_64 random(1);
-    block.fill(random, 0.0, 0.0);
-    block.weigh(0.0, 7.0);
-    for (std::size_t i = 1; i < block.v.size(); i += 2) block.v[i] = -2.0;
+    out.block.fill(random, 0.0, 0.0);
+    out.block.weigh(0.0, 7.0);
+    for (std::size_t i = 1; i < out.block.v.size(); i += 2) out.block.v[i] = -speed;
+    return out;
+}
+
+TEST(SurfaceContact, ClosesTheGapInTheStepAndNoMore) {
+    auto [floor, block] = block_above_floor(7, 0.015, 2.0);
     SurfaceCall call(2);
     ASSERT_EQ(call(floor, block), GRIT_OK);
     EXPECT_NEAR(call.totals.smallest_gap, 0.015, 1e-12);
@@ -298,14 +308,7 @@ TEST(SurfaceContact, TakesTheSpacingOfFacetsBeforeThatOfTheOptions) {
 // A face of seven spacings: what is next to its ends keeps away from them, what is between them does not.
 TEST(SurfaceContact, KeepsItsPressuresAwayFromTheEndsOfAStretch) {
     for (const auto& [ends, rows] : {std::pair{1.0, 8}, {2.0, 6}, {3.0, 4}, {4.0, 3}}) {
-        GridBody floor, block;
-        add_face(floor, false, 0.0, 7.0, 14, [](double, double) { return 3.0; });
-        add_face(block, true, 0.0, 7.0, 14, [](double, double) { return 3.0; });
-        floor.rigid = true;
-        std::mt19937_64 random(1);
-        block.fill(random, 0.0, 0.0);
-        block.weigh(0.0, 7.0);
-        for (std::size_t i = 1; i < block.v.size(); i += 2) block.v[i] = -1.0;
+        auto [floor, block] = block_above_floor(14, 0.0, 1.0);
         SurfaceCall call(2);
         call.options.spacing = 1.0;
         call.options.end_spacings = ends;
