@@ -4,6 +4,7 @@
 #include <limits>
 #include <string>
 
+#include "../samples.hpp"
 #include "support/bodies_at_nodes.hpp"
 
 namespace {
@@ -25,7 +26,7 @@ double size_of(const BodiesAtNodes::One& x, int count) {
 TEST(ManyBodies, KeepTheirTotalMomentum) {
     for (const int components : {2, 3})
         for (const int count : {3, 4, 8}) {
-            BodiesAtNodes bodies(count, count < 8 ? 20000 : 1000, 61, components);
+            BodiesAtNodes bodies(count, samples(count < 8 ? 20000 : 1000), 61, components);
             const auto before = bodies.node;
             ASSERT_EQ(bodies.correct(), GRIT_OK) << bodies.error.message;
             for (std::size_t i = 0; i < before.size(); ++i)

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "../larger.hpp"
+#include "../samples.hpp"
 #include "support/nodes.hpp"
 
 namespace {
@@ -31,13 +32,13 @@ std::vector<Setting> settings() {
     return all;
 }
 
-constexpr std::size_t nodes_per_setting = 50000;
+constexpr std::size_t nodes_per_setting = samples(50000);
 
 using Check = std::function<void(const grit_contact_options&, const Node& before, const Node& after,
                                  const grit_contact_report&)>;
 
 void on_all_nodes(const Check& check, double adhesion = 0.0) {
-    std::ptrdiff_t in_contact = 0;
+    std::size_t in_contact = 0;
     for (auto [options, seed] : settings()) {
         options.adhesion = adhesion;
         options.time_step = adhesion > 0.0 ? 1e-3 : 0.0;
@@ -49,7 +50,7 @@ void on_all_nodes(const Check& check, double adhesion = 0.0) {
             in_contact += nodes.reports[i].state >= GRIT_CONTACT_STICK;
         }
     }
-    EXPECT_GT(in_contact, 350000);  // half of them approach, of these most are near enough
+    EXPECT_GT(in_contact, samples(350000));  // half of them approach, of these most are near enough
 }
 
 double size_of(const Node& x) { return x.m_a * norm(x.v_a) + x.m_b * norm(x.v_b); }
@@ -186,7 +187,7 @@ TEST(NodalContact, SwapsTheBodiesBitForBit) {
 
 TEST(NodalContact, GivesTheCommonVelocityAtTheSurfaceOfRoughBodies) {
     for (const int components : {2, 3}) {
-        Nodes nodes = random_nodes(500000, components, 42);
+        Nodes nodes = random_nodes(samples(500000), components, 42);
         for (Node& x : nodes.node) x.s = -std::fabs(x.s);
         const std::vector<Node> before = nodes.node;
         grit_contact_options options = options_with(components);
