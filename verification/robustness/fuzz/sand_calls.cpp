@@ -85,8 +85,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::ptrdiff_t n = 1 + in.below(12);
     const int components = in.below(4) == 0 ? 4 : 6;
     Column strain(in, n, most_components, false), rotation(in, n, 9, false),
-        stress(in, n, most_components, true), state(in, n, GRIT_SAND_STATE_SIZE, true),
-        substep(in, n, 1, true);
+        stress(in, n, GRIT_SAND_STATE_SIZE, true),  // is given as the state, too
+        state(in, n, GRIT_SAND_STATE_SIZE, true), substep(in, n, 1, true);
     std::vector<double> tangent(static_cast<std::size_t>(n * most_components * most_components));
     for (std::ptrdiff_t i = 0; i < n; ++i) {
         for (int c = 0; c < components; ++c) {
