@@ -10,6 +10,7 @@
 #include "cli/element/numerics_reader.hpp"
 #include "cli/plot/panels.hpp"
 #include "cli/process/exit_code.hpp"
+#include "cli/process/version.hpp"
 #include "cli/table/table.hpp"
 #include "element/check.hpp"
 #include "element/errors.hpp"
@@ -163,6 +164,12 @@ CaseFile read_case(const std::filesystem::path& path, TomlTable& root, const std
 
 }  // namespace
 
+std::vector<std::string> CaseFile::heading() const {
+    std::vector<std::string> out{fmt::format("Grit {}, case {}: {}", version(), name, title)};
+    if (!changes.empty()) out.push_back(changes);
+    return out;
+}
+
 std::vector<CaseFile> read_case_file(const std::filesystem::path& path, const UmatChoice& umat,
                                      const std::filesystem::path& sand,
                                      const std::vector<CaseSetting>& settings) {
@@ -174,6 +181,7 @@ std::vector<CaseFile> read_case_file(const std::filesystem::path& path, const Um
         if (samples.given) root.take_columns_from(row);
         out.push_back(read_case(path, root, row.name, umat, sand));
         CaseFile& file = out.back();
+        file.changes = words_of(settings);
         file.inputs.insert(file.inputs.end(), inputs.begin() + 1, inputs.end());
         if (samples.given) file.inputs.push_back(samples.table);
     }

@@ -39,6 +39,7 @@ struct CaseFile {
     std::string sand;     // name of the sand, for people
     std::string sample;   // row of the table of samples, empty: none
     std::string variant;  // of --vary, "void_ratio = 0.6", empty: none
+    std::string changes;  // of --set and --vary, "with sand.densest_void_ratio=0.4", empty: none
     grit_sand_parameters parameters{};
     element::GritLawOptions options;  // evaluation_limit, tolerance
     std::optional<element::UmatSource> umat;
@@ -54,6 +55,9 @@ struct CaseFile {
     Reference reference;
     std::string picture;                        // kind of picture, see panels.hpp
     std::vector<std::filesystem::path> inputs;  // all files that were read
+
+    // What each of its results begins with: who made it, of what, and what differs from the file.
+    std::vector<std::string> heading() const;
 };
 
 // One case, or one for each row of its table of samples, with the law of this library, if any. Throws BadInput naming file, line and key.

@@ -125,6 +125,13 @@ Outputs outputs_of(const ElementRequest& request, const std::vector<CaseFile>& c
     return outputs;
 }
 
+std::vector<std::string> comments_of_cycles(const CaseFile& file) {
+    std::vector<std::string> out = file.heading();
+    const std::vector<std::string>& of_columns = Cycles::comments();
+    out.insert(out.end(), of_columns.begin(), of_columns.end());
+    return out;
+}
+
 std::set<std::string> columns_wanted(const ElementRequest& request, const CaseFile& file) {
     std::set<std::string> out;
     const auto want = [&](const std::vector<std::string>& names) {
@@ -161,7 +168,7 @@ ExitCode run_element_tests(const ElementRequest& request) {
             file, {csv_of(request, file), columns_wanted(request, file), request.residuals}));
         const CaseResult& result = results.back();
         if (!result.cycles.columns.empty())
-            write_table(cycles_of(request, file), Cycles::comments(), result.cycles);
+            write_table(cycles_of(request, file), comments_of_cycles(file), result.cycles);
         report(request, file, result);
         complete = complete && result.failure.empty();
     }

@@ -2,12 +2,12 @@
 #include "cli/element/run_writer.hpp"
 
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "cli/process/standard_streams.hpp"
-#include "cli/process/version.hpp"
 
 namespace cli {
 namespace {
@@ -16,8 +16,8 @@ constexpr double least_strain = 1e-12;  // for a secant, and for a reversal
 
 std::vector<std::string> comments_of(const CaseFile& file) {
     const std::string law = file.umat ? "UMAT " + file.umat->library.string() : "sand " + file.sand;
-    return {
-        fmt::format("Grit {}, case {}: {}", version(), file.name, file.title),
+    std::vector<std::string> out = file.heading();
+    const std::string more[] = {
         fmt::format("{}, p0 {:g} kPa, e {:.6g}, tolerance {:g}", law,
                     -file.start.stress.head<3>().sum() / 3.0,
                     file.law->observe(file.point).void_ratio, file.options.tolerance),
@@ -30,6 +30,8 @@ std::vector<std::string> comments_of(const CaseFile& file) {
         "last "
         "reversal, G_0 = m_R L_1212 (basic model: L_1212); h_ij intergranular strain",
         "how the run ended stands below the last row"};
+    out.insert(out.end(), std::begin(more), std::end(more));
+    return out;
 }
 
 }  // namespace

@@ -103,6 +103,9 @@ ExitCode run_mpm(const MpmRequest& request) {
     if (const std::string word = word_of_unused_threads(plan.settings.threads);
         !word.empty() && !request.quiet)
         warn("grit: {}: {}\n", plan.name, word);
+    std::vector<CaseSetting> changes = request.settings;
+    if (!request.sand.empty())
+        changes.emplace_back(fmt::format("--sand {}", request.sand.string()), "--sand");
     const MpmRunOptions options{request.out / (plan.name + ".csv"),
                                 request.out / (plan.name + ".checkpoint"),
                                 request.out / plan.name,
@@ -111,7 +114,8 @@ ExitCode run_mpm(const MpmRequest& request) {
                                 request.checkpoint_minutes,
                                 request.restart,
                                 request.quiet,
-                                request.field_svg};
+                                request.field_svg,
+                                words_of(changes)};
     const Outputs outputs = outputs_of(request, file, options);
     Runner runner = prepare(request, file);
     const auto lock = outputs.lock();

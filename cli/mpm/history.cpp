@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/mpm/history.hpp"
 
+#include <iterator>
 #include <utility>
 
 #include <adapters/mpm/run/history.hpp>
@@ -57,13 +58,16 @@ std::vector<double> history_values(const grit::mpm::Case& plan, const grit::mpm:
     return out;
 }
 
-std::vector<std::string> history_comments(const grit::mpm::Runner& runner) {
+std::vector<std::string> history_comments(const grit::mpm::Runner& runner,
+                                          const std::string& changes) {
     const grit::mpm::Case& plan = runner.description();
     const GeometryWords& words = words_of(plan);
     const std::string load =
         plan.tractions.empty() ? "" : fmt::format(" {}: tractions on it, downwards;", words.load);
-    return {
-        fmt::format("Grit {}, case {}: {}", version(), plan.name, plan.title),
+    std::vector<std::string> out{
+        fmt::format("Grit {}, case {}: {}", version(), plan.name, plan.title)};
+    if (!changes.empty()) out.push_back(changes);
+    const std::string more[] = {
         fmt::format("{} particles, driven body: {}{}", runner.particles(), plan.history.body,
                     runner.driven_mass() > 0.0
                         ? fmt::format(", {:.12g} kg{}", runner.driven_mass(), words.per)
@@ -97,6 +101,8 @@ std::vector<std::string> history_comments(const grit::mpm::Runner& runner) {
         "pressures: nan where no body has water; water_mass: of water that flows, nan where none "
         "does",
         "how the run ended stands below the last row"};
+    out.insert(out.end(), std::begin(more), std::end(more));
+    return out;
 }
 
 }  // namespace cli

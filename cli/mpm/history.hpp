@@ -17,6 +17,7 @@ std::vector<double> history_values(const grit::mpm::Case& plan, const grit::mpm:
 // Table of the documentation, Markdown: as fix grit/mpm has them, in SI units.
 std::string history_table();
 // What stands above them.
-std::vector<std::string> history_comments(const grit::mpm::Runner& runner);
+std::vector<std::string> history_comments(const grit::mpm::Runner& runner,
+                                          const std::string& changes);
 
 }  // namespace cli

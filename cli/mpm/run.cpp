@@ -37,7 +37,7 @@ MpmRun::MpmRun(const MpmRunOptions& wanted, Runner& work)
     if (options.shown) field_files.emplace(options.fields, options.shown->variables, *fields);
     if (options.restart) resume();
     const std::vector<Column> columns_now = history_columns(runner.description());
-    history.emplace(options.history, history_comments(runner), columns_now);
+    history.emplace(options.history, history_comments(runner, options.changes), columns_now);
     const std::size_t columns = columns_now.size();
     for (auto row = done.history.begin(); row != done.history.end();) {
         const auto end = row + static_cast<std::ptrdiff_t>(columns);

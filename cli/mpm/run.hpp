@@ -29,6 +29,7 @@ struct MpmRunOptions {
     bool restart = false;             // from the checkpoint
     bool quiet = false;
     bool field_svg = false;  // pictures of fields as .svg too
+    std::string changes;     // of the case by options, "with KEY=VALUE", empty: none
 };
 
 class MpmRun {

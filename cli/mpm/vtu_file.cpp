@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/process/version.hpp"
 #include "element/atomic_file.hpp"
 
 namespace cli {
@@ -88,9 +89,9 @@ void write_cells(element::AtomicFile& file, std::size_t cells, std::size_t corne
 }
 
 std::string opening(std::string_view type) {
-    return fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"{}\" version=\"1.0\" "
-                       "byte_order=\"{}\" header_type=\"UInt64\">\n",
-                       type, byte_order);
+    return fmt::format("<?xml version=\"1.0\"?>\n<!-- Grit {} -->\n<VTKFile type=\"{}\" "
+                       "version=\"1.0\" byte_order=\"{}\" header_type=\"UInt64\">\n",
+                       version(), type, byte_order);
 }
 
 constexpr std::string_view pvd_closing = "</Collection>\n</VTKFile>\n";

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace cli {
 
@@ -15,5 +16,8 @@ struct CaseSetting {
 
     std::string text, option;
 };
+
+// "with KEY=VALUE, KEY=VALUE", of what a result says of its case; of none nothing.
+std::string words_of(const std::vector<CaseSetting>& settings);
 
 }  // namespace cli

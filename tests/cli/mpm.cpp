@@ -113,6 +113,8 @@ TEST(MaterialPointCommand, SaysInPlaneStrainWhatIsInAPlane) {
     EXPECT_NE(here.text("out/block.svg").find("force [kN/m]"), std::string::npos);
     EXPECT_NE(here.text("out/block_stress_xx.svg").find("x [m]"), std::string::npos);
     EXPECT_NE(here.text("out/block_000001_block.vtu").find("stress_xx [kPa]"), std::string::npos);
+    for (const char* file : {"out/block_000001_block.vtu", "out/block.pvd"})
+        EXPECT_NE(here.text(file).find("\n<!-- Grit "), std::string::npos) << file;
     EXPECT_TRUE(here.grit("mpm block.toml --set fields.variables=stress_rr --no-plot")
                     .says("no variable \"stress_rr\"; nearest: stress_xx"));
 }
@@ -130,6 +132,11 @@ TEST(MaterialPointCommand, TakesValuesFromTheCommandLine) {
                   .status,
               0);
     EXPECT_EQ(here.result("x").at("stored_energy"), here.result("y").at("stored_energy"));
+    EXPECT_NE(here.text("out/x.csv")
+                  .find("\n# with grid.z.1.cells=12, "
+                        "body.column.elastic.poissons_ratio=0.2, "
+                        "history.body=column\n"),
+              std::string::npos);
     const auto refused = [&](const std::string& setting, const std::string& words) {
         const Answer answer = here.grit(run + "x.toml --set " + setting);
         EXPECT_EQ(answer.status, 2) << setting;

@@ -105,6 +105,9 @@ TEST(Study, RunsACaseForEachValueAndDrawsThemTogether) {
     }
     EXPECT_NE(here.text("out/comparison.svg").find("void_ratio = 0.65, name = hochstetten"),
               std::string::npos);
+    EXPECT_NE(here.text("out/x_0.65_lausitz.csv")
+                  .find("\n# with start.void_ratio=0.65, sand.name=lausitz\n"),
+              std::string::npos);
     ASSERT_EQ(here.run("x", "--set start.void_ratio=0.65 --set name=alone --no-plot").status, 1);
     EXPECT_EQ(here.result("alone").at("stress_11"), here.result("x_0.65_lausitz").at("stress_11"));
 }

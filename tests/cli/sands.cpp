@@ -44,6 +44,9 @@ TEST(SettingOnTheCommandLine, ChangesACaseAsAnOverrideDoes) {
         here.run("x", "--set sand.critical_void_ratio=0.9 --set stage.1.axial_strain=-0.01").status,
         0);
     EXPECT_EQ(here.result("x").at("stress_11"), here.result("y").at("stress_11"));
+    EXPECT_NE(here.text("out/x.csv")
+                  .find("\n# with sand.critical_void_ratio=0.9, stage.1.axial_strain=-0.01\n"),
+              std::string::npos);
     ASSERT_EQ(here.run("x", "--set sand.name=hochstetten").status, 0);
 }
 
