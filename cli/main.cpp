@@ -28,6 +28,7 @@ int follow(int argc, char** argv) {
     CLI::App app("Grit: hypoplastic sand. Exit status 0: done, 1: the computation failed or missed "
                  "its reference, 2: bad input.",
                  "grit");
+    app.footer("docs/...: in the source tree and the package grit-doc; grit doctor says where.");
     app.set_version_flag("--version", cli::version_and_instruction_set());
     app.require_subcommand(1);
     cli::add_sand_command(app, asked);

@@ -1,6 +1,6 @@
-# cmake -DOUTPUT=FILE.cpp -DTEXTS=name=path,name=path -P GritEmbed.cmake: functions of cli/report/embedded.hpp that return
-# texts; an empty path is an empty text.
-set(out "// Made by cmake/GritEmbed.cmake.\n#include \"cli/report/embedded.hpp\"\n\nnamespace cli {\n")
+# cmake -DOUTPUT=FILE.cpp -DHEADER=cli/report/embedded.hpp -DTEXTS=name=path,name=path -P GritEmbed.cmake: functions of that
+# header that return texts; an empty path is an empty text.
+set(out "// Made by cmake/GritEmbed.cmake.\n#include \"${HEADER}\"\n\nnamespace cli {\n")
 string(REPLACE "," ";" texts "${TEXTS}")
 foreach(each IN LISTS texts)
   string(REGEX MATCH "^([^=]+)=(.*)$" all "${each}")

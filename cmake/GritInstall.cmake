@@ -26,6 +26,15 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/GritConfig.cmake
 file(RELATIVE_PATH GRIT_PC_TO_PREFIX /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/grit.pc.in grit.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/grit.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
+# Documentation with what it names, as they lie in the tree, so that links and cases find what is beside them.
+set(GRIT_DOC_DIR ${CMAKE_INSTALL_DATADIR}/doc/grit-doc)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs ${PROJECT_SOURCE_DIR}/examples DESTINATION ${GRIT_DOC_DIR} COMPONENT documentation
+        PATTERN docs/site EXCLUDE PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/verification/cases ${PROJECT_SOURCE_DIR}/verification/data
+                  ${PROJECT_SOURCE_DIR}/verification/mpm ${PROJECT_SOURCE_DIR}/verification/calibration
+        DESTINATION ${GRIT_DOC_DIR}/verification COMPONENT documentation
+        FILES_MATCHING PATTERN *.toml PATTERN *.csv PATTERN *.md PATTERN *.stl)
+install(FILES ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${GRIT_DOC_DIR} COMPONENT documentation)
 if(TARGET grit_mgis)
   install(TARGETS grit_mgis LIBRARY DESTINATION ${GRIT_HOST_LIBDIR} COMPONENT tools)
 endif()

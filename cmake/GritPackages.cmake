@@ -96,6 +96,10 @@ grit_package(development libgrit-dev libdevel "hypoplastic sand and contact (dev
 grit_package(tools grit-tools science "hypoplastic sand: element tests, material points, UMAT"
              RECOMMENDS gnuplot-nox
              DETAILS "This package has the program grit, and the sand as Abaqus UMAT and VUMAT and\nas behaviour for hosts of MGIS.")
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS grit-doc)
+grit_package(documentation grit-doc doc "hypoplastic sand and contact (documentation)"
+             DETAILS "This package has the documentation as Markdown, programs in C, C++, Fortran and\nPython that call the library, and cases for grit.")
+set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_ARCHITECTURE all)
 if(TARGET grit_python)
   math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
   foreach(script postinst prerm)

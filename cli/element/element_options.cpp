@@ -6,7 +6,9 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/element/element_command.hpp"
+#include "cli/element/element_keys.hpp"
 #include "cli/element/incremental_driver_command.hpp"
+#include "cli/process/standard_streams.hpp"
 #include "cli/toml/set_option.hpp"
 
 namespace cli {
@@ -17,6 +19,8 @@ void add_element_command(CLI::App& app, Command& asked) {
     const auto request = std::make_shared<ElementRequest>();
     CLI::Option* cases = element->add_option("CASE", request->cases,
                                              "TOML files; several are compared in one picture");
+    const std::string prints = "Print a case that has and explains every key, and no more";
+    CLI::Option* keys = element->add_flag("--keys", prints);
     CLI::Option* out = element->add_option("--out", request->out,
                                            "Folder for data and pictures, made if missing [.]");
     element->add_flag("--no-plot", request->no_plot, "Data only");
@@ -49,8 +53,15 @@ void add_element_command(CLI::App& app, Command& asked) {
         ->check(CLI::IsMember({"classic", "radian"}))
         ->needs(umat)
         ->excludes(folder);
-    element->callback([&asked, request, driver, cases, folder, out] {
-        if (!*cases && !*folder) throw CLI::RequiredError("CASE or --incremental-driver");
+    element->callback([&asked, request, driver, cases, folder, out, keys] {
+        if (*keys) {
+            asked = [] {
+                say("{}", element_keys());
+                return ok;
+            };
+            return;
+        }
+        if (!*cases && !*folder) throw CLI::RequiredError("CASE, --incremental-driver or --keys");
         if (!*folder) {
             asked = [request] { return run_element_tests(*request); };
             return;

@@ -37,6 +37,7 @@ OptionWords option_words(const CLI::Option& option) {
     out.description = option.get_description();
     out.takes_value = option.get_items_expected_max() > 0;
     out.repeats = option.get_items_expected_max() > 1;
+    out.required = option.get_required();
     out.choices = choices_of(option);
     return out;
 }
@@ -46,6 +47,12 @@ void walk(const CLI::App& app, CommandWords& out) {
     for (const CLI::Option* each : app.get_options())
         (each->get_positional() ? out.positionals : out.options).push_back(option_words(*each));
     if (out.name() == "grit sand show") out.positionals.front().choices = sand_names();
+    if (out.name() == "grit element")
+        for (OptionWords& each : out.options)
+            if (each.names.back() == "--sand") {
+                each.choices = sand_names();
+                each.or_file = true;
+            }
     for (const CLI::App* each : app.get_subcommands([](const CLI::App*) { return true; })) {
         if (each->get_group().empty()) continue;
         CommandWords below;

@@ -16,7 +16,9 @@ struct OptionWords {
     std::string description;
     bool takes_value = false;  // else a flag
     bool repeats = false;
-    std::vector<std::string> choices;  // the only values it may have, where they are few
+    bool required = false;
+    std::vector<std::string> choices;  // the only values it may have, where they are few ...
+    bool or_file = false;              // ... besides files
 };
 
 struct CommandWords {

@@ -99,7 +99,8 @@ std::string fish(const CommandWords& grit) {
             const std::string when = seen.empty() ? "__fish_use_subcommand" : seen;
             std::string value = option.takes_value ? " -r" : "";
             if (!option.choices.empty())
-                value = fmt::format(" -x -a '{}'", fmt::join(option.choices, " "));
+                value = fmt::format(" {} -a '{}'", option.or_file ? "-r" : "-x",
+                                    fmt::join(option.choices, " "));
             out += fmt::format("complete -c grit -n {}{}{} -d {}\n", quoted(when, "\\'"), names,
                                value, quoted(option.description, "\\'"));
         }
@@ -123,11 +124,13 @@ std::string function_of(const CommandWords& command) {
 
 std::string zsh_value(const OptionWords& option) {
     if (option.choices.empty()) return ":value:_files";
-    return fmt::format(":value:({})", fmt::join(option.choices, " "));
+    const std::string words = fmt::format("{}", fmt::join(option.choices, " "));
+    return option.or_file ? ":value: _grit_or_files " + words : ":value:(" + words + ")";
 }
 
 std::string zsh(const CommandWords& grit) {
-    std::string out = "#compdef grit\n# zsh completion of grit, printed by: grit completion zsh\n";
+    std::string out = "#compdef grit\n# zsh completion of grit, printed by: grit completion zsh\n"
+                      "_grit_or_files() { compadd -- \"$@\"; _files }\n";
     for (const CommandWords* command : flat(grit)) {
         std::string lines;
         const auto add = [&](const std::string& text) {

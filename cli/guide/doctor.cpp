@@ -2,8 +2,10 @@
 #include "cli/guide/doctor.hpp"
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <thread>
 
 #include <fmt/format.h>
@@ -39,13 +41,24 @@ constexpr Neighbour neighbours[] = {
      "2>/dev/null </dev/null",
      "import grit fails: install the package python3-grit, or the wheel, see docs/python.md"},
     {"MPI", "mpirun --version 2>/dev/null </dev/null", "one process: apt-get install openmpi-bin"},
-    {"LAMMPS", "lmp -help 2>/dev/null </dev/null | grep -m 1 Simulator",
+    {"LAMMPS", "{ lmp -help </dev/null | grep -m 1 Simulator; } 2>/dev/null",
      "no lmp: apt-get install lammps, see docs/lammps.md"},
     {"grit-lmp", "command -v grit-lmp",
      "LAMMPS has no fix grit/mpm: install the package libgrit-lammps, see docs/lammps.md"},
 };
 
 void say_fact(const std::string& what, const std::string& fact) { say("{:<16} {}\n", what, fact); }
+
+// What this program says as docs/....md: beside it where it is installed.
+std::string documentation() {
+    std::error_code none;
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", none);
+    for (const char* way : {"../share/doc/grit-doc/docs", "../../../docs"}) {
+        const std::filesystem::path place = (program.parent_path() / way).lexically_normal();
+        if (std::filesystem::exists(place / "element-tests.md", none)) return place.string();
+    }
+    return "missing; docs/... of these words: in the package grit-doc, or the source tree";
+}
 
 const char* calibration() {
 #ifdef GRIT_CLI_HAS_CALIBRATION
@@ -70,6 +83,7 @@ ExitCode examine() {
     say_fact("processors", std::to_string(std::thread::hardware_concurrency()));
     say_fact("grit mpm", material_points());
     say_fact("grit calibrate", calibration());
+    say_fact("documentation", documentation());
     int missing = 0;
     for (const Neighbour& each : neighbours) {
         const std::string found = first_line_of(each.command);

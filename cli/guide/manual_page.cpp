@@ -24,9 +24,11 @@ std::string roff(const std::string& text) {
 std::string usage(const CommandWords& command) {
     std::string out = fmt::format(".B {}\n", roff(command.name()));
     if (!command.commands.empty()) return out + ".I COMMAND\n";
-    for (const OptionWords& each : command.positionals)
-        out += fmt::format(".RI [ {} {}]\n", roff(each.names.front()),
-                           each.repeats ? ".\\|.\\|.\\& " : "");
+    for (const OptionWords& each : command.positionals) {
+        const std::string words =
+            fmt::format("{} {}", roff(each.names.front()), each.repeats ? ".\\|.\\|.\\& " : "");
+        out += each.required ? fmt::format(".I {}\n", words) : fmt::format(".RI [ {}]\n", words);
+    }
     return out + ".RI [ OPTIONS ]\n";
 }
 
@@ -35,7 +37,7 @@ std::string entry(const OptionWords& option) {
     for (const std::string& name : option.names)
         names += fmt::format("{}\\fB{}\\fR", names.empty() ? "" : ", ", roff(name));
     if (option.takes_value && option.names.front().front() == '-') {
-        names += option.choices.empty()
+        names += option.choices.empty() || option.or_file
                      ? std::string(" \\fIVALUE\\fR")
                      : " " + roff(fmt::format("{}", fmt::join(option.choices, "|")));
         if (option.repeats) names += " \\&.\\|.\\|.";
@@ -66,11 +68,14 @@ std::string manual_page(const CommandWords& grit) {
         for (const OptionWords& each : command->options)
             if (each.names.back() != "--help") out += entry(each);
     }
-    return out + ".SH EXIT STATUS\n0: done. 1: the computation failed or missed its reference. 2: "
-                 "bad input.\n"
-                 ".SH EXAMPLES\n.nf\ngrit sand show lausitz\ngrit element lausitz_dense.toml "
-                 "\\-\\-out results\n"
-                 "grit plot results/lausitz_dense.csv \\-\\-pdf\n.fi\n";
+    return out +
+           ".SH EXIT STATUS\n0: done. 1: the computation failed or missed its reference. 2: "
+           "bad input.\n"
+           ".SH FILES\n.I docs/\n, which this page names, and cases as those below are in the "
+           "source tree and in the package grit\\-doc; grit doctor says where.\n"
+           ".SH EXAMPLES\n.nf\ngrit sand show lausitz\n"
+           "grit element verification/cases/lausitz_dense.toml \\-\\-out results\n"
+           "grit plot results/lausitz_dense.csv \\-\\-pdf\n.fi\n";
 }
 
 }  // namespace cli

@@ -42,7 +42,7 @@ TEST(Guide, DoctorTellsWhatIsMissingAndWhatBringsIt) {
     EXPECT_EQ(answer.status, 0);
     EXPECT_TRUE(answer.says("instruction set")) << answer.text;
     EXPECT_EQ(std::system(("cd " + here.path(".").string() +
-                           " && PATH=/nowhere " GRIT_CLI " doctor > alone")
+                           " && PATH=/nowhere " GRIT_CLI " doctor > alone 2>&1")
                               .c_str()),
               0);
     const std::string alone = here.text("alone");
@@ -50,6 +50,8 @@ TEST(Guide, DoctorTellsWhatIsMissingAndWhatBringsIt) {
               std::string::npos)
         << alone;
     EXPECT_NE(alone.find("grit itself needs none of them"), std::string::npos) << alone;
+    EXPECT_EQ(alone.find("not found"), std::string::npos) << alone;
+    EXPECT_NE(alone.find("documentation    "), std::string::npos) << alone;
 }
 
 TEST(Guide, BashCompletesCommandsOptionsValuesAndSands) {
@@ -57,6 +59,7 @@ TEST(Guide, BashCompletesCommandsOptionsValuesAndSands) {
     EXPECT_EQ(bash_offers("grit sand s"), "show\n");
     EXPECT_EQ(bash_offers("grit element --no-p"), "--no-plot\n");
     EXPECT_EQ(bash_offers("grit element --layout ra"), "radian\n");
+    EXPECT_EQ(bash_offers("grit element --sand lau"), "lausitz\n");
     EXPECT_EQ(bash_offers("grit element --out r"), "\n");  // files, which bash knows by itself
     EXPECT_NE(bash_offers("grit sand show l").find("lausitz"), std::string::npos);
 }
@@ -74,6 +77,7 @@ TEST(Guide, FishCompletes) {
     EXPECT_EQ(offers("grit element --no-p"), "--no-plot\tData only\n");
     EXPECT_NE(offers("grit element --layout ").find("radian"), std::string::npos);
     EXPECT_NE(offers("grit sand show la").find("lausitz"), std::string::npos);
+    EXPECT_NE(offers("grit element --sand la").find("lausitz"), std::string::npos);
 }
 
 // In a terminal of its own: zsh completes nowhere else.
@@ -98,6 +102,7 @@ TEST(Guide, ZshCompletes) {
     completes("grit pl", "grit plot");
     completes("grit element --no-p", "--no-plot");
     completes("grit sand sh", "sand show");
+    completes("grit element --sand laus", "sand lausitz");
 }
 
 TEST(Guide, TheManualPageHasAllThatHelpHas) {
@@ -117,6 +122,7 @@ TEST(Guide, TheManualPageHasAllThatHelpHas) {
         }
     }
     EXPECT_GT(options, 20);
+    EXPECT_NE(page.find(".B grit sand show\n.I NAME \n"), std::string::npos) << page;
     if (!there_is("groff")) return;
     EXPECT_EQ(
         std::system(("cd " + here.path(".").string() +
