@@ -62,10 +62,16 @@ const std::vector<std::string>& props_forms() {
     return forms;
 }
 
-ExitCode show_props(const std::string& name, const std::string& form) {
+ExitCode show_props(const std::string& name, const std::string& form, double void_ratio) {
     const grit_sand_parameters parameters = sand_of(name);
     double classic[GRIT_CLASSIC_NPROPS], props[GRIT_CLASSIC_NPROPS];
     grit_classic_props(&parameters, !std::isnan(parameters.reversal_stiffness), classic);
+    constexpr int e_0 = GRIT_CLASSIC_VOID_RATIO_AT_ZERO_PRESSURE;
+    if (void_ratio > 0.0) classic[e_0] = GRIT_CLASSIC_TRUE_VOID_RATIO + void_ratio;
+    else
+        warn("grit: PROPS({}), the void ratio of the sample, is 0, which a host takes only if "
+             "STATEV({}) has one; --void-ratio E writes {:g} + E\n",
+             e_0 + 1, GRIT_CLASSIC_VOID_RATIO + 1, GRIT_CLASSIC_TRUE_VOID_RATIO);
     std::copy(std::begin(classic), std::end(classic), props);
     if (form == "radian" && grit_radian_of_classic(classic, props) != GRIT_OK)
         throw BadInput(fmt::format("{}: the radian layout has no place for p_t = {:g} kPa", name,

@@ -13,7 +13,7 @@ ExitCode list_sands();
 ExitCode show_sand(const std::string& name);
 
 const std::vector<std::string>& props_forms();  // classic, radian, calculix, incremental-driver
-// The sand as PROPS of a UMAT, in the words of a host. Throws BadInput.
-ExitCode show_props(const std::string& name, const std::string& form);
+// The sand as PROPS of a UMAT, in the words of a host. void_ratio: of the sample, 0: none. Throws BadInput.
+ExitCode show_props(const std::string& name, const std::string& form, double void_ratio);
 
 }  // namespace cli

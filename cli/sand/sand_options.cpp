@@ -20,11 +20,15 @@ void add_sand_command(CLI::App& app, Command& asked) {
                      "As grit sand list prints it, or a file as grit calibrate writes it")
         ->required();
     const auto form = std::make_shared<std::string>();
-    show->add_option("--props", *form, "As PROPS of a UMAT, see docs/umat.md")
-        ->check(CLI::IsMember(props_forms()));
-    show->callback([&asked, name, form] {
-        asked = [name, form] {
-            return form->empty() ? show_sand(*name) : show_props(*name, *form);
+    CLI::Option* props = show->add_option("--props", *form, "As PROPS of a UMAT, see docs/umat.md")
+                             ->check(CLI::IsMember(props_forms()));
+    const auto void_ratio = std::make_shared<double>(0.0);
+    show->add_option("--void-ratio", *void_ratio, "Of the sample, for PROPS")
+        ->check(CLI::Range(0.01, 10.0))
+        ->needs(props);
+    show->callback([&asked, name, form, void_ratio] {
+        asked = [name, form, void_ratio] {
+            return form->empty() ? show_sand(*name) : show_props(*name, *form, *void_ratio);
         };
     });
 }

@@ -74,14 +74,17 @@ TEST(SettingOnTheCommandLine, IsRefusedWhereItMeansNothing) {
 TEST(PropsOfASand, AreThoseOfItsHosts) {
     const Workplace here;
     const auto props = [&](const std::string& form) {
-        return here.grit("sand show lausitz --props " + form).text;
+        return here.grit("sand show lausitz --void-ratio 0.6 --props " + form).text;
     };
     EXPECT_EQ(props("classic"),
-              "33, 0, 1600000, 0.19, 0.44, 0.85, 1, 0.25\n1, 5, 2, 0.0001, 0.5, 6, 0, 0\n");
+              "33, 0, 1600000, 0.19, 0.44, 0.85, 1, 0.25\n1, 5, 2, 0.0001, 0.5, 6, 0, 10.6\n");
     EXPECT_EQ(props("radian"), "0.575958653158129, 0, 1600000, 0.19, 0.44, 0.85, 1, 0.25\n1, 2, 5, "
-                               "0.0001, 0.5, 6, 0, 0\n");
+                               "0.0001, 0.5, 6, 0, 10.6\n");
     EXPECT_EQ(props("calculix"), "*USER MATERIAL, CONSTANTS=16\n" + props("classic") + "293.\n");
     EXPECT_EQ(props("incremental-driver").substr(0, 25), "lausitz\n16\n33\n0\n1600000\n0");
+    const Answer without = here.grit("sand show lausitz --props classic");
+    EXPECT_TRUE(without.says("6, 0, 0\n")) << without.text;
+    EXPECT_TRUE(without.says("PROPS(16), the void ratio of the sample, is 0")) << without.text;
     EXPECT_TRUE(here.grit("sand show lausitz --props moose").says("moose"));
     EXPECT_EQ(here.grit("sand show lausitz --props moose").status, 2);
 }
