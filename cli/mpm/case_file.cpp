@@ -114,6 +114,7 @@ MpmCaseFile read_mpm_case(const std::filesystem::path& path, const std::filesyst
                           const std::vector<CaseSetting>& settings) {
     MpmCaseFile out;
     TomlTable root = TomlTable::of_file(path, &out.inputs, settings);
+    name_axes(root);
     if (!sand.empty()) out.inputs.push_back(sand);
     Case& plan = out.plan;
     plan.name = root.string_if("name").value_or(path.stem().string());

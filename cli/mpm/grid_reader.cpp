@@ -62,6 +62,19 @@ void check_nodes(const TomlTable& grid, double nodes) {
                                   most_nodes, nodes));
 }
 
+void name_axes(TomlTable& root) {
+    static const TomlTable::OtherNames names = {{"r", "x"},
+                                                {"r_m", "x_m"},
+                                                {"r_from_m", "x_from_m"},
+                                                {"particles_per_cell_r", "particles_per_cell_x"}};
+    if (!root.has("grid")) return;
+    TomlTable grid = root.table("grid");
+    if (!grid.has("geometry")) return;
+    if (choice(grid, case_word("grid", "geometry")) ==
+        static_cast<int>(words::Geometry::plane_strain))
+        root.take_names_from(names);
+}
+
 void read_grid(TomlTable table, Case& plan) {
     const auto geometry =
         static_cast<words::Geometry>(choice(table, case_word("grid", "geometry")));

@@ -14,6 +14,8 @@ grit::mpm::AxisPlan read_axis(TomlTable& grid, const std::string& name,
 // Refuses a grid of too many nodes.
 void check_nodes(const TomlTable& grid, double nodes);
 double nodes_of(const grit::mpm::AxisPlan& plan);
+// In plane strain r may be called x.
+void name_axes(TomlTable& root);
 void read_grid(TomlTable table, grit::mpm::Case& plan);
 // After the grid.
 void read_boundary(TomlTable table, grit::mpm::Case& plan);

@@ -16,8 +16,15 @@ namespace cli {
 struct TomlTable::Content {
     std::shared_ptr<const toml::table> document;  // owns values
     const toml::table* values;
+    const OtherNames* names;  // null: none
 
-    const toml::node* get(const std::string& key) const { return values->get(key); }
+    // As the file has it.
+    std::string spelled(const std::string& key) const {
+        if (!names) return key;
+        const auto other = names->find(key);
+        return other == names->end() || !values->get(other->second) ? key : other->second;
+    }
+    const toml::node* get(const std::string& key) const { return values->get(spelled(key)); }
 };
 
 TomlTable::TomlTable(std::shared_ptr<const Content> table_content, std::string file,
@@ -29,13 +36,17 @@ TomlTable TomlTable::of_file(const std::filesystem::path& path,
                              std::vector<std::filesystem::path>* inputs,
                              const std::vector<CaseSetting>& settings) {
     const std::shared_ptr<const toml::table> document = parse_document(path, inputs, settings);
-    return {std::make_shared<const Content>(Content{document, document.get()}), path.string(), "",
-            nullptr};
+    return {std::make_shared<const Content>(Content{document, document.get(), nullptr}),
+            path.string(), "", nullptr};
 }
 
 std::string TomlTable::full(const std::string& key) const {
-    if (name.empty() || key.empty()) return name + key;
-    return name + "." + key;
+    if (name.empty() || key.empty()) return name + content->spelled(key);
+    return name + "." + content->spelled(key);
+}
+
+void TomlTable::take_names_from(const OtherNames& names) {
+    content = std::make_shared<const Content>(Content{content->document, content->values, &names});
 }
 
 std::filesystem::path TomlTable::folder() const {
@@ -54,7 +65,11 @@ void TomlTable::fail(const std::string& key, const std::string& message) const {
 }
 
 bool TomlTable::has(const std::string& key) {
+    const std::string here = content->spelled(key);
     known.insert(key);
+    known.insert(here);
+    if (here != key && content->values->get(key))
+        fail(key, fmt::format("give {} or {}, not both", full(key), key));
     return content->get(key) != nullptr;
 }
 
@@ -198,8 +213,8 @@ TomlTable TomlTable::table(const std::string& key) {
     require(key);
     const toml::table* inner = content->get(key)->as_table();
     if (!inner) fail(key, fmt::format("{} must be a table: [{}]", full(key), full(key)));
-    return {std::make_shared<const Content>(Content{content->document, inner}), path, full(key),
-            columns};
+    return {std::make_shared<const Content>(Content{content->document, inner, content->names}),
+            path, full(key), columns};
 }
 
 std::optional<TomlTable> TomlTable::table_if(const std::string& key) {
@@ -214,9 +229,9 @@ std::vector<TomlTable> TomlTable::tables_if(const std::string& key) {
     for (const toml::node& node : *array) {
         if (!node.is_table())
             fail(key, fmt::format("{} must be written [[{}]]", full(key), full(key)));
-        out.push_back(
-            TomlTable(std::make_shared<const Content>(Content{content->document, node.as_table()}),
-                      path, fmt::format("{}[{}]", full(key), out.size() + 1), columns));
+        out.push_back(TomlTable(std::make_shared<const Content>(
+                                    Content{content->document, node.as_table(), content->names}),
+                                path, fmt::format("{}[{}]", full(key), out.size() + 1), columns));
     }
     return out;
 }

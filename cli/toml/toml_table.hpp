@@ -63,6 +63,9 @@ class TomlTable {
 
     // For this table and those taken from it afterwards.
     void take_columns_from(const SampleRow& row) { columns = &row; }
+    // A file may write the second name in the place of the first, as errors do then.
+    using OtherNames = std::map<std::string, std::string>;
+    void take_names_from(const OtherNames& names);
     std::filesystem::path folder() const;
 
   private:

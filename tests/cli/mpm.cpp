@@ -119,6 +119,33 @@ TEST(MaterialPointCommand, SaysInPlaneStrainWhatIsInAPlane) {
                     .says("no variable \"stress_rr\"; nearest: stress_xx"));
 }
 
+TEST(MaterialPointCommand, TakesXForRInPlaneStrain) {
+    const Workplace here;
+    const auto replaced = [](std::string text, const std::string& old, const std::string& by) {
+        for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += by.size())
+            text.replace(at, old.size(), by);
+        return text;
+    };
+    const std::string with_x = replaced(replaced(block, "grid.r", "grid.x"), "\nr_m", "\nx_m");
+    const std::string run = "mpm --no-plot --quiet --out out ";
+    here.write("r.toml", block);
+    here.write("x.toml", with_x);
+    ASSERT_EQ(here.grit(run + "r.toml").status, 0);
+    const Answer answer = here.grit(run + "x.toml");
+    ASSERT_EQ(answer.status, 0) << answer.text;
+    EXPECT_EQ(here.result("x").at("stored_energy"), here.result("r").at("stored_energy"));
+    const auto refused = [&](const std::string& text, const std::string& words) {
+        here.write("bad.toml", text);
+        const Answer told = here.grit(run + "bad.toml");
+        EXPECT_EQ(told.status, 2) << text;
+        EXPECT_TRUE(told.says(words)) << told.text;
+    };
+    refused(replaced(with_x, "x_m = [0, 0.2]", "x_m = [0, 0.2]\nr_m = [0, 0.2]"),
+            "give body[1].box[1].x_m or r_m, not both");
+    refused(replaced(with_x, "x_m = [0, 0.2]", "x_m = [0, 0.3]"), "body[1].box[1].x_m");
+    refused(replaced(with_x, "plane_strain", "axisymmetric"), "grid.r is missing");
+}
+
 TEST(MaterialPointCommand, TakesValuesFromTheCommandLine) {
     const Workplace here;
     here.write("x.toml", column("0.02"));

@@ -17,7 +17,7 @@ enum class Geometry { plane_strain, axisymmetric, space };
 inline constexpr Spelling geometries[] = {
     spelling("axisymmetric", Geometry::axisymmetric, "per radian"),
     spelling("plane_strain", Geometry::plane_strain,
-             "per metre; r is then the horizontal coordinate"),
+             "per metre; r is then the horizontal coordinate, and may be called x in all keys"),
     only_in_files(spelling("space", Geometry::space, "x, y and z, see docs/space.md"))};
 inline constexpr Spelling sides[] = {
     spelling("left", Side::left, ""), spelling("right", Side::right, ""),

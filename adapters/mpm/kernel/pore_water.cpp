@@ -90,14 +90,14 @@ void update_pressures(const ParticleView& q, std::ptrdiff_t begin, std::ptrdiff_
         const double e_middle = water.flows ? e : e + 0.5 * (1.0 + e) * of_cell;
         if (!(e_middle > 0.0))
             throw std::runtime_error(
-                "pore water: a particle at r = " + std::to_string(q[column::r][p]) +
-                " m, z = " + std::to_string(q[column::z][p]) +
-                " m has no pores left, its void ratio is " + std::to_string(e_middle));
+                "pore water: a particle at (" + std::to_string(q[column::r][p]) + ", " +
+                std::to_string(q[column::z][p]) + ") m has no pores left, its void ratio is " +
+                std::to_string(e_middle));
         if (water.flows && !(q[water.content_column()][p] > 0.0))
             throw std::runtime_error(
-                "pore water: a particle at r = " + std::to_string(q[column::r][p]) +
-                " m, z = " + std::to_string(q[column::z][p]) +
-                " m has no water left: more has flowed out of it than was there");
+                "pore water: a particle at (" + std::to_string(q[column::r][p]) + ", " +
+                std::to_string(q[column::z][p]) +
+                ") m has no water left: more has flowed out of it than was there");
         const double before = water.pressure(q, p);
         q[water.first][p] -= water.bulk_modulus / PoreWater::porosity_of(e_middle) * strain;
         const double V = q[column::V0][p] * q.J(p), now = water.pressure(q, p);

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "adapters/mpm/step/text.hpp"
+
 namespace grit::mpm {
 
 // The first that is found; another process may have it.
@@ -19,8 +21,7 @@ void Account::report_lost(long count) const {
                                    z >= z_axis[0] && z <= z_axis[z_axis.nodes() - 1];
             if (is_inside) continue;
             which = ", among them particle " + std::to_string(q.ids()[p]) + " of body " +
-                    part.body.name + " at r = " + std::to_string(r) +
-                    " m, z = " + std::to_string(z) + " m";
+                    part.body.name + " at " + place_text(r, z);
         }
     }
     throw std::runtime_error(std::to_string(count) + " particles left the grid at t = " +

@@ -113,9 +113,9 @@ void PenaltyPair::check_mass(const GridView& grid, const PenaltyBody& a, const P
             if (at.N[0] + at.N[1] + at.N[2] + at.N[3] > 0.0) continue;
             throw std::runtime_error("penalty contact of " + a.name + " and " + b.name +
                                      ": vertex " + std::to_string(v / 2) + " of the line of " +
-                                     body.name + ", at r = " + text(line.position[v]) +
-                                     " m, z = " + text(line.position[v + 1]) +
-                                     " m, is in a cell where no node has mass of this body: "
+                                     body.name + ", at " +
+                                     place_text(line.position[v], line.position[v + 1]) +
+                                     ", is in a cell where no node has mass of this body: "
                                      "nothing would take its force of " +
                                      text(std::hypot(line.force[v], line.force[v + 1])) +
                                      " N, or move it; does the line follow the body's surface?");
@@ -204,8 +204,8 @@ void PenaltyPair::check_place(const GridView& grid, const PenaltyBody& a,
             if (is_near(grid.r, r) && is_near(grid.z, z)) continue;
             throw std::runtime_error("penalty contact of " + a.name + " and " + b.name +
                                      ": vertex " + std::to_string(v / 2) + " of the line of " +
-                                     (k == 0 ? a : b).name + " has moved to r = " + text(r) +
-                                     " m, z = " + text(z) + " m, off the grid; is cfl too large?");
+                                     (k == 0 ? a : b).name + " has moved to " + place_text(r, z) +
+                                     ", off the grid; is cfl too large?");
         }
 }
 

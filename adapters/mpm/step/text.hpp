@@ -13,4 +13,11 @@ inline std::string text(double value) {
     return out;
 }
 
+// "(0.1, -0.2) m", of r or x and z.
+inline std::string place_text(double across, double z) {
+    char out[72];
+    std::snprintf(out, sizeof out, "(%.6g, %.6g) m", across, z);
+    return out;
+}
+
 }  // namespace grit::mpm
