@@ -29,15 +29,16 @@ struct Variant {
     std::string name, words;  // "0.6" of files, "void_ratio = 0.6" for people
 };
 
-// Between brackets a comma belongs to a list.
+// Without the blanks around them. Between brackets a comma belongs to a list.
 std::vector<std::string> values_in(const std::string& text) {
     std::vector<std::string> out(1);
     int depth = 0;
     for (const char c : text) {
         depth += c == '[' ? 1 : c == ']' ? -1 : 0;
         if (c == ',' && depth == 0) out.emplace_back();
-        else out.back() += c;
+        else if (c != ' ' || !out.back().empty()) out.back() += c;
     }
+    for (std::string& value : out) value.erase(value.find_last_not_of(' ') + 1);
     return out;
 }
 

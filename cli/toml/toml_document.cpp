@@ -62,6 +62,8 @@ struct Place {
         if (!setting.empty()) throw BadInput(fmt::format("{}: {}", setting, message));
         fail(path, value, fmt::format("override \"{}\": {}", key, message));
     }
+    // Of the key, behind what it begins with.
+    std::string rest() const { return key.substr(key.rfind('.') + 1); }
     const char* base() const { return setting.empty() ? "the base" : "the case"; }
 };
 
@@ -89,7 +91,9 @@ toml::table& step_into(toml::table& at, const std::string& part, const Place& pl
 // Of [[list]] the table that has this name or number.
 toml::table& step_into(toml::array& list, const std::string& name, const std::string& which,
                        const Place& place) {
-    if (which.empty()) place.refuse(fmt::format("which [[{}]], by name or number?", name));
+    if (which.empty())
+        place.refuse(
+            fmt::format("which [[{0}]], by name or number, as in {0}.1.{1}?", name, place.rest()));
     if (toml::table* table = element_of(list, which)) return *table;
     std::vector<std::string> known;
     for (std::size_t i = 0; i < list.size(); ++i)

@@ -95,7 +95,7 @@ TEST(Study, RunsACaseForEachValueAndDrawsThemTogether) {
     EXPECT_TRUE(misspelt.says("--vary start.void_ration=0.55: unknown key start.void_ration"))
         << misspelt.text;
     const Answer study =
-        here.grit("element x.toml --out out --vary start.void_ratio=0.55,0.65 --vary "
+        here.grit("element x.toml --out out --vary 'start.void_ratio=0.55, 0.65 ' --vary "
                   "sand.name=lausitz,hochstetten");
     EXPECT_EQ(study.status, 0) << study.text;
     for (const char* name :

@@ -64,7 +64,8 @@ TEST(SettingOnTheCommandLine, IsRefusedWhereItMeansNothing) {
             "--set sad.critical_void_ratio=0.9: the case has no sad; nearest: sand");
     refused("sand.critical_void_ratio=9",
             "--set sand.critical_void_ratio=9: sand.critical_void_ratio (e_c0) must be in");
-    refused("stage.axial_strain=-0.01", "which [[stage]], by name or number?");
+    refused("stage.axial_strain=-0.01",
+            "which [[stage]], by name or number, as in stage.1.axial_strain?");
     refused("numeric.stress_tolerance=1e-9",
             "--set numeric.stress_tolerance=1e-9: unknown key numeric; nearest: numerics");
     refused("stage.2.axial_strain=-0.01",
