@@ -154,6 +154,7 @@ function(grit_add_libraries)
   add_library(grit_static STATIC ${objects})
   set_target_properties(grit PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${GRIT_SOVERSION})
   target_link_options(grit PRIVATE -Wl,--no-undefined,--as-needed)
+  set_target_properties(grit_static PROPERTIES OUTPUT_NAME grit) # as -static looks for it
   target_link_libraries(grit_static INTERFACE m)
   foreach(library grit grit_static)
     add_library(Grit::${library} ALIAS ${library})
