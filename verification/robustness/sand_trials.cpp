@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstring>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 #include <grit/grit.h>
@@ -564,49 +565,76 @@ bool near_axis(const Point& x) {
     return norm_of_stress(deviator) < 0.02 * std::fabs(mean);
 }
 
-// Differences of two sizes that agree are a derivative; the others pass a kink.
-void compare_tangent(const Call& call, const Point& before, Random& random, Findings& out) {
-    if (!call.of_catalogue || norm_of_strain(before.strain) < 1e-8 || near_axis(before)) return;
-    Call tight = call;
-    tight.options.tolerance = 1e-9;
-    tight.options.evaluation_limit = 200000;
-    tight.options.tangent = GRIT_TANGENT_CONSISTENT;
-    tight.advised = false;
-    Point x = before;
-    update(tight, x);
-    if (x.report.status != GRIT_OK || x.report.flags || near_axis(x)) return;
-    double way[6], of_tangent[6] = {}, difference[2][6];
-    random_tensor(random, 1.0, 2.0, call.components, way);
-    for (int r = 0; r < call.components; ++r)
-        for (int c = 0; c < call.components; ++c)
-            of_tangent[r] += x.tangent[r * call.components + c] * way[c];
+// As it is asked where stresses are differentiated: exactly, and with a tangent.
+Call to_differentiate(const Call& call) {
+    Call out = call;
+    out.options.tolerance = 1e-9;
+    out.options.evaluation_limit = 200000;
+    out.options.tangent = GRIT_TANGENT_CONSISTENT;
+    out.advised = false;
+    return out;
+}
+
+// Where what is found is written down.
+struct OfTangent {
+    int count, measure, rule;
+};
+
+// Is the tangent of x the derivative of stress_after, which gives the stress after a strain or nothing, along a random
+// way? Differences of two sizes that agree are that; the others pass a kink.
+template <class StressAfter>
+void compare_along_a_way(const Call& call, const Point& before, const Point& x,
+                         const StressAfter& stress_after, const OfTangent& of, Random& random,
+                         Findings& out) {
+    const int n = call.components;
+    double way[6], difference[2][6];
+    random_tensor(random, 1.0, 2.0, n, way);
     for (int i = 0; i < 2; ++i) {
         const double h = (i == 0 ? 1e-3 : 5e-4) * norm_of_strain(before.strain);
-        Point plus = before, minus = before;
+        double plus[6], minus[6];
         for (int c = 0; c < 6; ++c) {
-            plus.strain[c] += h * way[c];
-            minus.strain[c] -= h * way[c];
+            plus[c] = before.strain[c] + h * way[c];
+            minus[c] = before.strain[c] - h * way[c];
         }
-        tight.options.tangent = GRIT_TANGENT_NONE;
-        update(tight, plus);
-        update(tight, minus);
-        if (plus.report.status != GRIT_OK || minus.report.status != GRIT_OK || plus.report.flags ||
-            minus.report.flags)
-            return;
-        for (int c = 0; c < 6; ++c)
-            difference[i][c] = (plus.stress[c] - minus.stress[c]) / (2.0 * h);
+        const auto after_plus = stress_after(plus), after_minus = stress_after(minus);
+        if (!after_plus || !after_minus) return;
+        for (std::size_t c = 0; c < 6; ++c)
+            difference[i][c] = ((*after_plus)[c] - (*after_minus)[c]) / (2.0 * h);
     }
-    double between[6], apart[6];
-    for (int c = 0; c < 6; ++c) {
-        between[c] = difference[0][c] - difference[1][c];
-        apart[c] = of_tangent[c] - difference[1][c];
+    double between[6], apart[6] = {};
+    for (int r = 0; r < 6; ++r) between[r] = difference[0][r] - difference[1][r];
+    for (int r = 0; r < n; ++r) {
+        for (int c = 0; c < n; ++c) apart[r] += x.tangent[r * n + c] * way[c];
+        apart[r] -= difference[1][r];
     }
     const double size = norm_of_stress(difference[1]);
     if (norm_of_stress(between) > 1e-4 * size) return;
-    out.count(differences);
+    out.count(of.count);
     const double error = norm_of_stress(apart) / size;
-    out.measure(tangent_error, error);
-    out.demand(tangent_is_difference, error <= 1e-2, [&] { return program_of(tight, before); });
+    out.measure(of.measure, error);
+    out.demand(of.rule, error <= 1e-2, [&] { return program_of(call, before); });
+}
+
+using Stress = std::array<double, 6>;
+
+// Of published sands, against differences of its own stresses.
+void compare_tangent(const Call& call, const Point& before, Random& random, Findings& out) {
+    if (!call.of_catalogue || norm_of_strain(before.strain) < 1e-8 || near_axis(before)) return;
+    const Call tight = to_differentiate(call);
+    Point x = before;
+    update(tight, x);
+    if (x.report.status != GRIT_OK || x.report.flags || near_axis(x)) return;
+    Call without = tight;
+    without.options.tangent = GRIT_TANGENT_NONE;
+    const auto stress_after = [&](const double* strain) -> std::optional<Stress> {
+        Point y = before;
+        std::copy(strain, strain + 6, y.strain);
+        update(without, y);
+        if (y.report.status != GRIT_OK || y.report.flags) return {};
+        return std::to_array(y.stress);
+    };
+    compare_along_a_way(tight, before, x, stress_after,
+                        {differences, tangent_error, tangent_is_difference}, random, out);
 }
 
 // Of sands of any parameters, where the stress is that of the reference: against its differences.
@@ -618,50 +646,23 @@ void compare_tangent_with_reference(const Call& call, const Point& before, Rando
         near_axis(before) ||
         (!basic && norm_of_strain(before.state) > call.parameters.elastic_strain_radius))
         return;
-    Call tight = call;
-    tight.options.tolerance = 1e-9;
-    tight.options.evaluation_limit = 200000;
-    tight.options.tangent = GRIT_TANGENT_CONSISTENT;
-    tight.advised = false;
+    const Call tight = to_differentiate(call);
     Point x = before, reference = before;
     update(tight, x);
     if (x.report.status != GRIT_OK || x.report.flags || near_axis(x)) return;
-    const auto stress_after = [&](const double* strain) {
-        return exact_update(call.parameters, before.stress, before.state, strain, basic);
+    const auto stress_after = [&](const double* strain) -> std::optional<Stress> {
+        const auto exact =
+            exact_update(call.parameters, before.stress, before.state, strain, basic);
+        if (!exact) return {};
+        return std::to_array(exact->stress);
     };
     const auto exact = stress_after(before.strain);
     if (!exact) return;
-    std::copy(exact->stress, exact->stress + 6, reference.stress);
+    std::copy(exact->begin(), exact->end(), reference.stress);
     if (stress_error(x, reference, before) > 1e-7) return;  // stiffer than it can follow
-    double way[6], of_tangent[6] = {}, difference[2][6];
-    random_tensor(random, 1.0, 2.0, call.components, way);
-    for (int r = 0; r < call.components; ++r)
-        for (int c = 0; c < call.components; ++c)
-            of_tangent[r] += x.tangent[r * call.components + c] * way[c];
-    for (int i = 0; i < 2; ++i) {
-        const double h = (i == 0 ? 1e-3 : 5e-4) * length;
-        double plus[6], minus[6];
-        for (int c = 0; c < 6; ++c) {
-            plus[c] = before.strain[c] + h * way[c];
-            minus[c] = before.strain[c] - h * way[c];
-        }
-        const auto after_plus = stress_after(plus), after_minus = stress_after(minus);
-        if (!after_plus || !after_minus) return;
-        for (int c = 0; c < 6; ++c)
-            difference[i][c] = (after_plus->stress[c] - after_minus->stress[c]) / (2.0 * h);
-    }
-    double between[6], apart[6];
-    for (int c = 0; c < 6; ++c) {
-        between[c] = difference[0][c] - difference[1][c];
-        apart[c] = c < call.components ? of_tangent[c] - difference[1][c] : 0.0;
-    }
-    const double size = norm_of_stress(difference[1]);
-    if (norm_of_stress(between) > 1e-4 * size) return;
-    out.count(differences_of_any);
-    const double error = norm_of_stress(apart) / size;
-    out.measure(tangent_error_of_any, error);
-    out.demand(tangent_is_that_of_reference, error <= 1e-2,
-               [&] { return program_of(tight, before); });
+    compare_along_a_way(tight, before, x, stress_after,
+                        {differences_of_any, tangent_error_of_any, tangent_is_that_of_reference},
+                        random, out);
 }
 
 // Work of a closed path of strain that starts without stress.

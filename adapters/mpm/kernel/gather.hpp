@@ -110,21 +110,10 @@ void gather_tasks(const GatherCall& call, Increments& increments, GatherSums& su
     else gather_by<shape, axisymmetric, false, false>(call, increments, sums);
 }
 
-template <bool axisymmetric>
-void gather_in(Shape shape, const GatherCall& call, Increments& increments, GatherSums& sums) {
-    switch (shape) {
-        case Shape::cpdi: return gather_tasks<Shape::cpdi, axisymmetric>(call, increments, sums);
-        case Shape::cpdi_published:
-            return gather_tasks<Shape::cpdi_published, axisymmetric>(call, increments, sums);
-        case Shape::ugimp: return gather_tasks<Shape::ugimp, axisymmetric>(call, increments, sums);
-        case Shape::point: return gather_tasks<Shape::point, axisymmetric>(call, increments, sums);
-    }
-}
-
 void gather(Shape shape, bool axisymmetric, const GatherCall& call, Increments& increments,
             GatherSums& sums) {
-    axisymmetric ? gather_in<true>(shape, call, increments, sums)
-                 : gather_in<false>(shape, call, increments, sums);
+    with_shape(shape, axisymmetric,
+               [&]<Shape of, bool axi>() { gather_tasks<of, axi>(call, increments, sums); });
 }
 
 GRIT_KERNEL_END

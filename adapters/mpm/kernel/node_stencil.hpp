@@ -51,4 +51,18 @@ template <bool a> struct StencilOf<Shape::cpdi_published, a> {
 template <bool a> struct StencilOf<Shape::ugimp, a> { using type = NodeStencil<a, true>; };
 template <bool a> struct StencilOf<Shape::point, a> { using type = NodeStencil<a, false>; };
 
+// act.operator()<shape, axisymmetric>(), compiled for each of them.
+template <bool axisymmetric, class Act> void with_shape(Shape shape, const Act& act) {
+    switch (shape) {
+        case Shape::cpdi: return act.template operator()<Shape::cpdi, axisymmetric>();
+        case Shape::cpdi_published:
+            return act.template operator()<Shape::cpdi_published, axisymmetric>();
+        case Shape::ugimp: return act.template operator()<Shape::ugimp, axisymmetric>();
+        case Shape::point: return act.template operator()<Shape::point, axisymmetric>();
+    }
+}
+template <class Act> void with_shape(Shape shape, bool axisymmetric, const Act& act) {
+    axisymmetric ? with_shape<true>(shape, act) : with_shape<false>(shape, act);
+}
+
 GRIT_KERNEL_END

@@ -59,17 +59,8 @@ template <Shape shape, bool axisymmetric> void scatter_parts(const ScatterCall& 
     else scatter_by<shape, axisymmetric, false>(call, sums);
 }
 
-template <bool axisymmetric> void scatter_in(Shape shape, const ScatterCall& call) {
-    switch (shape) {
-        case Shape::cpdi: return scatter_parts<Shape::cpdi, axisymmetric>(call);
-        case Shape::cpdi_published: return scatter_parts<Shape::cpdi_published, axisymmetric>(call);
-        case Shape::ugimp: return scatter_parts<Shape::ugimp, axisymmetric>(call);
-        case Shape::point: return scatter_parts<Shape::point, axisymmetric>(call);
-    }
-}
-
 void scatter(Shape shape, bool axisymmetric, const ScatterCall& call) {
-    axisymmetric ? scatter_in<true>(shape, call) : scatter_in<false>(shape, call);
+    with_shape(shape, axisymmetric, [&]<Shape of, bool axi>() { scatter_parts<of, axi>(call); });
 }
 
 GRIT_KERNEL_END

@@ -120,12 +120,11 @@ GRIT_INLINE TwoVelocities velocities_at(const Stencil& w, const NodeMotion* node
     return {{sum[0], sum[1]}, {sum[2], sum[3]}};
 }
 
-// What a velocity against the grains keeps of what no node sees, as drag takes it there in a step.
-GRIT_INLINE double kept_by_drag(const WaterGatherCall& call, std::ptrdiff_t p) {
+// What a velocity against the grains keeps of what no node sees, as drag takes it there in a step; mass: of the water.
+GRIT_INLINE double kept_by_drag(const WaterGatherCall& call, std::ptrdiff_t p, double mass) {
     const ParticleView& q = call.particles;
     const PoreWater& water = *call.water;
     const double e = water.void_ratio(q, p), V = q[column::V0][p] * q.J(p);
-    const double mass = water.mass(q, p);
     return 1.0 / (1.0 + call.dt * V * water.drag(e) * (1.0 / q[column::mass][p] + 1.0 / mass));
 }
 
@@ -137,8 +136,8 @@ GRIT_INLINE void move_water(const WaterGatherCall& call, const Stencil& w, std::
     const PoreWater& water = *call.water;
     const TwoVelocities grains = velocities_at(w, call.grains);
     const TwoVelocities flowing = velocities_at(w, call.flowing);
-    const double unseen = (1.0 - call.pic) * kept_by_drag(call, p);
     const double mass = water.mass(q, p);
+    const double unseen = (1.0 - call.pic) * kept_by_drag(call, p, mass);
     double kept = 0.0, lost = 0.0;
     for (int k = 0; k < 2; ++k) {
         const double of_grains = q[c::v_r + k][p], against = q[water.velocity_column() + k][p];
@@ -180,34 +179,13 @@ void gather_water_by(const WaterGatherCall& call, WaterSums& sums) {
     }
 }
 
-template <bool axisymmetric> void scatter_water_in(Shape shape, const WaterScatterCall& call) {
-    switch (shape) {
-        case Shape::cpdi: return scatter_water_by<Shape::cpdi, axisymmetric>(call);
-        case Shape::cpdi_published:
-            return scatter_water_by<Shape::cpdi_published, axisymmetric>(call);
-        case Shape::ugimp: return scatter_water_by<Shape::ugimp, axisymmetric>(call);
-        case Shape::point: return scatter_water_by<Shape::point, axisymmetric>(call);
-    }
-}
-
 void scatter_water(Shape shape, bool axisymmetric, const WaterScatterCall& call) {
-    axisymmetric ? scatter_water_in<true>(shape, call) : scatter_water_in<false>(shape, call);
-}
-
-template <bool axisymmetric>
-void gather_water_in(Shape shape, const WaterGatherCall& call, WaterSums& sums) {
-    switch (shape) {
-        case Shape::cpdi: return gather_water_by<Shape::cpdi, axisymmetric>(call, sums);
-        case Shape::cpdi_published:
-            return gather_water_by<Shape::cpdi_published, axisymmetric>(call, sums);
-        case Shape::ugimp: return gather_water_by<Shape::ugimp, axisymmetric>(call, sums);
-        case Shape::point: return gather_water_by<Shape::point, axisymmetric>(call, sums);
-    }
+    with_shape(shape, axisymmetric, [&]<Shape of, bool axi>() { scatter_water_by<of, axi>(call); });
 }
 
 void gather_water(Shape shape, bool axisymmetric, const WaterGatherCall& call, WaterSums& sums) {
-    axisymmetric ? gather_water_in<true>(shape, call, sums)
-                 : gather_water_in<false>(shape, call, sums);
+    with_shape(shape, axisymmetric,
+               [&]<Shape of, bool axi>() { gather_water_by<of, axi>(call, sums); });
 }
 
 GRIT_KERNEL_END
