@@ -127,6 +127,7 @@ TEST(ContactSums, TotalTheReports) {
         for (int c = 0; c < 3; ++c) {
             EXPECT_NEAR(t.force_on_b[c], double(force[c]), 1e-15 * scale);
             EXPECT_NEAR(t.moment_on_b[c], double(moment[c]), 1e-14 * scale);
+            EXPECT_EQ(t.impulse_on_a[c], -t.impulse_on_b[c]);
             EXPECT_EQ(t.force_on_a[c], -t.force_on_b[c]);
             EXPECT_EQ(t.moment_on_a[c], -t.moment_on_b[c]);
             EXPECT_NEAR(t.impulse_on_b[c], 1e-3 * t.force_on_b[c], 1e-17 * scale);

@@ -93,4 +93,22 @@ TEST(IntergranularStiffness, GivesTheSmallStrainShearModulusAtIsotropicStress) {
         }
 }
 
+TEST(IntergranularStiffness, IsNotThereWithoutIntergranularStrain) {
+    const Sand with_memory = four_sands()[0];
+    grit_sand_parameters p = with_memory.p;
+    for (double* each : {&p.reversal_stiffness, &p.transverse_stiffness, &p.elastic_strain_radius,
+                         &p.evolution_exponent, &p.stiffness_interpolation_exponent})
+        *each = NAN;
+    grit_sand plain;
+    ASSERT_EQ(grit_sand_prepare(&p, &plain, nullptr), GRIT_OK);
+    State x;
+    x.T = -100.0 * identity();
+    x.e = void_ratio_at(with_memory, 100.0, 0.5);
+    const double D[6] = {0.0, 0.0, 0.0, 1.0, 0.0, 0.0};
+    double M[36];
+    EXPECT_EQ(grit_sand_intergranular_stiffness(&plain, voigt_stress(x.T).data(),
+                                                state_array(x).data(), D, M),
+              GRIT_BAD_CALL);
+}
+
 }  // namespace
