@@ -65,8 +65,15 @@ Curve computed(const Finding& finding, const Table& table, const std::string& la
     return out;
 }
 
-Curve reference(const Finding& finding, const std::string& label) {
-    return {label, standardised(read_table(finding.reference)), {}, true, -1};
+// of: empty, or the run that it belongs to.
+Curve reference(const Finding& finding, const std::string& of) {
+    const bool measured = head_of(finding.reference).made.starts_with("measured");
+    const std::string label = measured ? "measured" : "reference";
+    return {of.empty() ? label : fmt::format("{}: {}", label, of),
+            standardised(read_table(finding.reference)),
+            {},
+            true,
+            -1};
 }
 
 std::string kind_of(const Finding& finding, const Table& table) {
@@ -76,7 +83,7 @@ std::string kind_of(const Finding& finding, const Table& table) {
 std::vector<Panel> panels_in(const Finding& finding, const Table& table) {
     if (is_element_test(table)) {
         std::vector<Curve> curves = {computed(finding, table, "computed", 0)};
-        if (!finding.reference.empty()) curves.push_back(reference(finding, "reference"));
+        if (!finding.reference.empty()) curves.push_back(reference(finding, ""));
         return picture_of_curves(kind_of(finding, table), "", curves).panels;
     }
 #ifdef GRIT_CLI_HAS_MPM
@@ -110,8 +117,7 @@ std::vector<Panel> panels_of_comparison(const Finding& finding) {
         if (kind.empty()) kind = kind_of(files, table);
         const std::string label = run.label.empty() ? head_of(files.table).title : run.label;
         runs.push_back(computed(files, table, label, static_cast<int>(runs.size())));
-        if (!files.reference.empty())
-            references.push_back(reference(files, fmt::format("reference: {}", label)));
+        if (!files.reference.empty()) references.push_back(reference(files, label));
     }
     if (runs.size() < 2) return {};
     runs.insert(runs.end(), references.begin(), references.end());
