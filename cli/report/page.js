@@ -2,7 +2,7 @@
 "use strict";
 const colours = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00"], dataColour = "#222222";
 const shown = new Intl.NumberFormat("en", { maximumSignificantDigits: 5, useGrouping: false });
-const text = value => shown.format(Math.abs(value) < 1e-12 ? 0 : value);
+const text = value => Math.abs(value) < 1e-12 ? "0" : Math.abs(value) < 1e-4 ? Number(value.toPrecision(5)).toExponential() : shown.format(value);
 const element = (name, parent, properties) => parent.appendChild(Object.assign(document.createElement(name), properties));
 const dataOf = place => JSON.parse(place.querySelector("script").textContent);
 
@@ -75,7 +75,7 @@ function drawCurves(place) {
       hidden: !panel.all && many && series.colour > 2,
     }));
     const logarithmic = {
-      type: "logarithmic", ticks: { callback: value => text(value) },
+      type: "logarithmic", bounds: "data", ticks: { callback: value => text(value) },
       afterBuildTicks: scale => { scale.ticks = logTicks(scale.min, scale.max).map(value => ({ value })); },
     };
     const axis = (text, more) => ({ title: { display: Boolean(text), text }, ...more });

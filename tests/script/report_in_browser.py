@@ -91,9 +91,9 @@ try:
 
     # A logarithmic axis has numbers to read it by, in a window too.
     ticks = script("""const chart = Chart.getChart(document.querySelectorAll("section[id='study/comparison'] canvas")[3]), x = chart.scales.x;
-        return [x.type, x.ticks.map(tick => tick.label), logTicks(1, 1000), logTicks(100, 160), logTicks(1e-6, 1e6).length]""")
-    assert ticks[0] == "logarithmic" and ticks[1] == ["100", "120", "140", "160", "180", "200"], ticks
-    assert ticks[2] == [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000] and ticks[3][0] == 100 and 3 < len(ticks[3]) < 8 and ticks[4] == 13, ticks
+        return [x.type, x.ticks.map(tick => tick.label), logTicks(1, 1000), logTicks(100, 160), logTicks(1e-6, 1e6).length, text(1e-6)]""")
+    assert ticks[0] == "logarithmic" and ticks[1] == ["100", "120", "140", "160", "180"], ticks
+    assert ticks[2] == [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000] and ticks[3][0] == 100 and 3 < len(ticks[3]) < 8 and ticks[4:] == [13, "1e-6"], ticks
 
     table = browser.find_element(By.CSS_SELECTOR, "section#table canvas")
     script("arguments[0].scrollIntoView({block: 'center'})", table)
