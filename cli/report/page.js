@@ -35,7 +35,7 @@ function logTicks(low, high) {
   };
   const some = of([1, 2, 5]);
   if (some.length > 12) return of([1]);
-  return some.length > 2 ? some : evenTicks(low, high, 5);
+  return some.length > 2 ? some : evenTicks(low, high, 8);
 }
 
 // A rectangle dragged over a chart becomes its window, a double click takes it back; a click on a name of the key turns its
@@ -76,6 +76,11 @@ function drawCurves(place) {
     }));
     const logarithmic = {
       type: "logarithmic", bounds: "data", ticks: { callback: value => text(value) },
+      afterDataLimits: scale => {  // a little room beside the data, none in a window
+        if (scale.options.min !== undefined) return;
+        const room = (scale.max / scale.min) ** 0.02;
+        Object.assign(scale, { min: scale.min / room, max: scale.max * room });
+      },
       afterBuildTicks: scale => { scale.ticks = logTicks(scale.min, scale.max).map(value => ({ value })); },
     };
     const axis = (text, more) => ({ title: { display: Boolean(text), text }, ...more });

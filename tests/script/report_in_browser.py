@@ -73,6 +73,8 @@ try:
         assert [each[:3] for each in runs] == [[f"void_ratio = {e}", True, False] for e in (0.65, 0.7, 0.8)], runs
         assert len({each[3] for each in runs}) == 3, runs
     dense = "Dense Lausitz sand, e 0.55, 100 kPa"
+    order = script("return [...document.querySelectorAll('section[id^=\"study/laus\"]')].map(section => section.id)")
+    assert order == [f"study/lausitz_dense_{e}" for e in (0.65, 0.7, 0.8)], order
     assert heading("study/comparison") == dense + ": all runs", heading("study/comparison")
     assert heading("study/lausitz_dense_0.7") == dense + ": void_ratio = 0.7", heading("study/lausitz_dense_0.7")
     assert heading("pair/lausitz_dense") == dense + " (pair/lausitz_dense)", heading("pair/lausitz_dense")
