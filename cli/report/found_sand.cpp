@@ -31,7 +31,7 @@ struct Interval {
 // "  h_s 4.4962e+05 ... 5.6924e+07 kPa, open to its bound".
 bool take_interval(const std::string& comment, std::map<std::string, Interval>& out) {
     std::istringstream words(comment);
-    std::string symbol, dots, unit, remark;
+    std::string symbol, dots, unit;
     Interval one;
     if (!(words >> symbol >> one.lowest >> dots >> one.highest >> unit) || dots != "...")
         return false;
