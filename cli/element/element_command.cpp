@@ -15,6 +15,7 @@
 #include "cli/plot/panels.hpp"
 #include "cli/process/outputs.hpp"
 #include "cli/process/standard_streams.hpp"
+#include "cli/process/version.hpp"
 #include "cli/table/table_file.hpp"
 #include "element/atomic_file.hpp"
 
@@ -99,14 +100,44 @@ fs::path cycles_of(const ElementRequest& request, const CaseFile& file) {
     return request.out / (file.name + "_cycles.csv");
 }
 
+// Points of the case's reference, to be drawn with the result.
+fs::path reference_of(const ElementRequest& request, const CaseFile& file) {
+    return request.out / (file.name + "_reference.csv");
+}
+
+// Which runs belong together.
+fs::path comparison_of(const ElementRequest& request) { return request.out / "comparison.csv"; }
+
 fs::path references_of(const ElementRequest& request) { return request.out / "references.csv"; }
 
 // By runs at one time in one folder the last one's stays: nobody is kept from writing it.
-void write_rows(const fs::path& path, const std::vector<std::vector<std::string>>& rows) {
+void write_rows(const fs::path& path, const std::vector<std::vector<std::string>>& rows,
+                const std::string& comment = {}) {
     element::AtomicFile file(path);
+    if (!comment.empty()) file.write(fmt::format("# {}\n", comment));
     for (const std::vector<std::string>& row : rows)
         file.write(fmt::format("{}\n", fmt::join(row, ",")));
     file.complete();
+}
+
+void write_reference(const fs::path& path, const CaseFile& file) {
+    Table curve = file.reference.curve;
+    std::erase_if(curve.columns, [](const Column& column) { return !column.problem.empty(); });
+    write_table(path,
+                {fmt::format("Grit {}, {} beside case {}: {}", version(), reference_label(file),
+                             file.name, file.reference.origin)},
+                curve);
+}
+
+void write_comparison(const fs::path& path, const std::vector<CaseFile>& cases) {
+    std::vector<std::vector<std::string>> rows = {{"run", "label"}};
+    for (const CaseFile& file : cases) {
+        std::string label = file.variant;  // a case as it stands is called by its title
+        std::replace(label.begin(), label.end(), ',', ';');
+        rows.push_back({file.name, label});
+    }
+    write_rows(path, rows,
+               fmt::format("Grit {}, comparison: {}", version(), title_of_comparison(cases)));
 }
 
 Outputs outputs_of(const ElementRequest& request, const std::vector<CaseFile>& cases) {
@@ -117,7 +148,9 @@ Outputs outputs_of(const ElementRequest& request, const std::vector<CaseFile>& c
         if (std::any_of(file.stages.begin(), file.stages.end(),
                         [](const CaseStage& stage) { return stage.cyclic; }))
             outputs.add(cycles_of(request, file), who);
+        if (file.reference.curve.rows() > 0) outputs.add(reference_of(request, file), who);
     }
+    if (are_compared(cases)) outputs.add(comparison_of(request), "the comparison of cases");
     if (!request.no_plot)
         for (const auto& [picture, who] : pictures_of(cases))
             for (const char* ending : {".svg", ".png"})
@@ -170,9 +203,11 @@ ExitCode run_element_tests(const ElementRequest& request) {
         const CaseResult& result = results.back();
         if (!result.cycles.columns.empty())
             write_table(cycles_of(request, file), comments_of_cycles(file), result.cycles);
+        if (file.reference.curve.rows() > 0) write_reference(reference_of(request, file), file);
         report(request, file, result);
         complete = complete && result.failure.empty();
     }
+    if (are_compared(cases)) write_comparison(comparison_of(request), cases);
     if (!request.no_plot && !draw_cases(request.out, cases, results, request.quiet))
         complete = false;
     const Comparison comparison = compare(cases, results);

@@ -24,12 +24,6 @@ Curve reference(const CaseFile& file, const std::string& label) {
     return {label, file.reference.curve, {}, true, -1};
 }
 
-bool alike(const std::vector<CaseFile>& cases) {
-    return std::all_of(cases.begin(), cases.end(), [&](const CaseFile& file) {
-        return file.picture == cases.front().picture && file.sample.empty();
-    });
-}
-
 constexpr std::size_t most_sheets = 4;
 
 std::string sheet_name(const CaseFile& file, std::size_t panel) {
@@ -40,8 +34,7 @@ std::vector<Curve> curves_of(const CaseFile& file, const CaseResult& result) {
     Curve run = computed(file, result, 0);
     run.label = "computed";
     std::vector<Curve> out = {run};
-    if (has_reference(file))
-        out.push_back(reference(file, file.sample.empty() ? "reference" : "measured"));
+    if (has_reference(file)) out.push_back(reference(file, reference_label(file)));
     return out;
 }
 
@@ -67,6 +60,23 @@ Picture sheet(const std::vector<const CaseFile*>& files,
 
 }  // namespace
 
+bool are_compared(const std::vector<CaseFile>& cases) {
+    return cases.size() > 1 && std::all_of(cases.begin(), cases.end(), [&](const CaseFile& file) {
+               return file.picture == cases.front().picture && file.sample.empty();
+           });
+}
+
+std::string title_of_comparison(const std::vector<CaseFile>& cases) {
+    const bool study = std::all_of(cases.begin(), cases.end(), [&](const CaseFile& file) {
+        return !file.variant.empty() && file.path == cases.front().path;
+    });
+    return study ? cases.front().title : "Comparison";
+}
+
+std::string reference_label(const CaseFile& file) {
+    return file.sample.empty() ? "reference" : "measured";
+}
+
 std::vector<std::pair<std::string, std::string>> pictures_of(const std::vector<CaseFile>& cases) {
     std::vector<std::pair<std::string, std::string>> out;
     std::set<std::filesystem::path> sampled;
@@ -77,7 +87,7 @@ std::vector<std::pair<std::string, std::string>> pictures_of(const std::vector<C
             for (std::size_t i = 0; i < std::min(most_sheets, panels_of(file.picture)); ++i)
                 out.emplace_back(sheet_name(file, i), "the samples of " + file.path.string());
     }
-    if (cases.size() > 1 && alike(cases)) out.emplace_back("comparison", "the comparison of cases");
+    if (are_compared(cases)) out.emplace_back("comparison", "the comparison of cases");
     return out;
 }
 
@@ -98,19 +108,15 @@ bool draw_cases(const std::filesystem::path& folder, const std::vector<CaseFile>
         if (cases.size() > 1)
             all.push_back(computed(cases[i], results[i], static_cast<int>(all.size())));
     }
-    if (cases.size() > 1 && alike(cases)) {
+    if (are_compared(cases)) {
         bool labelled = false;
         for (const CaseFile& file : cases)
             if (has_reference(file)) {
                 all.push_back(reference(file, labelled ? "" : "reference"));
                 labelled = true;
             }
-        const bool study = std::all_of(cases.begin(), cases.end(), [&](const CaseFile& file) {
-            return !file.variant.empty() && file.path == cases.front().path;
-        });
         maker.draw("comparison",
-                   picture_of_curves(cases.front().picture,
-                                     study ? cases.front().title : "Comparison", all));
+                   picture_of_curves(cases.front().picture, title_of_comparison(cases), all));
     }
     for (const auto& [path, which] : samples) {
         std::vector<const CaseFile*> files;

@@ -10,16 +10,19 @@
 #include "cli/mpm/colour_range.hpp"
 #include "cli/mpm/pictures.hpp"
 #include "cli/plot/gnuplot.hpp"
+#include "cli/plot/viridis.hpp"
 
 namespace cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Viridis (Smith & van der Walt 2015): even steps look even, in grey and to colour-blind readers too.
-constexpr const char* palette =
-    "set palette defined (0 '#440154', 1 '#472d7b', 2 '#3b528b', 3 '#2c728e', 4 '#21918c', "
-    "5 '#28ae80', 6 '#5ec962', 7 '#addc30', 8 '#fde725') maxcolors 0\n";
+std::string palette() {
+    std::string out;
+    for (std::size_t i = 0; i < viridis.size(); ++i)
+        out += fmt::format("{}{} '{}'", i == 0 ? "" : ", ", i, viridis[i]);
+    return fmt::format("set palette defined ({}) maxcolors 0\n", out);
+}
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -153,7 +156,7 @@ std::string sheet(const FieldPicture& picture, const Window& w, const Frame& fra
         "set xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\nset cbrange [{:.9g}:{:.9g}]\n"
         "set cblabel {} noenhanced offset 1,0\nset format cb '%.4g'\nunset key\n{}{}",
         gnuplot_quoted(picture.title), picture.across, w.r0, w.r1, w.z0, w.z1, colours.low,
-        colours.high, gnuplot_quoted(label(picture.field, colours)), palette, frame.margins());
+        colours.high, gnuplot_quoted(label(picture.field, colours)), palette(), frame.margins());
     // Some four tics along the shorter side.
     if (frame.plot_width < 300)
         out += fmt::format("set xtics {:g} offset 0,0.5\n", [](double x) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 #include <fmt/format.h>
 
@@ -14,26 +13,12 @@
 #include "cli/plot/thinning.hpp"
 #include "cli/process/exit_code.hpp"
 #include "cli/report/json_text.hpp"
+#include "cli/report/result_head.hpp"
 #include "cli/table/foreign_columns.hpp"
 #include "element/number.hpp"
 
 namespace cli {
 namespace {
-
-std::vector<std::string> lines_above(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    std::vector<std::string> out;
-    for (std::string line; std::getline(file, line) && line.starts_with('#');)
-        out.push_back(line.substr(std::min<std::size_t>(line.size(), 2)));
-    return out;
-}
-
-// "Grit 0.1.0, case NAME: TITLE".
-std::string title_in(const std::vector<std::string>& comments) {
-    if (comments.empty() || !comments.front().starts_with("Grit ")) return "";
-    const std::size_t at = comments.front().find(": ");
-    return at == std::string::npos ? "" : comments.front().substr(at + 2);
-}
 
 bool has(const Table& table, std::initializer_list<const char*> names) {
     return std::all_of(names.begin(), names.end(), [&](const char* name) {
@@ -62,25 +47,81 @@ std::vector<Panel> plain(const Table& table) {
     return out.series.empty() ? std::vector<Panel>{} : std::vector<Panel>{out};
 }
 
-Curve curve_of(const Finding& finding, const Table& table) {
+bool is_element_test(const Table& table) {
+    return has(table, {"stress_11", "strain_11", "gamma_12", "void_ratio", "volumetric_strain", "p",
+                       "axial_deviator"});
+}
+
+bool is_history(const Table& table) {
+    return has(table, {"t", "depth", "velocity", "kinetic_energy", "energy_residual"});
+}
+
+Curve computed(const Finding& finding, const Table& table, const std::string& label, int colour) {
     Curve out;
-    out.label = "computed";
+    out.label = label;
     out.table = standardised(table);
     if (!finding.cycles.empty()) out.cycles = read_table(finding.cycles);
+    out.colour = colour;
     return out;
 }
 
+// of: empty, or the run that it belongs to.
+Curve reference(const Finding& finding, const std::string& of) {
+    const bool measured = head_of(finding.reference).made.starts_with("measured");
+    const std::string label = measured ? "measured" : "reference";
+    return {of.empty() ? label : fmt::format("{}: {}", label, of),
+            standardised(read_table(finding.reference)),
+            {},
+            true,
+            -1};
+}
+
+std::string kind_of(const Finding& finding, const Table& table) {
+    return finding.cycles.empty() ? picture_of_path(table) : "degradation";
+}
+
 std::vector<Panel> panels_in(const Finding& finding, const Table& table) {
-    if (has(table, {"stress_11", "strain_11", "gamma_12", "void_ratio", "volumetric_strain", "p",
-                    "axial_deviator"})) {
-        const std::string kind = finding.cycles.empty() ? picture_of_path(table) : "degradation";
-        return picture_of_curves(kind, "", {curve_of(finding, table)}).panels;
+    if (is_element_test(table)) {
+        std::vector<Curve> curves = {computed(finding, table, "computed", 0)};
+        if (!finding.reference.empty()) curves.push_back(reference(finding, ""));
+        return picture_of_curves(kind_of(finding, table), "", curves).panels;
     }
 #ifdef GRIT_CLI_HAS_MPM
-    if (has(table, {"t", "depth", "velocity", "kinetic_energy", "energy_residual"}))
-        return picture_of_history(table, "").panels;
+    if (is_history(table)) return picture_of_history(table, "").panels;
 #endif
     return plain(table);
+}
+
+// Files of a run beside a comparison.
+Finding run_beside(const Finding& comparison, const std::string& name) {
+    const auto file = [&](const char* ending) {
+        std::filesystem::path out = comparison.table.parent_path() / (name + ending);
+        return std::filesystem::is_regular_file(out) ? out : std::filesystem::path();
+    };
+    Finding out;
+    out.stem = name;
+    out.table = file(".csv");
+    out.cycles = file("_cycles.csv");
+    out.reference = file("_reference.csv");
+    return out;
+}
+
+std::vector<Panel> panels_of_comparison(const Finding& finding) {
+    std::vector<Curve> runs, references;
+    std::string kind;
+    for (const ComparedRun& run : compared_runs(finding)) {
+        const Finding files = run_beside(finding, run.name);
+        if (files.table.empty()) continue;
+        const Table table = read_table(files.table);
+        if (!is_element_test(table)) continue;
+        if (kind.empty()) kind = kind_of(files, table);
+        const std::string label = run.label.empty() ? head_of(files.table).title : run.label;
+        runs.push_back(computed(files, table, label, static_cast<int>(runs.size())));
+        if (!files.reference.empty()) references.push_back(reference(files, label));
+    }
+    if (runs.size() < 2) return {};
+    runs.insert(runs.end(), references.begin(), references.end());
+    return picture_of_curves(kind, "", runs).panels;
 }
 
 bool all_numbers(const Table& table) {
@@ -101,32 +142,52 @@ std::string unmarked(const std::string& label) {
 
 }  // namespace
 
+bool is_comparison(const Finding& finding) {
+    return finding.table.filename() == "comparison.csv" &&
+           read_cells(finding.table).rows.front() == std::vector<std::string>{"run", "label"};
+}
+
+std::vector<ComparedRun> compared_runs(const Finding& finding) {
+    std::vector<ComparedRun> out;
+    const std::vector<std::vector<std::string>> rows = read_cells(finding.table).rows;
+    for (std::size_t i = 1; i < rows.size(); ++i) out.push_back({rows[i][0], rows[i][1]});
+    return out;
+}
+
 Shown shown_of(const Finding& finding) {
     Shown out;
-    out.comments = lines_above(finding.table);
-    out.title = title_in(out.comments);
-    const Table table = read_table(finding.table);
-    if (all_numbers(table)) out.panels = panels_in(finding, table);
+    if (is_comparison(finding)) {
+        out.panels = panels_of_comparison(finding);
+        out.compared = !out.panels.empty();
+        out.command = "grit element";
+    } else if (const Table table = read_table(finding.table); all_numbers(table)) {
+        out.panels = panels_in(finding, table);
+        if (is_element_test(table)) out.command = "grit element";
+        else if (is_history(table)) out.command = "grit mpm";
+    }
     if (out.panels.empty()) out.cells = read_cells(finding.table).rows;
     return out;
 }
 
-std::string json_of(const std::vector<Panel>& panels) {
+std::string json_of(const Shown& shown) {
     std::string out = "[";
-    for (const Panel& panel : panels) {
-        const bool marked = !panel.own_key && panel.series.size() <= 2;  // labels of axis.hpp
-        const auto words = [&](const std::string& label) {
+    for (const Panel& panel : shown.panels) {
+        const bool marked = shown.compared || (!panel.own_key && panel.series.size() <= 2);
+        const auto words = [&](const std::string& label) {  // labels of axis.hpp
             return json_text(marked ? unmarked(label) : label);
         };
-        out += fmt::format("{}{{\"x\":{},\"y\":{},\"log\":{},\"zero\":{},\"series\":[",
+        out += fmt::format("{}{{\"x\":{},\"y\":{},\"log\":{},\"zero\":{},\"all\":{},\"series\":[",
                            out.size() > 1 ? "," : "", words(panel.x_label), words(panel.y_label),
-                           panel.log_x, panel.y_from_zero);
-        for (const Series& series : panel.series)
-            out += fmt::format("{}{{\"label\":{},\"points\":{},\"colour\":{},\"x\":{},\"y\":{}}}",
-                               &series == &panel.series.front() ? "" : ",",
-                               json_text(series.label.empty() ? panel.y_label : series.label),
-                               series.points, series.colour, json_numbers(series.x),
-                               json_numbers(series.y));
+                           panel.log_x, panel.y_from_zero, shown.compared);
+        bool first = true;
+        for (const Series& series : panel.series) {
+            if (series.x.empty()) continue;  // a reference that has no such column
+            out += fmt::format(
+                "{}{{\"label\":{},\"points\":{},\"colour\":{},\"x\":{},\"y\":{}}}",
+                first ? "" : ",", json_text(series.label.empty() ? panel.y_label : series.label),
+                series.points, series.colour, json_numbers(series.x), json_numbers(series.y));
+            first = false;
+        }
         out += "]}";
     }
     return out + "]";

@@ -13,15 +13,23 @@ namespace cli {
 
 // What a table of results shows: curves where it has numbers, else its cells.
 struct Shown {
-    std::string title;
-    std::vector<std::string> comments;  // above its columns
-    std::vector<Panel> panels;          // none: a table of words
+    std::vector<Panel> panels;  // none: a table of words
     std::vector<std::vector<std::string>> cells;
+    bool compared = false;  // of runs that belong together
+    std::string command;    // that writes such tables; empty: not known
 };
 
-// Panels as grit element and grit mpm draw them; of tables that are none of theirs all columns over the first. Throws BadInput.
+// A row of comparison.csv of grit element: a run beside it.
+struct ComparedRun {
+    std::string name, label;  // no label: by its title
+};
+bool is_comparison(const Finding& finding);
+std::vector<ComparedRun> compared_runs(const Finding& finding);  // throws BadInput
+
+// Panels as grit element and grit mpm draw them, with the points of a reference; of a comparison those of all its runs; of tables
+// that are none of theirs all columns over the first. Throws BadInput.
 Shown shown_of(const Finding& finding);
 
-std::string json_of(const std::vector<Panel>& panels);
+std::string json_of(const Shown& shown);
 
 }  // namespace cli

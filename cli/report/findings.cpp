@@ -4,14 +4,17 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "cli/process/exit_code.hpp"
+#include "cli/report/found_sand.hpp"
 
 namespace cli {
 namespace {
@@ -26,28 +29,79 @@ void take_picture(Finding& finding, const fs::path& path) {
         finding.picture = path;
 }
 
-// "sheet2" before "sheet10".
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// "sheet2" before "sheet10", "e_0.55" before "e_0.6".
 bool before(const std::string& a, const std::string& b) {
-    return strverscmp(a.c_str(), b.c_str()) < 0;
+    const char *i = a.data(), *k = b.data();
+    const char *const a_end = i + a.size(), *const b_end = k + b.size();
+    while (i != a_end && k != b_end) {
+        if (is_digit(*i) && is_digit(*k)) {
+            double one = 0.0, two = 0.0;
+            i = std::from_chars(i, a_end, one, std::chars_format::fixed).ptr;
+            k = std::from_chars(k, b_end, two, std::chars_format::fixed).ptr;
+            if (one != two) return one < two;
+        } else if (*i != *k) {
+            return *i < *k;
+        } else {
+            ++i, ++k;
+        }
+    }
+    return i == a_end && k == b_end ? a < b : i == a_end;
+}
+
+// Without an ending that says what it is to another file; false: it has none.
+bool cut_off(std::string& stem, const char* ending) {
+    if (!stem.ends_with(ending)) return false;
+    stem.resize(stem.size() - std::strlen(ending));
+    return true;
+}
+
+// Which of a finding's files it is, and the stem by which it belongs to others; null: none, or a picture.
+fs::path Finding::*place_of(const fs::path& path, std::string& stem) {
+    const std::string ending = path.extension().string();
+    if (ending == ".csv")
+        return cut_off(stem, "_cycles")      ? &Finding::cycles
+               : cut_off(stem, "_reference") ? &Finding::reference
+                                             : &Finding::table;
+    if (ending == ".pvd") return &Finding::frames;
+    if (ending == ".json") return &Finding::numbers;
+    if (ending == ".txt") return &Finding::words;
+    if (ending == ".toml" && stem.ends_with("_sand") && is_found_sand(path)) return &Finding::sand;
+    if (ending == ".html" && stem.ends_with("_report") && is_calibration_page(path)) {
+        cut_off(stem, "_report");
+        stem += "_sand";
+        return &Finding::sand_page;
+    }
+    return nullptr;
 }
 
 void take(std::map<std::string, Finding>& found, const fs::path& folder, const fs::path& path) {
-    const std::string ending = path.extension().string();
     fs::path below = fs::relative(path, folder);
     std::string stem = below.replace_extension().generic_string();
-    const bool cycles = ending == ".csv" && stem.ends_with("_cycles");
-    if (cycles) stem.resize(stem.size() - std::strlen("_cycles"));
-    fs::path Finding::*place = ending == ".csv"    ? (cycles ? &Finding::cycles : &Finding::table)
-                               : ending == ".pvd"  ? &Finding::frames
-                               : ending == ".json" ? &Finding::numbers
-                               : ending == ".txt"  ? &Finding::words
-                                                   : nullptr;
-    const bool picture = ending == ".svg" || ending == ".png";
+    fs::path Finding::*place = place_of(path, stem);
+    const bool picture = path.extension() == ".svg" || path.extension() == ".png";
     if (!place && !picture) return;
     Finding& finding = found[stem];
     finding.stem = stem;
     if (picture) take_picture(finding, path);
     else finding.*place = path;
+}
+
+// A reference of nothing is a table like others.
+void free_references(std::map<std::string, Finding>& found) {
+    std::vector<Finding> alone;
+    for (auto& [stem, finding] : found) {
+        if (finding.reference.empty() || !finding.table.empty()) continue;
+        alone.emplace_back().stem = stem + "_reference";
+        alone.back().table = std::exchange(finding.reference, {});
+    }
+    for (Finding& finding : alone) found[finding.stem] = std::move(finding);
+    std::erase_if(found, [](const auto& each) {
+        const Finding& f = each.second;
+        return f.table.empty() && f.cycles.empty() && f.picture.empty() && f.frames.empty() &&
+               f.numbers.empty() && f.words.empty() && f.sand.empty() && f.sand_page.empty();
+    });
 }
 
 }  // namespace
@@ -63,8 +117,11 @@ std::vector<Finding> findings_in(const fs::path& folder) {
         if (at->is_regular_file(problem) && !problem) take(found, folder, at->path());
     }
     if (problem) throw BadInput(fmt::format("{}: {}", folder.string(), problem.message()));
+    free_references(found);
     if (found.empty())
-        throw BadInput(fmt::format("{}: no results: neither tables nor pictures", folder.string()));
+        throw BadInput(fmt::format("{}: no results: neither tables, pictures, frames nor what "
+                                   "grit calibrate writes",
+                                   folder.string()));
     std::vector<Finding> out;
     for (auto& [stem, finding] : found) out.push_back(std::move(finding));
     std::sort(out.begin(), out.end(),

@@ -10,8 +10,9 @@ namespace cli {
 
 struct Finding {
     std::string stem;  // below the folder: "contact/bar_impact"
-    std::filesystem::path table, cycles, picture, frames, numbers,
-        words;  // .csv, _cycles.csv, .png or .svg, .pvd, .json, .txt
+    std::filesystem::path table, cycles, reference, picture, frames, numbers,
+        words;  // .csv, _cycles.csv, _reference.csv, .png or .svg, .pvd, .json, .txt
+    std::filesystem::path sand, sand_page;  // NAME_sand.toml and NAME_report.html of grit calibrate
     bool shown = false;
 };
 

@@ -198,7 +198,7 @@ std::vector<std::pair<double, std::vector<fs::path>>> files_in(const fs::path& l
 
 }  // namespace
 
-std::string frames_of(const fs::path& list) {
+std::string frames_of(const fs::path& list, const std::string& across) {
     const auto files = files_in(list);
     std::vector<Particles> frames;
     Values times;
@@ -232,11 +232,12 @@ std::string frames_of(const fs::path& list) {
     const auto bounds = [](const Range& range) {
         return fmt::format("[{:.8g},{:.8g}]", range.low, range.high);
     };
-    std::string out =
-        fmt::format("{{\"of\":{},\"slice\":{},\"times\":{},\"x\":{},\"y\":{},\"edge\":{},"
-                    "\"variables\":{{",
-                    files.size(), slice ? fmt::format("{:.4g}", *slice) : std::string("null"),
-                    json_numbers(times), bounds(x), bounds(y), bounds(edge));
+    std::string out = fmt::format(
+        "{{\"of\":{},\"across\":{},\"slice\":{},\"times\":{},\"x\":{},\"y\":{},\"edge\":{},"
+        "\"variables\":{{",
+        files.size(), json_text(slice ? "x" : across),
+        slice ? fmt::format("{:.4g}", *slice) : std::string("null"), json_numbers(times), bounds(x),
+        bounds(y), bounds(edge));
     bool first = true;
     for (const auto& [name, range] : ranges) {
         out += fmt::format("{}{}:{}", first ? "" : ",", json_text(name), bounds(range));

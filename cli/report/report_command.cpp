@@ -2,10 +2,16 @@
 #include "cli/report/report_command.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <map>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "cli/plot/viridis.hpp"
 #include "cli/process/markup.hpp"
 #include "cli/process/outputs.hpp"
 #include "cli/process/standard_streams.hpp"
@@ -13,8 +19,11 @@
 #include "cli/report/charts.hpp"
 #include "cli/report/embedded.hpp"
 #include "cli/report/findings.hpp"
+#include "cli/report/found_sand.hpp"
 #include "cli/report/frames.hpp"
 #include "cli/report/json_text.hpp"
+#include "cli/report/result_head.hpp"
+#include "cli/table/table.hpp"
 #include "element/atomic_file.hpp"
 
 namespace cli {
@@ -24,15 +33,43 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_rows = 400;  // of a table of words
 
+constexpr const char* generator = "<meta name=\"generator\" content=\"grit report\">";
+
+// Nobody's page but one of grit report is written over; the first ones had no generator in their head.
+void spare_pages_of_others(const fs::path& place) {
+    if (!fs::is_regular_file(place) || fs::is_empty(place)) return;
+    const std::string page = content_of(place);
+    if (page.find(generator) < 1000 || page.find(". Page by Grit ") != std::string::npos) return;
+    throw BadInput(fmt::format("{}: this file is none that grit report wrote and stays as it is; "
+                               "--out FILE writes the page to another place",
+                               place.string()));
+}
+
+// As a link has it.
+std::string as_link(const fs::path& path) {
+    std::string out;
+    for (const char c : path.generic_string())
+        if (std::isalnum(static_cast<unsigned char>(c)) || std::strchr("/._-~", c)) out += c;
+        else out += fmt::format("%{:02X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+    return out;
+}
+
+// A word of a command line.
+std::string as_word(const std::string& text) {
+    return text.find_first_of(" '\"") == std::string::npos ? text : fmt::format("\"{}\"", text);
+}
+
 // One page, written from its top.
 class Page {
   public:
-    Page(const ReportRequest& asked, const fs::path& place) : request(asked), file(place) {
-        file.write(fmt::format("<!DOCTYPE html>\n<html lang=\"en\"><head><meta "
-                               "charset=\"utf-8\"><meta name=\"viewport\" "
-                               "content=\"width=device-width\"><title>{0}</title>\n<style>{1}</"
-                               "style></head><body>\n<h1>{0}</h1>\n",
-                               escaped(title()), page_style()));
+    Page(const ReportRequest& asked, const fs::path& place,
+         std::map<std::string, std::string> titles)
+        : request(asked), headings(std::move(titles)), file(place) {
+        file.write(fmt::format(
+            "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">{2}<meta "
+            "name=\"viewport\" content=\"width=device-width\"><title>{0}</title>\n<style>{1}</"
+            "style></head><body>\n<h1>{0}</h1>\n",
+            escaped(title()), page_style(), generator));
     }
 
     void heading(const std::string& text) {
@@ -43,21 +80,35 @@ class Page {
         if (finding.shown) return;
         finding.shown = true;
         Shown table;
-        std::string problem;
-        if (!finding.table.empty()) try {
+        ResultHead head;
+        FoundSand sand;
+        std::string problem, axis = "r";
+        try {
+            if (!finding.sand.empty()) sand = found_sand_of(finding.sand);
+            if (!finding.table.empty()) {
+                head = head_of(finding.table);
                 table = shown_of(finding);
-            } catch (const BadInput& error) {
-                problem = error.what();
+                axis = across(finding.table);
             }
+        } catch (const BadInput& error) {
+            problem = error.what();
+        }
+        const std::string heading = sand.title.empty() ? headings.at(finding.stem) : sand.title;
         file.write(fmt::format("<section id=\"{0}\"><h3>{1}</h3>\n", escaped(finding.stem),
-                               escaped(table.title.empty() ? finding.stem : table.title)));
+                               escaped(heading)));
         if (!sentence.empty()) file.write(fmt::format("<p>{}</p>\n", escaped(sentence)));
         if (!problem.empty())
             file.write(fmt::format("<p class=\"bad\">{}</p>\n", escaped(problem)));
-        if (!table.panels.empty()) data("curves", json_of(table.panels));
+        if (!sand.rows.empty()) {
+            cells(sand.rows);
+            made_by(finding.sand, sand.comments, sand.version,
+                    "grit calibrate " + as_word(sand.file), "");
+        }
+        if (!finding.sand_page.empty()) calibration_page(finding.sand_page);
+        if (!table.panels.empty()) data("curves", json_of(table));
         if (!table.cells.empty()) cells(table.cells);
         if (!finding.frames.empty())
-            if (const std::string frames = frames_of(finding.frames); !frames.empty())
+            if (const std::string frames = frames_of(finding.frames, axis); !frames.empty())
                 data("player", frames);
         if (!finding.numbers.empty()) numbers(finding.numbers);
         if (!finding.words.empty())
@@ -65,29 +116,35 @@ class Page {
         // Curves say all that a picture of theirs does; where there are none, the picture stays.
         if (!finding.picture.empty() && (table.panels.empty() || !curves_are_drawn()))
             picture(finding);
-        if (!table.comments.empty()) {
-            versions.insert(table.comments.front().substr(0, table.comments.front().find(", ")));
-            std::string lines;
-            for (const std::string& each : table.comments) lines += escaped(each) + "\n";
-            file.write(fmt::format("<details><summary>{}</summary><pre>{}</pre></details>\n",
-                                   escaped(finding.table.filename().string()), lines));
-        }
+        if (!head.comments.empty())
+            made_by(finding.table, head.comments, head.version,
+                    table.command + (table.command.empty() || head.made.empty() ? "" : ", ") +
+                        head.made,
+                    head.settings);
         file.write("</section>\n");
         ++sections;
     }
 
     int complete() {
-        std::string made;
-        for (const std::string& each : versions) made += (made.empty() ? "" : ", ") + each;
+        if (!made.empty()) {
+            file.write("<section id=\"versions\"><h2>Versions and commands</h2>\n");
+            std::vector<std::vector<std::string>> rows = {
+                {"file", "made by", "version", "--set and --vary"}};
+            rows.insert(rows.end(), made.begin(), made.end());
+            cells(rows);
+            file.write("</section>\n");
+        }
         file.write(fmt::format(
-            "<footer>Results of {}. Page by Grit {}: <code>grit report {}</code>.{}</footer>\n",
-            escaped(made.empty() ? "nobody knows which version" : made), escaped(version()),
-            escaped(request.folder.string()),
+            "<footer>Results of {}. Page by Grit {}: <code>{}</code>.{}</footer>\n",
+            versions.empty() ? "nobody knows which version"
+                             : escaped(fmt::format("{}", fmt::join(versions, ", "))),
+            escaped(version()), escaped(command()),
             curves_are_drawn() ? " Curves by Chart.js 3, © Chart.js Contributors, MIT licence."
                                : " This grit was built without Chart.js (libjs-chart.js): pictures "
                                  "stand in place of curves."));
         if (curves_are_drawn()) file.write("<script>" + chart_library() + "</script>\n");
-        file.write("<script>" + page_script() + "</script>\n</body></html>\n");
+        file.write(fmt::format("<script>const viridis = [\"{}\"];\n", fmt::join(viridis, "\",\"")));
+        file.write(page_script() + "</script>\n</body></html>\n");
         file.complete();
         return sections;
     }
@@ -97,6 +154,23 @@ class Page {
         if (!request.title.empty()) return request.title;
         const std::string name = fs::weakly_canonical(request.folder).filename().string();
         return name.empty() ? "Results" : name;
+    }
+
+    std::string command() const {
+        std::string out = "grit report " + as_word(request.folder.string());
+        if (!request.title.empty()) out += " --title " + as_word(request.title);
+        if (!request.story.empty()) out += " --story " + as_word(request.story.string());
+        if (!request.out.empty()) out += " --out " + as_word(request.out.string());
+        return out;
+    }
+
+    // Forces of plane strain are those of a metre.
+    static std::string across(const fs::path& table) {
+        const std::vector<std::string> names = read_cells(table).rows.front();
+        return std::any_of(names.begin(), names.end(),
+                           [](const std::string& name) { return name.ends_with("[kN/m]"); })
+                   ? "x"
+                   : "r";
     }
 
     static bool curves_are_drawn() { return !chart_library().empty(); }
@@ -140,9 +214,37 @@ class Page {
                                base64(content_of(finding.picture))));
     }
 
+    // How a file was made; a click shows all that stands above its columns.
+    void made_by(const fs::path& path, const std::vector<std::string>& lines, const std::string& by,
+                 const std::string& how, const std::string& settings) {
+        std::string all, words = path.filename().string();
+        for (const std::string& each : lines) all += each + "\n";
+        for (const std::string& each : {by, how}) words += each.empty() ? "" : ", " + each;
+        if (!settings.empty()) words += ", with " + settings;
+        file.write(fmt::format("<details><summary>{}</summary><pre>{}</pre></details>\n",
+                               escaped(words), escaped(all)));
+        if (by.empty()) return;
+        versions.insert(by);
+        made.push_back(
+            {path.lexically_relative(request.folder).generic_string(), how, by, settings});
+    }
+
+    // Beside this one as a link, and in it without its scripts, so that this one can be sent alone.
+    void calibration_page(const fs::path& page) {
+        const fs::path from = fs::absolute(file.path()).parent_path();
+        file.write(fmt::format(
+            "<p>Data against model, bands, correlations and what to measure next: <a "
+            "href=\"{0}\">{1}</a>.</p>\n<details><summary>{1}, as it is</summary><iframe sandbox "
+            "title=\"{1}\" srcdoc=\"{2}\"></iframe></details>\n",
+            as_link(fs::absolute(page).lexically_relative(from)), escaped(page.filename().string()),
+            escaped(content_of(page))));
+    }
+
     const ReportRequest& request;
+    const std::map<std::string, std::string> headings;  // by stem
     element::AtomicFile file;
     std::set<std::string> versions;
+    std::vector<std::vector<std::string>> made;  // file, by what, version, settings
     int sections = 0;
 };
 
@@ -154,8 +256,9 @@ ExitCode report_folder(const ReportRequest& request) {
     std::vector<Finding> findings = findings_in(request.folder);
     Outputs outputs;
     outputs.add(place, "the page");
+    spare_pages_of_others(place);
     const auto lock = outputs.lock();
-    Page page(request, place);
+    Page page(request, place, headings_of(findings));
     std::string heading;
     for (const StoryLine& line : story) {
         if (line.heading) {

@@ -24,7 +24,10 @@ TEST(Outputs, OfTwoCasesThatWouldCollideAreRefused) {
         << answer.text;
     EXPECT_EQ(here.grit("element --out out comparison.toml x_cycles.toml").status, 2);
     EXPECT_EQ(here.files("out"), Names{});
-    EXPECT_EQ(here.grit("element --no-plot --out out comparison.toml x_cycles.toml").status, 0);
+    const Answer table = here.grit("element --no-plot --out out comparison.toml x_cycles.toml");
+    EXPECT_EQ(table.status, 2);
+    EXPECT_TRUE(table.says("comparison.csv would be written by")) << table.text;
+    EXPECT_EQ(here.run("comparison").status, 0);
 }
 
 TEST(Outputs, NeverOverwriteAnInput) {

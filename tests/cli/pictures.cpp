@@ -32,7 +32,7 @@ TEST(Picture, IsDrawnOfEveryCaseAndOfAllThatAreAlike) {
     const Answer answer = here.grit("element --out out a.toml b.toml");
     EXPECT_EQ(answer.status, 0) << answer.text;
     EXPECT_EQ(here.files("out"), (Names{"a.csv", "a.png", "a.svg", "b.csv", "b.png", "b.svg",
-                                        "comparison.png", "comparison.svg"}));
+                                        "comparison.csv", "comparison.png", "comparison.svg"}));
     EXPECT_GE(lines(here.text("out/a.svg")), 4u);
     EXPECT_GT(lines(here.text("out/comparison.svg")), lines(here.text("out/a.svg")));
 }
@@ -108,6 +108,10 @@ TEST(Study, RunsACaseForEachValueAndDrawsThemTogether) {
     EXPECT_NE(here.text("out/x_0.65_lausitz.csv")
                   .find("\n# with start.void_ratio=0.65, sand.name=lausitz\n"),
               std::string::npos);
+    const std::string runs = here.text("out/comparison.csv");
+    EXPECT_NE(runs.find("\nx_0.65_hochstetten,void_ratio = 0.65; name = hochstetten\n"),
+              std::string::npos)
+        << runs;
     ASSERT_EQ(here.run("x", "--set start.void_ratio=0.65 --set name=alone --no-plot").status, 1);
     EXPECT_EQ(here.result("alone").at("stress_11"), here.result("x_0.65_lausitz").at("stress_11"));
 }

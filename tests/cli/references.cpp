@@ -58,6 +58,20 @@ TEST(Curve, WithSemicolonsAndDecimalCommasIsTheSame) {
     EXPECT_EQ(verdict(semicolons), verdict(commas));
 }
 
+// In the names and signs of results, so that whoever draws one can draw the other.
+TEST(Curve, IsLeftBesideTheResult) {
+    const Workplace here;
+    here.write("lab.csv", "eps_a_percent,q_kPa,weather\n0,0,fair\n1,250,rain\n");
+    here.write_case("x", shearing + "[reference]\norigin = \"lab\"\ncurve = \"lab.csv\"\n");
+    ASSERT_EQ(here.run("x").status, 0);
+    const std::map<std::string, Values> left = here.result("x_reference");
+    EXPECT_EQ(left.at("axial_deviator"), (Values{0, 250}));
+    EXPECT_EQ(left.at("axial_strain"), (Values{0, -0.01}));
+    EXPECT_FALSE(left.contains("weather"));
+    EXPECT_NE(here.text("out/x_reference.csv").find(", reference beside case x: lab\n"),
+              std::string::npos);
+}
+
 TEST(Curve, MayHaveAByteOrderMarkEmptyCellsAndColumnsOfWords) {
     const Answer answer =
         against("\xEF\xBB\xBF"

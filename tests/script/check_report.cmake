@@ -51,6 +51,27 @@ if(rest MATCHES "(src=|href|url\\(|http|<link|@import)[^ ]*")
   message(FATAL_ERROR "the page refers to something else: ${CMAKE_MATCH_0}")
 endif()
 
+# A page of somebody else stays as it is, and where it may go instead is said; an empty file and a page of an older grit give way.
+file(MAKE_DIRECTORY ${WORK}/site)
+file(WRITE ${WORK}/site/numbers.csv "a,b\n1,2\n2,3\n")
+foreach(place index.html other.html)
+  file(WRITE ${WORK}/site/${place} "<p>my own page</p>")
+  set(out "")
+  if(place STREQUAL "other.html")
+    set(out --out ${WORK}/site/${place})
+  endif()
+  execute_process(COMMAND ${GRIT} report ${WORK}/site ${out} RESULT_VARIABLE result ERROR_VARIABLE errors)
+  file(READ ${WORK}/site/${place} kept)
+  if(NOT result EQUAL 2 OR NOT errors MATCHES "site/${place}: this file is none that grit report wrote .*--out FILE"
+     OR NOT kept STREQUAL "<p>my own page</p>")
+    message(FATAL_ERROR "${place} of somebody else: ${result} ${errors} ${kept}")
+  endif()
+endforeach()
+foreach(old "" "<footer>Results of Grit 0.1.0. Page by Grit 0.1.0: grit report")
+  file(WRITE ${WORK}/site/old.html "${old}")
+  execute_process(COMMAND ${GRIT} report ${WORK}/site --out ${WORK}/site/old.html COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)
+endforeach()
+
 # What cannot be a report is said.
 foreach(case "nowhere=is not a folder" "empty=no results")
   string(REGEX MATCH "(.*)=(.*)" all "${case}")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """report_in_browser.py GRIT SOURCE WORK: results of an element test, of material points, a table and a benchmark in one
 page, in headless Chromium: no error in its console, every plot has its data, hovering tells values, names of the key turn
-series off and on, dragging zooms, frames play."""
+series off and on, dragging zooms, frames play beside their colours and axes, runs of a study are in one chart."""
 
 import json
 import pathlib
@@ -27,6 +27,17 @@ run("mpm", source / "tests/script/falling.toml", "--no-plot", "--out", results)
 run("mpm", source / "tests/script/falling_in_space.toml", "--no-plot", "--out", results)
 (results / "table.csv").write_text("time [s],first [kPa],second [kPa]\n" + "".join(f"{i},{i * i},{20 - i}\n" for i in range(12)))
 (results / "speed.json").write_text(json.dumps({"benchmarks": [{"name": "update/7", "cpu_time": 12.5, "time_unit": "ns"}]}))
+falling = (source / "tests/script/falling.toml").read_text()
+(work / "plane.toml").write_text(falling.replace("axisymmetric", "plane_strain").replace('right =', 'left = "roller"\nright ='))
+run("mpm", work / "plane.toml", "--no-plot", "--out", results)
+study = results / "study"
+run("element", source / "verification/cases/lausitz_dense.toml", "--no-plot", "--out", study, "--vary", "start.void_ratio=0.65,0.7,0.8")
+run("element", source / "verification/cases/lausitz_dense.toml", source / "verification/cases/lausitz_loose.toml", "--no-plot", "--out", results / "pair")
+# Settings in a header, of a run that no comparison names.
+alone = results / "alone.csv"
+first, _, rest = (study / "lausitz_dense_0.7.csv").read_text().partition("\n")
+alone.write_text(f"{first}\n# with start.void_ratio=0.7, numerics.tolerance=1e-6\n" +
+                 "".join(line for line in rest.splitlines(True) if not line.startswith("# with ")))
 run("report", results, "--title", "A page")
 
 browser = headless.browser(work, "page")
@@ -41,11 +52,50 @@ try:
     counts = script("""return [...document.querySelectorAll('.curves')].map(place =>
         [JSON.parse(place.querySelector('script').textContent).map(panel => panel.series.map(s => s.x.length)),
          [...place.querySelectorAll('canvas')].map(c => Chart.getChart(c).data.datasets.map(s => s.data.length))])""")
-    assert len(counts) == 4, counts
+    assert len(counts) == 13, counts
     for given, drawn in counts:
         assert len(given) == len(drawn) > 0 and all(len(each) > 0 for each in drawn), (given, drawn)
         assert min(n for each in drawn for n in each) > 1, drawn
-    assert len(counts[2][1]) == 4, counts  # a triaxial test: q, volume, path, void ratio
+    drawn = {name: len(script("return [...document.querySelectorAll(`section[id='${arguments[0]}'] canvas`)]", name))
+             for name in ("lausitz_dense", "study/comparison", "study/lausitz_dense_0.7")}
+    assert set(drawn.values()) == {4}, drawn  # a triaxial test: q, volume, path, void ratio
+
+    # Runs of a study in one chart, called by what was varied, as their headings are; references as points with their curve.
+    def series(name, panel=0):
+        return script("""const place = document.querySelectorAll(`section[id='${arguments[0]}'] canvas`)[arguments[1]];
+            return Chart.getChart(place).data.datasets.map(s => [s.label, s.showLine, s.hidden, s.borderColor])""", name, panel)
+
+    def heading(name):
+        return script("return document.querySelector(`section[id='${arguments[0]}'] h3`).textContent", name)
+
+    for panel in range(4):
+        runs = series("study/comparison", panel)
+        assert [each[:3] for each in runs] == [[f"void_ratio = {e}", True, False] for e in (0.65, 0.7, 0.8)], runs
+        assert len({each[3] for each in runs}) == 3, runs
+    dense = "Dense Lausitz sand, e 0.55, 100 kPa"
+    order = script("return [...document.querySelectorAll('section[id^=\"study/laus\"]')].map(section => section.id)")
+    assert order == [f"study/lausitz_dense_{e}" for e in (0.65, 0.7, 0.8)], order
+    assert heading("study/comparison") == dense + ": all runs", heading("study/comparison")
+    assert heading("study/lausitz_dense_0.7") == dense + ": void_ratio = 0.7", heading("study/lausitz_dense_0.7")
+    assert heading("pair/lausitz_dense") == dense + " (pair/lausitz_dense)", heading("pair/lausitz_dense")
+    assert [each[:2] for each in series("lausitz_dense")] == [["computed", True], ["reference", False]], series("lausitz_dense")
+    both = [each[:2] for each in series("pair/comparison")]
+    loose = "Loose Lausitz sand, e 0.80, 100 kPa"
+    assert both == [[dense, True], [loose, True], ["reference: " + dense, False], ["reference: " + loose, False]], both
+
+    # Versions, commands and settings where headers tell them.
+    assert heading("alone") == dense + " with start.void_ratio=0.7, numerics.tolerance=1e-6", heading("alone")
+    made = {row[0]: row[1:] for row in script("""return [...document.querySelectorAll('#versions tr')].map(row =>
+        [...row.children].map(cell => cell.textContent))""")}
+    assert made["alone.csv"][0] == "grit element, case lausitz_dense_0.7" and made["alone.csv"][2] == "start.void_ratio=0.7, numerics.tolerance=1e-6", made
+    assert made["falling.csv"][0] == "grit mpm, case falling" and made["falling.csv"][1].startswith("Grit "), made
+    assert "with start.void_ratio=0.7" in script("return document.querySelector('#alone details pre').textContent")
+
+    # A logarithmic axis has numbers to read it by, in a window too.
+    ticks = script("""const chart = Chart.getChart(document.querySelectorAll("section[id='study/comparison'] canvas")[3]), x = chart.scales.x;
+        return [x.type, x.ticks.map(tick => tick.label), logTicks(1, 1000), logTicks(100, 160), logTicks(1e-6, 1e6).length, text(1e-6)]""")
+    assert ticks[0] == "logarithmic" and ticks[1] == ["100", "120", "140", "160", "180"], ticks
+    assert ticks[2] == [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000] and ticks[3][0] == 100 and 3 < len(ticks[3]) < 8 and ticks[4:] == [13, "1e-6"], ticks
 
     table = browser.find_element(By.CSS_SELECTOR, "section#table canvas")
     script("arguments[0].scrollIntoView({block: 'center'})", table)
@@ -102,6 +152,23 @@ try:
     assert canvas.get_attribute("title").split()[-1].lstrip("-")[0].isdigit(), canvas.get_attribute("title")
     script("const s = arguments[0].querySelector('select'); s.value = [...s.options].find(o => o.value.startsWith('J')).value; s.onchange()", player)
     assert told.text.split("; ")[1].startswith("J"), told.text
+
+    # Beside it stand its colours, which are viridis, with numbers, and what lies beyond them; below and left the metres.
+    script("const s = arguments[0].querySelector('select'); s.value = [...s.options].find(o => o.value.startsWith('p ')).value; s.onchange()", player)
+    bar = script("""const c = arguments[0], p = c.plot, data = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;
+        const pixel = (x, y) => [...data.slice(4 * (y * c.width + x), 4 * (y * c.width + x) + 4)], colour = (x, y) => pixel(x, y).slice(0, 3);
+        const inked = (x, y, w, h) => { for (let i = 0; i < w * h; ++i) if (pixel(x + i % w, y + Math.floor(i / w))[3]) return true; return false; };
+        return {top: colour(p.left + p.width + 28, p.top + 2), bottom: colour(p.left + p.width + 28, p.top + p.height - 3),
+                ticks: c.colours.ticks, beyond: c.colours.beyond, all: JSON.parse(c.parentElement.querySelector('script').textContent).variables,
+                numbers: inked(p.left + p.width + 44, p.top + 10, 60, p.height - 20), name: inked(p.left + p.width + 8, 0, 60, 16),
+                up: inked(p.left + p.width + 24, p.top - 8, 8, 4), x: inked(p.left, p.top + p.height + 8, p.width, 14),
+                y: inked(20, p.top, 36, p.height), palette: [0, 0.5, 1].map(colourAt)};""", canvas)
+    assert max(abs(a - b) for a, b in zip(bar["top"] + bar["bottom"], [0xfd, 0xe7, 0x25, 0x44, 0x01, 0x54])) < 12, bar
+    assert bar["palette"] == ["rgb(68,1,84)", "rgb(33,145,140)", "rgb(253,231,37)"], bar
+    low, high = bar["all"]["p [kPa]"]
+    assert len(bar["ticks"]) > 2 and low <= bar["ticks"][0] < bar["ticks"][-1] <= high, bar
+    assert all(bar[what] for what in ("numbers", "name", "x", "y")), bar
+    assert (bar["beyond"][1] is not None) == bar["up"] and ("values beyond them" in told.text) == any(bar["beyond"]), (bar, told.text)
     button = player.find_element(By.TAG_NAME, "button")
     button.click()
     for _ in range(200):  # on a busy machine frames come late
@@ -119,7 +186,11 @@ try:
         return [frame.x, frame.y].map(text => [...unpacked(text)])""", space)
     assert len(places[0]) == len(set(zip(*places))) == 4 * 4 + 10 * 2, (len(places[0]), "cells")
     slice_canvas = space.find_element(By.TAG_NAME, "canvas")
-    assert abs(slice_canvas.size["width"] / slice_canvas.size["height"] - 0.5 / 0.3) < 0.03, slice_canvas.size
+    plot = script("return arguments[0].plot", slice_canvas)
+    assert abs(plot["width"] / plot["height"] - 0.5 / 0.3) < 0.03, plot
+    across = [script(f"return JSON.parse(document.querySelector('#{name} .player script').textContent).across")
+              for name in ("falling", "plane", "falling_in_space")]
+    assert across == ["r", "x", "x"], across
     if len(sys.argv) > 4:
         space.screenshot(sys.argv[4])
 
