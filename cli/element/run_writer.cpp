@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/plot/contents.hpp"
 #include "cli/process/standard_streams.hpp"
 #include "cli/process/version.hpp"
 
@@ -29,7 +30,8 @@ std::vector<std::string> comments_of(const CaseFile& file) {
         "it, shear_strain = e11 - (e22+e33)/2; simple shear: s12, gamma_12; secant_G since the "
         "last "
         "reversal, G_0 = m_R L_1212 (basic model: L_1212); h_ij intergranular strain",
-        "how the run ended stands below the last row"};
+        "how the run ended stands below the last row",
+        picture_comment(file.picture)};
 }
 
 }  // namespace

@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
+#include <utility>
 
 #include <fmt/format.h>
 
-#ifdef GRIT_CLI_HAS_MPM
-#include "cli/mpm/pictures.hpp"
-#endif
+#include "cli/plot/contents.hpp"
+#include "cli/plot/history_panels.hpp"
 #include "cli/plot/panels.hpp"
 #include "cli/plot/thinning.hpp"
 #include "cli/process/exit_code.hpp"
@@ -20,27 +19,11 @@
 namespace cli {
 namespace {
 
-std::vector<std::string> lines_above(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    std::vector<std::string> out;
-    for (std::string line; std::getline(file, line) && line.starts_with('#');)
-        out.push_back(line.substr(std::min<std::size_t>(line.size(), 2)));
-    return out;
-}
-
 // "Grit 0.1.0, case NAME: TITLE".
 std::string title_in(const std::vector<std::string>& comments) {
     if (comments.empty() || !comments.front().starts_with("Grit ")) return "";
     const std::size_t at = comments.front().find(": ");
     return at == std::string::npos ? "" : comments.front().substr(at + 2);
-}
-
-bool has(const Table& table, std::initializer_list<const char*> names) {
-    return std::all_of(names.begin(), names.end(), [&](const char* name) {
-        return std::any_of(table.columns.begin(), table.columns.end(), [&](const Column& column) {
-            return column.name == name && column.problem.empty();
-        });
-    });
 }
 
 // All columns over the first.
@@ -62,25 +45,16 @@ std::vector<Panel> plain(const Table& table) {
     return out.series.empty() ? std::vector<Panel>{} : std::vector<Panel>{out};
 }
 
-Curve curve_of(const Finding& finding, const Table& table) {
-    Curve out;
-    out.label = "computed";
-    out.table = standardised(table);
-    if (!finding.cycles.empty()) out.cycles = read_table(finding.cycles);
-    return out;
-}
-
-std::vector<Panel> panels_in(const Finding& finding, const Table& table) {
-    if (has(table, {"stress_11", "strain_11", "gamma_12", "void_ratio", "volumetric_strain", "p",
-                    "axial_deviator"})) {
-        const std::string kind = finding.cycles.empty() ? picture_of_path(table) : "degradation";
-        return picture_of_curves(kind, "", {curve_of(finding, table)}).panels;
-    }
-#ifdef GRIT_CLI_HAS_MPM
-    if (has(table, {"t", "depth", "velocity", "kinetic_energy", "energy_residual"}))
-        return picture_of_history(table, "").panels;
-#endif
-    return plain(table);
+std::vector<Panel> panels_in(const Finding& finding, const std::vector<std::string>& comments,
+                             const Table& table) {
+    Curve curve{"computed", standardised(table)};
+    const std::string kind = picture_of_result(comments, curve.table);
+    if (kind.empty()) return plain(table);
+    if (kind == "history") return picture_of_histories({curve}, "").panels;
+    if (is_of_cycles(curve.table)) std::swap(curve.table, curve.cycles);
+    if (!finding.cycles.empty()) curve.cycles = read_table(finding.cycles);
+    const bool of_cycles = finding.cycles.empty() || shows_cycles(kind);
+    return picture_of_curves(of_cycles ? kind : "degradation", "", {curve}).panels;
 }
 
 bool all_numbers(const Table& table) {
@@ -103,10 +77,10 @@ std::string unmarked(const std::string& label) {
 
 Shown shown_of(const Finding& finding) {
     Shown out;
-    out.comments = lines_above(finding.table);
+    out.comments = comments_above(finding.table);
     out.title = title_in(out.comments);
     const Table table = read_table(finding.table);
-    if (all_numbers(table)) out.panels = panels_in(finding, table);
+    if (all_numbers(table)) out.panels = panels_in(finding, out.comments, table);
     if (out.panels.empty()) out.cells = read_cells(finding.table).rows;
     return out;
 }
