@@ -159,17 +159,14 @@ std::string picture_of_columns_named(const std::vector<std::string>& columns) {
     return out;
 }
 
-bool draw_the_same(const std::string& a, const std::string& b) {
+bool may_be_together(const std::string& a, const std::string& b) {
     const auto same = [](const Axis& one, const Axis& other) {
         return one.column == other.column && one.log == other.log;
     };
     const auto of_a = kinds().find(a), of_b = kinds().find(b);
     if (of_a == kinds().end() || of_b == kinds().end()) return a == b;
-    return std::is_permutation(of_a->second.begin(), of_a->second.end(), of_b->second.begin(),
-                               of_b->second.end(), [&](const auto& one, const auto& other) {
-                                   return same(one.first, other.first) &&
-                                          same(one.second, other.second);
-                               });
+    const auto &first = of_a->second.front(), &other = of_b->second.front();
+    return same(first.first, other.first) && same(first.second, other.second);
 }
 
 bool shows_cycles(const std::string& kind) { return kind == "cycles" || kind == "degradation"; }

@@ -23,8 +23,8 @@ std::vector<std::string> columns_of_cycles(const std::string& kind);
 std::vector<std::string> columns_of_pictures();
 // The kind whose panels have the most of these columns; empty: none has a panel's two.
 std::string picture_of_columns_named(const std::vector<std::string>& columns);
-// Whether their panels are the same, in whatever order.
-bool draw_the_same(const std::string& a, const std::string& b);
+// Whether tests of these kinds may be in one picture: their first panels are the same.
+bool may_be_together(const std::string& a, const std::string& b);
 // Whether it needs a result's cycles.
 bool shows_cycles(const std::string& kind);
 

@@ -38,13 +38,13 @@ std::vector<std::string> names_of(const Table& table) {
     return out;
 }
 
-// The one kind of picture that all files are for.
+// Of the picture in which all files may be: that of the first.
 std::string common_kind(const Files& files) {
     const PlottedFile* first = nullptr;
     for (const PlottedFile& file : files) {
         if (file.kind.empty()) continue;
         if (!first) first = &file;
-        if (!draw_the_same(file.kind, first->kind))
+        if (!may_be_together(file.kind, first->kind))
             throw BadInput(fmt::format("{} is for a picture of {}, and {} for one of {}: draw them "
                                        "apart, or --kind says which picture it is to be",
                                        first->path.string(), first->kind, file.path.string(),

@@ -85,6 +85,10 @@ TEST_F(Plot, OfCyclesIsOverTheirNumber) {
     EXPECT_EQ(axes_of("out/x.csv --kind cycles"), undrained);
     const auto result = here.result("x_cycles");
     EXPECT_NEAR(result.at("u/p0").back(), result.at("pore_pressure").back() / 100.0, 1e-12);
+    here.write("w.toml", "picture = \"cycles\"\n" + here.text("x.toml"));
+    ASSERT_EQ(here.grit("element --quiet --out out w.toml").status, 0);
+    EXPECT_EQ(axes(here.text("out/w.svg")), undrained);
+    EXPECT_EQ(axes_of("out/w.csv"), undrained);
     // A column less, a panel less.
     here.write("few.csv", "cycle,damping [-]\n1,0.1\n2,0.2\n");
     EXPECT_EQ(axes_of("few.csv"), "damping; cycle N; ");
@@ -107,7 +111,10 @@ TEST_F(Plot, OfTwoKindsOfTestIsRefused) {
     refused("out/a.csv out/b.csv",
             "out/a.csv is for a picture of oedometer, and out/b.csv for one of triaxial");
     EXPECT_NE(axes_of("out/a.csv out/b.csv --kind triaxial"), "");
-    // Loops are drawn as a triaxial test is.
+    // Drained and undrained triaxial tests may be seen together, and loops.
+    run("u", stage("triaxial_undrained", "axial_strain = -0.02"));
+    EXPECT_EQ(axes_of("out/b.csv out/u.csv"), axes_of("out/b.csv"));
+    EXPECT_EQ(axes_of("out/u.csv out/b.csv"), axes_of("out/u.csv"));
     run("c", stage("triaxial_drained", "axial_strain_amplitude = -1e-3\ncycles = 2"));
     EXPECT_EQ(axes_of("out/b.csv out/c.csv"), axes_of("out/b.csv"));
 }
