@@ -7,49 +7,11 @@
 #include <fmt/format.h>
 
 #include "cli/table/columns.hpp"
+#include "cli/table/laboratory_unit.hpp"
 #include "element/nearest.hpp"
 
 namespace cli {
 namespace {
-
-struct LaboratoryUnit {
-    const char* name;
-    const char* of;  // Grit's unit
-    double size;     // in it
-};
-
-constexpr LaboratoryUnit units[] = {
-    {"-", "-", 1.0},         {"percent", "-", 0.01},      {"%", "-", 0.01},
-    {"permille", "-", 1e-3}, {"kPa", "kPa", 1.0},         {"Pa", "kPa", 1e-3},
-    {"MPa", "kPa", 1e3},     {"bar", "kPa", 100.0},       {"kN/m2", "kPa", 1.0},
-    {"N/mm2", "kPa", 1e3},   {"kgf/cm2", "kPa", 98.0665}, {"psi", "kPa", 6.894757293168},
-    {"kN/m²", "kPa", 1.0},   {"N/mm²", "kPa", 1e3},       {"MN/m2", "kPa", 1e3},
-    {"MN/m²", "kPa", 1e3},
-};
-
-const LaboratoryUnit* find_unit(const std::string& name) {
-    const auto at = std::find_if(std::begin(units), std::end(units),
-                                 [&](const LaboratoryUnit& each) { return name == each.name; });
-    return at == std::end(units) ? nullptr : at;
-}
-
-std::vector<std::string> units_of(const std::string& unit) {
-    std::vector<std::string> out;
-    for (const LaboratoryUnit& each : units)
-        if (unit == each.of) out.emplace_back(each.name);
-    return out;
-}
-
-// "eps [%]", "eps (%)", "eps_percent", "q_kPa": what the header says of the unit.
-std::string unit_in(const std::string& header) {
-    for (const auto& [open, close] : {std::pair{'[', ']'}, std::pair{'(', ')'}}) {
-        const std::size_t from = header.rfind(open);
-        if (from != std::string::npos && header.back() == close)
-            return header.substr(from + 1, header.size() - from - 2);
-    }
-    const std::size_t last = header.rfind('_');
-    return last == std::string::npos ? "" : header.substr(last + 1);
-}
 
 bool is_strain(const std::string& quantity) { return quantity.find("strain") != std::string::npos; }
 
@@ -81,10 +43,10 @@ std::size_t place_of(TomlTable& table, const std::vector<std::string>& header, c
 const LaboratoryUnit& read_unit(TomlTable& table, const std::string& column,
                                 const std::string& unit) {
     const std::string said = unit_in(column);
-    const LaboratoryUnit* found = find_unit(said);
-    if (found && unit != found->of) found = nullptr;
+    const LaboratoryUnit* found = laboratory_unit(said, unit);
     if (table.has("unit")) {
-        const LaboratoryUnit& given = *find_unit(table.choice("unit", units_of(unit)));
+        const LaboratoryUnit& given =
+            *laboratory_unit(table.choice("unit", laboratory_units(unit)), unit);
         if (found && found->name != std::string("-") && found->size != given.size)
             table.fail("unit", fmt::format("{} is \"{}\", and the header says \"{}\": rename the "
                                            "column in the sheet if that is wrong",
@@ -97,9 +59,9 @@ const LaboratoryUnit& read_unit(TomlTable& table, const std::string& column,
             table.fail("column", fmt::format("{}: \"{}\" is a length: give a column that is a "
                                              "strain, its share of the sample's height",
                                              table.full("column"), column));
-    if (unit == "-" && table.full("").ends_with("void_ratio")) return units[0];
+    if (unit == "-" && table.full("").ends_with("void_ratio")) return *laboratory_unit("-", unit);
     std::string known;
-    for (const std::string& each : units_of(unit))
+    for (const std::string& each : laboratory_units(unit))
         known += fmt::format("{}\"{}\"", known.empty() ? "" : ", ", each);
     table.fail("column", fmt::format("{}: the header \"{}\" does not say its unit: give unit = "
                                      "one of {}",

@@ -121,8 +121,9 @@ void read_picture(TomlTable& root, CaseFile& file) {
         root.has("picture") ? root.choice("picture", picture_names()) : default_picture(file);
     const bool cycles = std::any_of(file.stages.begin(), file.stages.end(),
                                     [](const CaseStage& stage) { return stage.cyclic; });
-    if (file.picture == "degradation" && !cycles)
-        root.fail("picture", "picture: \"degradation\" shows cycles, and no stage has any");
+    if (shows_cycles(file.picture) && !cycles)
+        root.fail("picture",
+                  fmt::format("picture: \"{}\" shows cycles, and no stage has any", file.picture));
 }
 
 CaseFile read_case(const std::filesystem::path& path, TomlTable& root, const std::string& sample,

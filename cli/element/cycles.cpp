@@ -27,9 +27,9 @@ std::size_t place(const std::vector<Column>& columns, const std::string& name) {
 
 Cycles::Cycles(const Columns& all) : columns(all) {
     table.columns = {
-        {"stage", "", {}, {}},        {"cycle", "", {}, {}},  {"gamma_amplitude", "-", {}, {}},
-        {"secant_G", "kPa", {}, {}},  {"G/G_0", "-", {}, {}}, {"damping", "-", {}, {}},
-        {"shear_strain", "-", {}, {}}};
+        {"stage", "", {}, {}},         {"cycle", "", {}, {}},  {"gamma_amplitude", "-", {}, {}},
+        {"secant_G", "kPa", {}, {}},   {"G/G_0", "-", {}, {}}, {"damping", "-", {}, {}},
+        {"shear_strain", "-", {}, {}}, {"u/p0", "-", {}, {}}};
     for (const char* name : states) {
         const Column& head = columns.names()[place(columns.names(), name)];
         table.columns.push_back({head.name, head.unit, {}, {}});
@@ -41,6 +41,7 @@ void Cycles::begin_stage(int number, bool loaded_by_shear, const element::Record
     by_shear = loaded_by_shear;
     cycle = closing = 0.0;
     tips.clear();
+    pressure = -start.total_stress.head<3>().sum() / 3.0;
     last = farthest = {start, shear_of(start, by_shear), 0.0};
     turns.emplace(last.shear.strain, least_swing, least_part);
 }
@@ -88,7 +89,8 @@ void Cycles::add_cycle(const Tip& from, const Tip& middle, const Tip& to) {
                              G / at_start[place(columns.names(), "G_0")],
                              (to.work - from.work) /
                                  (2.0 * std::numbers::pi * G * amplitude * amplitude),
-                             to.shear.strain};
+                             to.shear.strain,
+                             to.record.pore_pressure / pressure};
     for (std::size_t i = 0; i < std::size(values); ++i)
         table.columns[i].values.push_back(values[i]);
     for (std::size_t i = 0; i < std::size(states); ++i)
@@ -100,7 +102,9 @@ const std::vector<std::string>& Cycles::comments() {
     static const std::vector<std::string> text = {
         "a cycle: from a reversal of shear_strain to the second after it, every increment counted; "
         "secant_G from tip to tip; G_0 at the first; damping = loop area/(2 pi G "
-        "gamma_amplitude^2); the state at its end"};
+        "gamma_amplitude^2); the state at its end; u/p0: pore_pressure over the total mean "
+        "pressure "
+        "where the stage begins"};
     return text;
 }
 

@@ -42,7 +42,8 @@ class Cycles {
     int stage = 0;
     bool by_shear = false;
     double cycle = 0.0;
-    double closing = 0.0;  // distance that closed the last cycle, 0: none yet
+    double closing = 0.0;   // distance that closed the last cycle, 0: none yet
+    double pressure = 0.0;  // total mean, where the stage began [kPa]
     std::optional<Turns> turns;
     Tip last, farthest;
     std::vector<Tip> tips;  // of the cycle that is going on

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/plot/contents.hpp"
 #include "cli/process/standard_streams.hpp"
 
 namespace cli {
@@ -29,7 +30,7 @@ std::vector<std::string> comments_of(const CaseFile& file) {
         "it, shear_strain = e11 - (e22+e33)/2; simple shear: s12, gamma_12; secant_G since the "
         "last "
         "reversal, G_0 = m_R L_1212 (basic model: L_1212); h_ij intergranular strain",
-        "how the run ended stands below the last row"};
+        "how the run ended stands below the last row", picture_comment(file.picture)};
     out.insert(out.end(), std::begin(more), std::end(more));
     return out;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures of material points: curves over time, and fields as they lie in space.
+// Pictures of material points: fields as they lie in space.
 #pragma once
 
 #include <filesystem>
@@ -7,13 +7,8 @@
 
 #include "cli/mpm/fields.hpp"
 #include "cli/plot/gnuplot.hpp"
-#include "cli/plot/picture.hpp"
-#include "cli/table/table.hpp"
 
 namespace cli {
-
-// Depth, velocity, forces, energies and time step of a history, as far as it has them.
-Picture picture_of_history(const Table& history, const std::string& title);
 
 // A part of the plane [m].
 struct Window {

@@ -12,6 +12,7 @@
 #include "cli/mpm/pictures.hpp"
 #include "cli/mpm/replay_case.hpp"
 #include "cli/mpm/space_fields.hpp"
+#include "cli/plot/history_panels.hpp"
 #include "cli/plot/picture_maker.hpp"
 #include "cli/process/abnormal_end.hpp"
 #include "cli/process/exit_code.hpp"
@@ -110,7 +111,7 @@ bool MpmRun::draw() {
     for (std::size_t i = 0; i < done.history.size(); ++i)
         table.columns[i % width].values.push_back(done.history[i]);
     PictureMaker maker(options.fields.parent_path(), options.quiet);
-    maker.draw(options.fields.filename().string(), picture_of_history(table, plan.title));
+    maker.draw(options.fields.filename().string(), picture_of_histories({{"", table}}, plan.title));
     const auto* drawn = dynamic_cast<const MpmFields*>(fields.get());
     if (!options.shown || !drawn) return !maker.failed();  // fields in space are for ParaView alone
     for (const MpmField& field : options.shown->variables) {

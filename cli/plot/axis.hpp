@@ -34,6 +34,11 @@ constexpr Axis tau = {"shear_stress", 1.0, "shear stress τ [kPa]"};
 constexpr Axis amplitude = {"gamma_amplitude", 1.0, "shear strain amplitude [–]", false, true};
 constexpr Axis ratio = {"G/G_0", 1.0, "G/G_0 [–]", true};
 constexpr Axis damping = {"damping", 1.0, "damping ratio [–]", true};
+// Over the cycles, the state at the end of each.
+constexpr Axis cycle = {"cycle", 1.0, "cycle N [–]"};
+constexpr Axis pore_ratio = {"u/p0", 1.0, "excess pore pressure u/p_0 [–]", true};
+constexpr Axis amplitude_of_cycle = {"gamma_amplitude", 100.0, "shear strain amplitude [%]", true};
+constexpr Axis secant = {"secant_G", 1.0, "secant shear modulus G [kPa]", true};
 }  // namespace axis
 
 // The column's axis without a logarithm; null: none of the above.

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/plot/gnuplot.hpp"
 #include "cli/plot/tics.hpp"
@@ -57,26 +58,60 @@ std::string label(const char* axis, const std::string& text, bool shown) {
                  : fmt::format("unset {}\n", axis);
 }
 
-std::string plots_of(const Panel& panel, std::size_t number) {
-    std::string out;
-    for (std::size_t s = 0; s < panel.series.size(); ++s) {
-        const Series& series = panel.series[s];
-        if (drawable_rows(series, panel) == 0) continue;
-        out += out.empty() ? "plot " : ", \\\n     ";
-        out += fmt::format("$d{}_{} using 1:2 with ", number, s);
-        out += series.points
-                   ? fmt::format("points pt 6 ps 0.7 lw 1.2 lc rgb '{}'", colour_of(series))
-                   : fmt::format("lines lw 2.2 lc rgb '{}'", colour_of(series));
-        out += series.label.empty() ? " notitle" : " title " + gnuplot_quoted(series.label);
-    }
-    return out.empty() ? "set multiplot next\n" : out + "\n";
+// A line of one point is not to be seen.
+std::string style_of(const Series& series, bool one_point) {
+    if (series.points || one_point)
+        return fmt::format("points pt 6 ps 0.7 lw 1.2 lc rgb '{}'", colour_of(series));
+    const std::string dashes = series.dashes ? fmt::format("dt {} ", series.dashes + 1) : "";
+    return fmt::format("lines lw 2.2 {}lc rgb '{}'", dashes, colour_of(series));
 }
 
-int labels_of(const Panel& panel) {
-    return static_cast<int>(
+// Entries of the key for what later panels draw and this one, the first, has not.
+std::vector<std::string> other_labels(const Picture& picture) {
+    const auto drawn_in = [](const Panel& panel, const std::string& name) {
+        return std::any_of(panel.series.begin(), panel.series.end(), [&](const Series& series) {
+            return series.label == name && drawable_rows(series, panel) > 0;
+        });
+    };
+    std::vector<std::string> names, out;
+    for (const Panel& panel : picture.panels)
+        for (const Series& series : panel.series) {
+            const std::size_t rows = drawable_rows(series, panel);
+            if (panel.own_key || series.label.empty() || rows == 0 ||
+                drawn_in(picture.panels.front(), series.label) ||
+                std::find(names.begin(), names.end(), series.label) != names.end())
+                continue;
+            names.push_back(series.label);
+            out.push_back(fmt::format("keyentry with {} title {}", style_of(series, rows == 1),
+                                      gnuplot_quoted(series.label)));
+        }
+    return out;
+}
+
+std::string plots_of(const Picture& picture, std::size_t number) {
+    const Panel& panel = picture.panels[number];
+    std::vector<std::string> plots;
+    for (std::size_t s = 0; s < panel.series.size(); ++s) {
+        const Series& series = panel.series[s];
+        const std::size_t rows = drawable_rows(series, panel);
+        if (rows == 0) continue;
+        plots.push_back(fmt::format(
+            "$d{}_{} using 1:2 with {} {}", number, s, style_of(series, rows == 1),
+            series.label.empty() ? "notitle" : "title " + gnuplot_quoted(series.label)));
+    }
+    if (plots.empty()) return "set multiplot next\n";
+    if (number == 0 && !panel.own_key)
+        for (std::string& entry : other_labels(picture)) plots.push_back(std::move(entry));
+    return fmt::format("plot {}\n", fmt::join(plots, ", \\\n     "));
+}
+
+int labels_of(const Picture& picture) {
+    const Panel& panel = picture.panels.front();
+    const auto own =
         std::count_if(panel.series.begin(), panel.series.end(), [&](const Series& series) {
             return !series.label.empty() && drawable_rows(series, panel) > 0;
-        }));
+        });
+    return static_cast<int>(own) + static_cast<int>(other_labels(picture).size());
 }
 
 // Tics of the x axis: gnuplot's own, or ours where it would write too few or too many.
@@ -104,7 +139,7 @@ struct Layout {
     explicit Layout(const Picture& picture)
         : columns(std::min(picture.columns, static_cast<int>(picture.panels.size()))),
           rows((static_cast<int>(picture.panels.size()) + columns - 1) / columns),
-          top(40 + 20 * labels_of(picture.panels.front())), width(columns * picture.width),
+          top(40 + 20 * labels_of(picture)), width(columns * picture.width),
           height(rows * picture.height + top),
           keys(std::any_of(picture.panels.begin(), picture.panels.end(),
                            [](const Panel& panel) { return panel.own_key; })),
@@ -146,7 +181,7 @@ std::string panel_script(const Picture& picture, const Layout& layout, std::size
                                  "1.6 noenhanced\n",
                                  1.0 - Layout::part(30, layout.height))
                    : "unset key\n";
-    return out + plots_of(panel, number);
+    return out + plots_of(picture, number);
 }
 
 std::string sheet(const Picture& picture, const Layout& layout) {
@@ -163,6 +198,24 @@ std::string sheet(const Picture& picture, const Layout& layout) {
 }
 
 }  // namespace
+
+bool says_anything(const Panel& panel) {
+    constexpr double nothing = 1e-8, noise = 1e-9;  // as shown, and of the largest
+    double low = INFINITY, high = -INFINITY, widest = 0.0;
+    std::size_t points = 0;
+    for (const Series& series : panel.series)
+        for (std::size_t i = 0; i < series.x.size(); ++i)
+            if (drawable(series, panel, i)) {
+                low = std::min(low, series.y[i]);
+                high = std::max(high, series.y[i]);
+                widest = std::max(widest, std::abs(series.x[i]));
+                ++points;
+            }
+    const double largest = std::max(std::abs(low), std::abs(high));
+    if (points < 2) return points == 1 && widest > nothing && largest > nothing;
+    if (!(widest > nothing) || !(largest > nothing)) return false;
+    return panel.y_from_zero || high - low > noise * largest;
+}
 
 std::string draw(const fs::path& stem, const Picture& picture) {
     const Layout layout(picture);

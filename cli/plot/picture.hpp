@@ -13,6 +13,7 @@ struct Series {
     std::vector<double> x, y;
     int colour = 0;  // of the palette; -1: that of data
     bool points = false;
+    int dashes = 0;  // of a line, 0: none
 };
 
 struct Panel {
@@ -23,6 +24,9 @@ struct Panel {
     bool own_key = false;  // above it, not above the picture
     std::vector<Series> series;
 };
+
+// Whether there is more to see than nothing or the noise of a computation.
+bool says_anything(const Panel& panel);
 
 struct Picture {
     std::string title;             // plain text, or gnuplot's markup ...

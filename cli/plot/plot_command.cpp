@@ -2,16 +2,17 @@
 #include "cli/plot/plot_command.hpp"
 
 #include <algorithm>
-#include <map>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/plot/contents.hpp"
+#include "cli/plot/history_panels.hpp"
 #include "cli/plot/panels.hpp"
+#include "cli/plot/plotted_data.hpp"
 #include "cli/process/outputs.hpp"
 #include "cli/process/standard_streams.hpp"
-#include "cli/table/columns.hpp"
-#include "cli/table/foreign_columns.hpp"
 #include "element/nearest.hpp"
 
 namespace cli {
@@ -19,146 +20,131 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Renames = std::map<std::string, std::string>;  // theirs to ours
+using Files = std::vector<PlottedFile>;
 
-// Names that --column may give: our own, and what we understand of others.
-std::vector<std::string> understood() {
-    std::vector<std::string> out = foreign_column_names();
-    out.insert(out.end(), standard_column_names().begin(), standard_column_names().end());
+Files read_all(const PlotRequest& request) {
+    const Renames renames = renames_of(request.columns, !request.x.empty());
+    Files out;
+    for (const fs::path& run : request.runs) out.push_back(read_plotted(run, false, "", {}));
+    for (const fs::path& path : request.data)
+        out.push_back(read_plotted(path, true, request.only, renames));
+    check_renames_used(renames, out);
     return out;
 }
 
-bool is_in(const std::vector<std::string>& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
+std::vector<std::string> names_of(const Table& table) {
+    std::vector<std::string> out;
+    for (const Column& column : table.columns) out.push_back(column.name);
+    return out;
 }
 
-Renames renames_of(const std::vector<std::string>& columns) {
-    Renames out;
-    for (const std::string& each : columns) {
-        const std::size_t equals = each.find('=');
-        if (equals == std::string::npos || equals == 0 || equals + 1 == each.size())
-            throw BadInput(
-                fmt::format("--column needs OURS=THEIRS, as q_kPa=Deviator, got \"{}\"", each));
-        const std::string ours = each.substr(0, equals);
-        if (!is_in(understood(), ours))
-            throw BadInput(fmt::format("--column: there is no column \"{}\"{}", ours,
-                                       element::suggestion(ours, understood())));
-        out[each.substr(equals + 1)] = ours;
+// Of the picture in which all files may be: that of the first.
+std::string common_kind(const Files& files) {
+    const PlottedFile* first = nullptr;
+    for (const PlottedFile& file : files) {
+        if (file.kind.empty()) continue;
+        if (!first) first = &file;
+        if (!may_be_together(file.kind, first->kind))
+            throw BadInput(fmt::format("{} is for a picture of {}, and {} for one of {}: draw them "
+                                       "apart, or --kind says which picture it is to be",
+                                       first->path.string(), first->kind, file.path.string(),
+                                       file.kind));
     }
-    return out;
-}
-
-// Of the data, with the names that --column gives.
-Table read_data(const fs::path& path, const std::string& only, const Renames& renames) {
-    Table out = read_table(path, only);
-    for (Column& column : out.columns)
-        if (const auto found = renames.find(column.name); found != renames.end())
-            column.name = found->second;
-    return out;
-}
-
-// What nobody has taken notice of is said: it may be the column that is missing in the picture.
-void say_unused(const fs::path& path, const Table& table, bool first_is_a_name) {
-    std::string names;
-    for (const Column& column : table.columns)
-        if (!is_in(understood(), column.name) &&
-            !(first_is_a_name && &column == &table.columns.front()))
-            names += (names.empty() ? "" : ", ") + column.name;
-    if (!names.empty())
-        say("{}: not used: {}; --column OURS=THEIRS says what a column is\n", path.string(), names);
-}
-
-// What is understood and not in such a picture; stresses and strains are parts of p, q and the like.
-void say_not_drawn(const fs::path& path, const Table& data, const std::string& kind) {
-    const std::vector<std::string> drawn = columns_of_picture(kind);
-    std::string names;
-    for (const Column& column : data.columns) {
-        const Table alone = standardised({{column}});
-        const std::string& name = alone.columns.front().name;
-        const bool part = name.starts_with("stress_") || name.starts_with("strain_");
-        if (is_in(understood(), column.name) && !part && !is_in(drawn, name))
-            names += (names.empty() ? "" : ", ") + column.name;
-    }
-    if (!names.empty()) say("{}: not in a picture of {}: {}\n", path.string(), kind, names);
+    if (first) return first->kind;
+    for (const PlottedFile& file : files)
+        if (std::string kind = picture_of_columns_named(names_of(file.standardised)); !kind.empty())
+            return kind;
+    throw BadInput(fmt::format("{}: no picture that is known here has two of its columns ({}); "
+                               "--x COLUMN --y COLUMN,... draws any",
+                               files.front().path.string(),
+                               fmt::join(names_of(files.front().named), ", ")));
 }
 
 // The stem, and the folder where another file has the same.
-std::string label_of(const fs::path& path, const std::vector<fs::path>& all) {
-    const auto twin = [&](const fs::path& other) {
-        return other != path && other.stem() == path.stem();
+std::string label_of(const PlottedFile& file, const Files& files) {
+    const auto twin = [&](const PlottedFile& other) {
+        return other.data == file.data && other.path != file.path &&
+               other.path.stem() == file.path.stem();
     };
-    const std::string folder = path.parent_path().filename().string();
-    return (std::any_of(all.begin(), all.end(), twin) && !folder.empty() ? folder + "/" : "") +
-           path.stem().string();
+    const std::string folder = file.path.parent_path().filename().string();
+    return (std::any_of(files.begin(), files.end(), twin) && !folder.empty() ? folder + "/" : "") +
+           file.path.stem().string();
 }
 
-void check_used(const Renames& renames, const std::vector<fs::path>& data) {
-    for (const auto& [theirs, ours] : renames) {
-        std::vector<std::string> known;
-        for (const fs::path& path : data) {
-            const Cells cells = read_cells(path);
-            for (const std::string& cell : cells.rows.front())
-                known.push_back(grit::csv::head_of(cell).name);
-        }
-        if (!is_in(known, theirs))
-            throw BadInput(fmt::format("--column {}={}: none of the data has a column {}{}", ours,
-                                       theirs, theirs, element::suggestion(theirs, known)));
-    }
-}
-
-Curve curve_of(const fs::path& path, const std::string& only, bool points, int colour,
-               const Renames& renames = {}) {
+Curve curve_of(const PlottedFile& file, const std::string& kind, bool by_kind) {
     Curve out;
-    out.label = path.stem().string() + (only.empty() ? "" : " " + only);
-    out.table = standardised(read_data(path, only, renames));
-    fs::path cycles = path;
-    cycles.replace_filename(path.stem().string() + "_cycles.csv");
-    if (!points && fs::exists(cycles)) out.cycles = read_table(cycles);
-    out.points = points;
-    out.colour = colour;
+    const bool cycles_alone = is_of_cycles(file.standardised) || (file.data && kind == "cycles");
+    if (by_kind && cycles_alone) out.cycles = file.standardised;
+    else out.table = file.standardised;
+    fs::path beside = file.path;
+    beside.replace_filename(file.path.stem().string() + "_cycles.csv");
+    if (!file.data && !cycles_alone && fs::exists(beside)) out.cycles = read_table(beside);
+    out.points = file.data;
     return out;
 }
 
-bool says_anything(const Picture& picture, const PlotRequest& request,
+std::vector<Curve> curves_of(const PlotRequest& request, const Files& files,
+                             const std::string& kind) {
+    std::vector<Curve> out;
+    for (const PlottedFile& file : files) {
+        Curve curve = curve_of(file, kind, request.x.empty());
+        curve.label = label_of(file, files);
+        if (file.data && !request.only.empty()) curve.label += " " + request.only;
+        const bool first_data = file.data && out.size() == request.runs.size();
+        curve.colour = first_data ? -1 : static_cast<int>(out.size());
+        out.push_back(std::move(curve));
+    }
+    return out;
+}
+
+Picture picture_of(const std::string& kind, const std::string& title,
                    const std::vector<Curve>& curves) {
+    return kind == "history" ? picture_of_histories(curves, title)
+                             : picture_of_curves(kind, title, curves);
+}
+
+bool is_drawn(const Curve& curve, const std::string& kind) {
+    const Picture alone = picture_of(kind, "", {curve});
+    return std::any_of(alone.panels.begin(), alone.panels.end(), says_anything);
+}
+
+// Of a kind, and what of the files is not in it is said.
+Picture picture_of_files(const PlotRequest& request, const Files& files) {
+    for (const PlottedFile& file : files)
+        if (file.data) say_unused(file, !request.only.empty());
+    const std::string kind = request.kind.empty() ? common_kind(files) : request.kind;
+    for (const PlottedFile& file : files)
+        if (file.data) say_not_drawn(file, kind);
+    const std::vector<Curve> curves = curves_of(request, files, kind);
+    std::vector<std::string> missing;
+    for (std::size_t i = 0; i < files.size(); ++i)
+        if (!is_drawn(curves[i], kind)) missing.push_back(files[i].path.string());
     const auto cycled = [](const Curve& curve) { return curve.cycles.rows() > 0; };
-    if (request.kind == "degradation" && std::none_of(curves.begin(), curves.end(), cycled))
-        return false;
-    return std::any_of(picture.panels.begin(), picture.panels.end(), [](const Panel& panel) {
-        return std::any_of(panel.series.begin(), panel.series.end(),
-                           [](const Series& series) { return !series.x.empty(); });
-    });
+    if (kind != "history" && shows_cycles(kind) &&
+        std::none_of(curves.begin(), curves.end(), cycled))
+        throw BadInput(
+            fmt::format("a picture of {} needs cycles, as in RUN_cycles.csv, and none of "
+                        "the files has any",
+                        kind));
+    if (missing.size() == files.size())
+        throw BadInput(fmt::format("none of the files has columns for a picture of {}", kind));
+    if (!missing.empty())
+        say("nothing of {} is in this picture of {}\n", fmt::join(missing, ", "), kind);
+    return picture_of(kind, request.title, curves);
 }
 
 }  // namespace
 
 ExitCode plot(const PlotRequest& request) {
-    const std::vector<std::string>& kinds = picture_names();
-    if (std::find(kinds.begin(), kinds.end(), request.kind) == kinds.end())
+    const std::vector<std::string>& kinds = plot_kinds();
+    if (!request.kind.empty() && std::find(kinds.begin(), kinds.end(), request.kind) == kinds.end())
         throw BadInput(fmt::format("--kind must be one of {}; got \"{}\"{}", fmt::join(kinds, ", "),
                                    request.kind, element::suggestion(request.kind, kinds)));
-    const Renames renames = renames_of(request.columns);
-    check_used(renames, request.data);
-    std::vector<Curve> curves;
-    for (const fs::path& run : request.runs)
-        curves.push_back(curve_of(run, "", false, static_cast<int>(curves.size())));
-    for (std::size_t i = 0; i < request.runs.size(); ++i)
-        curves[i].label = label_of(request.runs[i], request.runs);
-    for (std::size_t i = 0; i < request.data.size(); ++i)
-        curves.push_back(curve_of(request.data[i], request.only, true,
-                                  i == 0 ? -1 : static_cast<int>(curves.size()), renames));
-    const bool by_kind = request.x.empty();
-    for (const fs::path& path : request.data) {
-        const Table data = read_data(path, request.only, renames);
-        if (by_kind) say_unused(path, data, !request.only.empty());
-        if (by_kind) say_not_drawn(path, data, request.kind);
-    }
-    Picture picture = by_kind ? picture_of_curves(request.kind, request.title, curves)
-                              : picture_of_columns(request.x, request.y, request.title, curves);
+    const Files files = read_all(request);
+    Picture picture = request.x.empty() ? picture_of_files(request, files)
+                                        : picture_of_columns(request.x, request.y, request.title,
+                                                             curves_of(request, files, ""));
     picture.pdf = request.pdf;
-    if (!says_anything(picture, request, curves))
-        throw BadInput(
-            fmt::format("none of the files has columns for a picture of {}", request.kind));
     Outputs outputs;
     std::vector<std::string> endings = {".svg", ".png"};
     if (request.pdf) endings.emplace_back(".pdf");

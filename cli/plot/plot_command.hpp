@@ -14,9 +14,9 @@ struct PlotRequest {
     std::vector<std::filesystem::path> data;  // points: laboratory sheets, references
     std::vector<std::string> columns;         // "OURS=THEIRS": what a column of the data is
     std::string only;                         // rows of the data whose first cell it is
-    std::string kind = "triaxial";
-    std::string x;               // column; empty: kind says what is drawn
-    std::vector<std::string> y;  // columns over it, a panel for each
+    std::string kind;                         // of picture; empty: the files say it
+    std::string x;                            // column; empty: kind says what is drawn
+    std::vector<std::string> y;               // columns over it, a panel for each
     std::string title;
     bool pdf = false;                    // beside .svg and .png
     std::filesystem::path out = "plot";  // stem of the picture's files

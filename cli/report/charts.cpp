@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
-#ifdef GRIT_CLI_HAS_MPM
-#include "cli/mpm/pictures.hpp"
-#endif
+#include "cli/plot/contents.hpp"
+#include "cli/plot/history_panels.hpp"
 #include "cli/plot/panels.hpp"
 #include "cli/plot/thinning.hpp"
 #include "cli/process/exit_code.hpp"
@@ -18,15 +18,7 @@
 #include "element/number.hpp"
 
 namespace cli {
-namespace {
-
-bool has(const Table& table, std::initializer_list<const char*> names) {
-    return std::all_of(names.begin(), names.end(), [&](const char* name) {
-        return std::any_of(table.columns.begin(), table.columns.end(), [&](const Column& column) {
-            return column.name == name && column.problem.empty();
-        });
-    });
-}
+namespace {}
 
 // All columns over the first.
 std::vector<Panel> plain(const Table& table) {
@@ -47,19 +39,10 @@ std::vector<Panel> plain(const Table& table) {
     return out.series.empty() ? std::vector<Panel>{} : std::vector<Panel>{out};
 }
 
-bool is_element_test(const Table& table) {
-    return has(table, {"stress_11", "strain_11", "gamma_12", "void_ratio", "volumetric_strain", "p",
-                       "axial_deviator"});
-}
-
-bool is_history(const Table& table) {
-    return has(table, {"t", "depth", "velocity", "kinetic_energy", "energy_residual"});
-}
-
-Curve computed(const Finding& finding, const Table& table, const std::string& label, int colour) {
+Curve computed(const Finding& finding, const std::string& label, int colour) {
     Curve out;
     out.label = label;
-    out.table = standardised(table);
+    out.table = standardised(read_table(finding.table));
     if (!finding.cycles.empty()) out.cycles = read_table(finding.cycles);
     out.colour = colour;
     return out;
@@ -76,20 +59,20 @@ Curve reference(const Finding& finding, const std::string& of) {
             -1};
 }
 
+// Of its picture; empty: it is none of grit element's or grit mpm's.
 std::string kind_of(const Finding& finding, const Table& table) {
-    return finding.cycles.empty() ? picture_of_path(table) : "degradation";
+    const std::string kind = picture_of_result(comments_above(finding.table), table);
+    const bool more = !finding.cycles.empty() && kind != "history" && !shows_cycles(kind);
+    return more ? "degradation" : kind;
 }
 
-std::vector<Panel> panels_in(const Finding& finding, const Table& table) {
-    if (is_element_test(table)) {
-        std::vector<Curve> curves = {computed(finding, table, "computed", 0)};
-        if (!finding.reference.empty()) curves.push_back(reference(finding, ""));
-        return picture_of_curves(kind_of(finding, table), "", curves).panels;
-    }
-#ifdef GRIT_CLI_HAS_MPM
-    if (is_history(table)) return picture_of_history(table, "").panels;
-#endif
-    return plain(table);
+std::vector<Panel> panels_of(const Finding& finding, const std::string& kind, Curve curve) {
+    if (kind.empty()) return plain(read_table(finding.table));
+    if (kind == "history") return picture_of_histories({curve}, "").panels;
+    if (is_of_cycles(curve.table)) std::swap(curve.table, curve.cycles);
+    std::vector<Curve> curves = {curve};
+    if (!finding.reference.empty()) curves.push_back(reference(finding, ""));
+    return picture_of_curves(kind, "", curves).panels;
 }
 
 // Files of a run beside a comparison.
@@ -112,11 +95,12 @@ std::vector<Panel> panels_of_comparison(const Finding& finding) {
     for (const ComparedRun& run : compared_runs(finding)) {
         const Finding files = run_beside(finding, run.name);
         if (files.table.empty()) continue;
-        const Table table = read_table(files.table);
-        if (!is_element_test(table)) continue;
-        if (kind.empty()) kind = kind_of(files, table);
         const std::string label = run.label.empty() ? head_of(files.table).title : run.label;
-        runs.push_back(computed(files, table, label, static_cast<int>(runs.size())));
+        const Curve curve = computed(files, label, static_cast<int>(runs.size()));
+        const std::string kind_of_run = kind_of(files, curve.table);
+        if (kind_of_run.empty() || kind_of_run == "history") continue;
+        if (kind.empty()) kind = kind_of_run;
+        runs.push_back(curve);
         if (!files.reference.empty()) references.push_back(reference(files, label));
     }
     if (runs.size() < 2) return {};
@@ -160,10 +144,11 @@ Shown shown_of(const Finding& finding) {
         out.panels = panels_of_comparison(finding);
         out.compared = !out.panels.empty();
         out.command = "grit element";
-    } else if (const Table table = read_table(finding.table); all_numbers(table)) {
-        out.panels = panels_in(finding, table);
-        if (is_element_test(table)) out.command = "grit element";
-        else if (is_history(table)) out.command = "grit mpm";
+    } else if (all_numbers(read_table(finding.table))) {
+        const Curve curve = computed(finding, "computed", 0);
+        const std::string kind = kind_of(finding, curve.table);
+        out.panels = panels_of(finding, kind, curve);
+        if (!kind.empty()) out.command = kind == "history" ? "grit mpm" : "grit element";
     }
     if (out.panels.empty()) out.cells = read_cells(finding.table).rows;
     return out;

@@ -2,7 +2,6 @@
 #include "cli/report/result_head.hpp"
 
 #include <algorithm>
-#include <fstream>
 
 #include <fmt/format.h>
 
@@ -31,9 +30,7 @@ bool add_names(const Finding& finding, std::map<std::string, std::string>& out) 
 
 ResultHead head_of(const std::filesystem::path& table) {
     ResultHead out;
-    std::ifstream file(table);
-    for (std::string line; std::getline(file, line) && line.starts_with('#');)
-        out.comments.push_back(line.substr(std::min<std::size_t>(line.size(), 2)));
+    out.comments = comments_above(table);
     for (const std::string& line : out.comments)
         if (line.starts_with(with) && line.find('=') != std::string::npos)
             out.settings = line.substr(std::char_traits<char>::length(with));

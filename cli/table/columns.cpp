@@ -148,6 +148,12 @@ const std::vector<std::string>& standard_column_names() {
     return names;
 }
 
+const char* unit_of_standard_column(const std::string& name) {
+    for (const Definition& definition : definitions)
+        if (name == definition.name) return definition.unit;
+    return nullptr;
+}
+
 std::optional<element::LinearQuantity> linear_quantity(const std::string& name,
                                                        bool loaded_by_shear) {
     const Setting setting{0, loaded_by_shear, unknown};

@@ -15,6 +15,8 @@ namespace cli {
 
 // Columns that every result has; state variables of the law follow them.
 const std::vector<std::string>& standard_column_names();
+// Null: there is no such column.
+const char* unit_of_standard_column(const std::string& name);
 
 // The pair that loops are made of: sigma_12 and gamma_12, or half of what sigma_11 and epsilon_11 have
 // more than the mean of the other two, and the whole of it.

@@ -4,6 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/table/columns.hpp"
+#include "cli/table/laboratory_unit.hpp"
+
 namespace cli {
 namespace {
 
@@ -47,6 +53,11 @@ constexpr Name foreign_names[] = {
     {"p_kPa", "p", "kPa", 1.0},
     {"sigma_a_kPa", "stress_11", "kPa", -1.0},
     {"sigma_r_kPa", "stress_22", "kPa", -1.0},
+    // Of cycles, as they are.
+    {"gamma_amplitude", "gamma_amplitude", "-", 1.0},
+    {"G/G_0", "G/G_0", "-", 1.0},
+    {"damping", "damping", "-", 1.0},
+    {"u/p0", "u/p0", "-", 1.0},
 };
 
 // Sum of factors times columns; nothing where one of them is missing or the name is taken.
@@ -64,17 +75,42 @@ void combine(Table& table, const char* name, const char* unit,
     table.columns.push_back(std::move(out));
 }
 
+const Name* find_name(const std::string& theirs) {
+    for (const Name& each : foreign_names)
+        if (theirs == each.theirs) return &each;
+    return nullptr;
+}
+
+bool of_laboratories(const Name& name) {
+    return std::string(name.theirs).ends_with("_kPa") ||
+           std::string(name.theirs).ends_with("_percent");
+}
+
+// To Grit's name and unit. A unit in the header has more to say than one in the name.
+void standardise(Column& column, const std::string& file) {
+    const char* unit = unit_of_column(column.name);
+    if (!unit || !*unit) return;  // not understood, or a number of things
+    const Name* name = find_name(column.name);
+    double factor = name ? name->factor : 1.0;
+    if (!column.unit.empty()) {
+        const LaboratoryUnit* said = laboratory_unit(column.unit, unit);
+        if (!said && column.problem.empty())
+            column.problem =
+                fmt::format("{}{}column {}: its unit [{}] is not known here; known: {}", file,
+                            file.empty() ? "" : ": ", column.name, column.unit,
+                            fmt::join(laboratory_units(unit), ", "));
+        if (said) factor = std::copysign(said->size, factor);
+    }
+    if (name) column.name = name->ours;
+    column.unit = unit;
+    if (factor != 1.0)
+        for (double& value : column.values) value *= factor;
+}
+
 }  // namespace
 
 Table standardised(Table table) {
-    for (Column& column : table.columns)
-        for (const Name& name : foreign_names)
-            if (column.name == name.theirs) {
-                column.name = name.ours;
-                column.unit = name.unit;
-                for (double& value : column.values) value *= name.factor;
-                break;
-            }
+    for (Column& column : table.columns) standardise(column, table.file);
     // Simple shear has no other strain worth naming than gamma_12.
     const std::vector<double>* gamma = table.find("gamma_12");
     const bool shear = gamma && std::any_of(gamma->begin(), gamma->end(),
@@ -101,6 +137,23 @@ std::vector<std::string> foreign_column_names() {
     std::vector<std::string> out;
     for (const Name& name : foreign_names) out.emplace_back(name.theirs);
     return out;
+}
+
+std::vector<std::string> laboratory_column_names() {
+    std::vector<std::string> out;
+    for (const Name& name : foreign_names)
+        if (of_laboratories(name)) out.emplace_back(name.theirs);
+    return out;
+}
+
+std::string standard_column_name(const std::string& name) {
+    const Name* found = find_name(name);
+    return found ? found->ours : name;
+}
+
+const char* unit_of_column(const std::string& name) {
+    const Name* found = find_name(name);
+    return found ? found->unit : unit_of_standard_column(name);
 }
 
 }  // namespace cli

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -56,6 +57,14 @@ const std::vector<double>& Table::at(const std::string& name) const {
     throw std::out_of_range("no column " + name);
 }
 
+std::vector<std::string> comments_above(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    std::vector<std::string> out;
+    for (std::string line; std::getline(file, line) && line.starts_with('#');)
+        out.push_back(line.substr(std::min<std::size_t>(line.size(), 2)));
+    return out;
+}
+
 Cells read_cells(const std::filesystem::path& path) {
     bool blanks = false, semicolons = false;  // separate the cells
     const auto cut = [&](const std::string& line,
@@ -79,6 +88,7 @@ Cells read_cells(const std::filesystem::path& path) {
 Table read_table(const std::filesystem::path& path, const std::string& only) {
     const Cells cells = read_cells(path);
     Table out;
+    out.file = path.string();
     for (const std::string& cell : cells.rows.front()) {
         const grit::csv::Head head = grit::csv::head_of(cell);
         out.columns.push_back({head.name, head.unit, {}, {}});

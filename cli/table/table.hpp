@@ -18,6 +18,7 @@ struct Column {
 
 struct Table {
     std::vector<Column> columns;
+    std::string file{};  // where they stand, empty: in none
 
     std::size_t rows() const { return columns.empty() ? 0 : columns.front().values.size(); }
     // Null if there is none. Throws BadInput if it has a problem.
@@ -28,6 +29,9 @@ struct Table {
 // A CSV with # comments and a header "name [unit],...", or a table that incrementalDriver has written.
 // If only is not empty, the rows whose first cell it is. Throws BadInput naming file and line.
 Table read_table(const std::filesystem::path& path, const std::string& only = {});
+
+// Lines "# TEXT" above the header.
+std::vector<std::string> comments_above(const std::filesystem::path& path);
 
 // Throws BadInput.
 using grit::csv::Cells;

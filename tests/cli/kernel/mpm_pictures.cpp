@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/mpm/pictures.hpp"
+#include "cli/plot/history_panels.hpp"
 
 #include <gtest/gtest.h>
 
@@ -77,7 +78,7 @@ TEST(HistoryPicture, HasAPanelForEachKindOfCurveThatTheHistoryHas) {
             values.push_back(history.columns.empty() ? 1e-3 * i : i * std::sin(0.05 * i));
         history.columns.push_back({name, "", values, ""});
     }
-    const cli::Picture picture = cli::picture_of_history(history, "A pile");
+    const cli::Picture picture = cli::picture_of_histories({{"", history}}, "A pile");
     ASSERT_EQ(picture.panels.size(), 4u);
     EXPECT_EQ(picture.panels[1].series.size(), 2u);
     EXPECT_NEAR(picture.panels[3].series[0].y.back(), 1e6 * history.at("dt").back(), 1e-6);

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// grit plot: what a file holds, in which units, under which names.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <regex>
+
+#include "support/workplace.hpp"
+
+namespace {
+
+bool gnuplot_is_there() { return std::system("gnuplot --version > /dev/null 2>&1") == 0; }
+
+std::string stage(const std::string& test, const std::string& load) {
+    return "[[stage]]\ntest = \"" + test + "\"\n" + load + "\n";
+}
+
+const std::string drained = stage("triaxial_drained", "axial_strain = -0.02");
+const std::string oedometer = stage("oedometer", "axial_strain = -0.02");
+const std::string undrained_cycles =
+    stage("triaxial_undrained", "axial_strain_amplitude = -2e-3\ncycles = 4");
+
+// Labels of the axes, each once, without what marks the text up.
+std::string axes(const std::string& svg) {
+    std::string out;
+    for (const char* label :
+         {"axial compression", "volumetric compression", "q = ", "effective mean pressure",
+          "void ratio", "excess pore pressure [", "excess pore pressure u/p", "mobilised",
+          "axial stress", "shear stress", "normal stress", "shear strain amplitude",
+          "secant shear modulus", "damping", "cycle N", "depth", "velocity", "energy residual"})
+        if (svg.find(label) != std::string::npos) out += std::string(label) + "; ";
+    return out;
+}
+
+class Plot : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (!gnuplot_is_there()) GTEST_SKIP() << "no gnuplot";
+    }
+    void run(const std::string& name, const std::string& stages) const {
+        here.write_case(name, stages);
+        const Answer answer = here.run(name);
+        EXPECT_EQ(answer.status, 0) << answer.text;
+    }
+    // Axes of what grit plot draws of these arguments.
+    std::string axes_of(const std::string& arguments) const {
+        const Answer answer = here.grit("plot " + arguments + " --out p");
+        EXPECT_EQ(answer.status, 0) << answer.text;
+        return axes(here.text("p.svg"));
+    }
+    void refused(const std::string& arguments, const std::string& words) const {
+        const Answer answer = here.grit("plot " + arguments + " --out refused");
+        EXPECT_EQ(answer.status, 2) << arguments << ": " << answer.text;
+        EXPECT_TRUE(answer.says(words)) << "expected " << words << "\ngot " << answer.text;
+        EXPECT_FALSE(here.files().contains("refused.svg"));
+    }
+    Workplace here;
+};
+
+// The picture of grit element, whatever the test.
+TEST_F(Plot, OfAResultIsThatOfGritElement) {
+    for (const auto& [name, stages] : std::map<std::string, std::string>{
+             {"triaxial", drained},
+             {"undrained", stage("triaxial_undrained", "axial_strain = -0.02")},
+             {"oedometer", oedometer},
+             {"isotropic", stage("isotropic", "pressure_kPa = 300")},
+             {"shear", stage("simple_shear_constant_stress", "shear_strain = 0.05")},
+             {"volume", stage("simple_shear_constant_volume", "shear_strain = 0.05")},
+             {"cycles", undrained_cycles}}) {
+        here.write_case(name, stages);
+        ASSERT_EQ(here.grit("element --quiet --out out " + name + ".toml").status, 0);
+        EXPECT_EQ(axes_of("out/" + name + ".csv"), axes(here.text("out/" + name + ".svg"))) << name;
+        // And where the file does not say it, its columns do.
+        here.write("old.csv", std::regex_replace(here.text("out/" + name + ".csv"),
+                                                 std::regex("# picture: .*\n"), ""));
+        EXPECT_EQ(axes_of("old.csv"), axes(here.text("out/" + name + ".svg"))) << name;
+    }
+}
+
+TEST_F(Plot, OfCyclesIsOverTheirNumber) {
+    run("x", undrained_cycles);
+    const std::string undrained = axes_of("out/x_cycles.csv");
+    EXPECT_EQ(undrained, "excess pore pressure u/p; shear strain amplitude; secant shear modulus; "
+                         "damping; cycle N; ");
+    EXPECT_EQ(axes_of("out/x.csv --kind cycles"), undrained);
+    const auto result = here.result("x_cycles");
+    EXPECT_NEAR(result.at("u/p0").back(), result.at("pore_pressure").back() / 100.0, 1e-12);
+    here.write("w.toml", "picture = \"cycles\"\n" + here.text("x.toml"));
+    ASSERT_EQ(here.grit("element --quiet --out out w.toml").status, 0);
+    EXPECT_EQ(axes(here.text("out/w.svg")), undrained);
+    EXPECT_EQ(axes_of("out/w.csv"), undrained);
+    // A column less, a panel less.
+    here.write("few.csv", "cycle,damping [-]\n1,0.1\n2,0.2\n");
+    EXPECT_EQ(axes_of("few.csv"), "damping; cycle N; ");
+    // Drained there is no pore pressure, and nothing is drawn of none.
+    run("y", stage("triaxial_drained", "axial_strain_amplitude = -1e-3\ncycles = 2"));
+    EXPECT_EQ(axes_of("out/y_cycles.csv").find("pore pressure"), std::string::npos);
+    run("z", drained);
+    refused("out/z.csv --kind cycles", "a picture of cycles needs cycles, as in RUN_cycles.csv");
+}
+
+TEST_F(Plot, HasNoPanelOfNoise) {
+    run("x", stage("triaxial_undrained", "axial_strain = -0.02"));
+    EXPECT_EQ(axes_of("out/x.csv --kind triaxial"),
+              "axial compression; q = ; effective mean pressure; ");
+}
+
+TEST_F(Plot, OfTwoKindsOfTestIsRefused) {
+    run("a", oedometer);
+    run("b", drained);
+    refused("out/a.csv out/b.csv",
+            "out/a.csv is for a picture of oedometer, and out/b.csv for one of triaxial");
+    EXPECT_NE(axes_of("out/a.csv out/b.csv --kind triaxial"), "");
+    // Drained and undrained triaxial tests may be seen together, and loops.
+    run("u", stage("triaxial_undrained", "axial_strain = -0.02"));
+    EXPECT_EQ(axes_of("out/b.csv out/u.csv"), axes_of("out/b.csv"));
+    EXPECT_EQ(axes_of("out/u.csv out/b.csv"), axes_of("out/u.csv"));
+    run("c", stage("triaxial_drained", "axial_strain_amplitude = -1e-3\ncycles = 2"));
+    EXPECT_EQ(axes_of("out/b.csv out/c.csv"), axes_of("out/b.csv"));
+}
+
+TEST_F(Plot, OfAFileOfNothingKnownTellsItsColumns) {
+    here.write("x.csv", "wind [m/s],rain [mm]\n1,2\n2,3\n");
+    refused("x.csv", "x.csv: no picture that is known here has two of its columns (wind, rain); "
+                     "--x COLUMN --y COLUMN,... draws any");
+}
+
+TEST_F(Plot, OfAFolderNamesItsResults) {
+    run("a", drained);
+    refused("out", "out is a folder: name results in it, out/a.csv; grit report out shows all");
+    refused("--data .", ". is a folder, without results");
+}
+
+#ifdef GRIT_MPM_CASES
+TEST_F(Plot, OfHistoriesIsThatOfGritMpm) {
+    const std::string mpm = "mpm " GRIT_MPM_CASES "/every_key.toml --quiet --out ";
+    ASSERT_EQ(here.grit(mpm + "out").status, 0);
+    ASSERT_EQ(here.grit(mpm + "other --no-plot --set numerics.cfl=0.3").status, 0);
+    const std::string alone = axes_of("out/every_key.csv");
+    EXPECT_EQ(alone, "depth; velocity; energy residual; ");
+    EXPECT_EQ(alone, axes(here.text("out/every_key.svg")));
+    EXPECT_EQ(axes_of("out/every_key.csv other/every_key.csv"), alone);
+    EXPECT_NE(here.text("p.svg").find("other/every"), std::string::npos);
+    run("b", drained);
+    refused("other/every_key.csv out/b.csv", "other/every_key.csv is for a picture of history");
+    here.write("n.csv", std::regex_replace(here.text("out/every_key.csv"),
+                                           std::regex("depth \\[m\\]"), "depth [mm]"));
+    refused("out/every_key.csv n.csv", "n: depth is in depth [mm], and of what is drawn beside it "
+                                       "depth [m]");
+}
+#endif
+
+// What is drawn of points does not depend on the units they are written in.
+TEST_F(Plot, ConvertsUnitsInTheHeader) {
+    const auto picture = [&](const std::string& text, const std::string& options = "") {
+        here.write("lab.csv", text);
+        const Answer answer = here.grit("plot --data lab.csv --out p " + options);
+        EXPECT_EQ(answer.status, 0) << answer.text;
+        return here.text("p.svg");
+    };
+    const std::string plain = picture("eps_a_percent,q_kPa\n0,0\n1,120.5\n3,180\n");
+    EXPECT_EQ(picture("axial_strain [%],axial_deviator [MPa]\n0,0\n-1,0.1205\n-3,0.18\n"), plain);
+    EXPECT_EQ(picture("eps_a_percent [-],q_kPa [bar]\n0,0\n0.01,1.205\n0.03,1.8\n"), plain);
+    const std::string names = "--column eps_a_percent=Axial ";
+    EXPECT_EQ(picture("Axial [permille],Deviator [Pa]\n0,0\n10,120500\n30,180000\n",
+                      names + "--column q_kPa=Deviator"),
+              plain);
+    EXPECT_EQ(picture("Axial,Deviator (MPa)\n0,0\n1,0.1205\n3,0.18\n",
+                      names + "--column 'q_kPa=Deviator (MPa)'"),
+              plain);
+    EXPECT_EQ(picture("Axial,Deviator_MPa\n0,0\n1,0.1205\n3,0.18\n",
+                      names + "--column q_kPa=Deviator_MPa"),
+              plain);
+    here.write("lab.csv", "eps_a_percent,q_kPa [ksi],p_kPa\n0,0,1\n1,2,3\n");
+    refused("--data lab.csv",
+            "lab.csv: column q_kPa: its unit [ksi] is not known here; known: kPa");
+}
+
+TEST_F(Plot, TakesAHeaderWithItsUnitAsItStands) {
+    here.write("lab.csv", "Axial [%],Deviator [kPa]\n0,0\n1,120\n");
+    const std::string strain = "--data lab.csv --column eps_a_percent=Axial --column ";
+    EXPECT_EQ(axes_of(strain + "'q_kPa=Deviator [kPa]'"), "axial compression; q = ; ");
+    EXPECT_EQ(axes_of(strain + "q_kPa=Deviator"), "axial compression; q = ; ");
+    refused(strain + "'q_kPa=Deviatr [kPa]'", "nearest: Deviator [kPa]");
+}
+
+TEST_F(Plot, TakesNoNameThatNoPictureDraws) {
+    here.write("lab.csv", "Axial,Deviator\n0,0\n1,120\n");
+    refused("--data lab.csv --column q=Deviator",
+            "--column q=Deviator: no picture of a kind draws \"q\"; nearest: q_kPa");
+    refused("--data lab.csv --column foo=Deviator",
+            "there is no column \"foo\"; known here: eps_a_");
+    refused("x.csv --column q_kPa=Deviator", "--column requires --data");
+    refused("x.csv --only A", "--only requires --data");
+    EXPECT_EQ(here.grit("plot --data lab.csv --column q=Deviator --column axial_strain=Axial "
+                        "--x axial_strain --y q --out p")
+                  .status,
+              0);
+}
+
+TEST_F(Plot, TellsItsKinds) {
+    run("x", drained);
+    refused("out/x.csv --kind oedometr", "nearest: oedometer");
+    for (const char* command : {"plot --help", "man", "completion bash"}) {
+        const Answer answer = here.grit(command);
+        for (const char* kind : {"oedometer", "cycles", "shear_constant_volume", "history"})
+            EXPECT_TRUE(answer.says(kind)) << command << ' ' << kind;
+    }
+}
+
+// Data that the first panel has not are in the key all the same.
+TEST_F(Plot, HasAllThatItDrawsInItsKey) {
+    run("x", drained);
+    here.write("measured.csv", "p_kPa,void_ratio\n100,0.6\n110,0.59\n");
+    EXPECT_NE(axes_of("out/x.csv --data measured.csv"), "");
+    EXPECT_NE(here.text("p.svg").find("measured"), std::string::npos);
+    here.write("other.csv", "sigma_r_kPa\n1\n2\n");
+    EXPECT_TRUE(here.grit("plot out/x.csv --data other.csv --out p")
+                    .says("nothing of other.csv is in this picture of triaxial"));
+}
+
+}  // namespace
