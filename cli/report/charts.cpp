@@ -18,7 +18,7 @@
 #include "element/number.hpp"
 
 namespace cli {
-namespace {}
+namespace {
 
 // All columns over the first.
 std::vector<Panel> plain(const Table& table) {
@@ -39,10 +39,10 @@ std::vector<Panel> plain(const Table& table) {
     return out.series.empty() ? std::vector<Panel>{} : std::vector<Panel>{out};
 }
 
-Curve computed(const Finding& finding, const std::string& label, int colour) {
+Curve computed(const Finding& finding, const Table& table, const std::string& label, int colour) {
     Curve out;
     out.label = label;
-    out.table = standardised(read_table(finding.table));
+    out.table = standardised(table);
     if (!finding.cycles.empty()) out.cycles = read_table(finding.cycles);
     out.colour = colour;
     return out;
@@ -66,8 +66,7 @@ std::string kind_of(const Finding& finding, const Table& table) {
     return more ? "degradation" : kind;
 }
 
-std::vector<Panel> panels_of(const Finding& finding, const std::string& kind, Curve curve) {
-    if (kind.empty()) return plain(read_table(finding.table));
+std::vector<Panel> panels_of_result(const Finding& finding, const std::string& kind, Curve curve) {
     if (kind == "history") return picture_of_histories({curve}, "").panels;
     if (is_of_cycles(curve.table)) std::swap(curve.table, curve.cycles);
     std::vector<Curve> curves = {curve};
@@ -96,7 +95,8 @@ std::vector<Panel> panels_of_comparison(const Finding& finding) {
         const Finding files = run_beside(finding, run.name);
         if (files.table.empty()) continue;
         const std::string label = run.label.empty() ? head_of(files.table).title : run.label;
-        const Curve curve = computed(files, label, static_cast<int>(runs.size()));
+        const Curve curve =
+            computed(files, read_table(files.table), label, static_cast<int>(runs.size()));
         const std::string kind_of_run = kind_of(files, curve.table);
         if (kind_of_run.empty() || kind_of_run == "history") continue;
         if (kind.empty()) kind = kind_of_run;
@@ -144,10 +144,10 @@ Shown shown_of(const Finding& finding) {
         out.panels = panels_of_comparison(finding);
         out.compared = !out.panels.empty();
         out.command = "grit element";
-    } else if (all_numbers(read_table(finding.table))) {
-        const Curve curve = computed(finding, "computed", 0);
+    } else if (const Table table = read_table(finding.table); all_numbers(table)) {
+        const Curve curve = computed(finding, table, "computed", 0);
         const std::string kind = kind_of(finding, curve.table);
-        out.panels = panels_of(finding, kind, curve);
+        out.panels = kind.empty() ? plain(table) : panels_of_result(finding, kind, curve);
         if (!kind.empty()) out.command = kind == "history" ? "grit mpm" : "grit element";
     }
     if (out.panels.empty()) out.cells = read_cells(finding.table).rows;
