@@ -15,6 +15,7 @@
 #include <adapters/mpm/io/checksum.hpp>
 #include <fmt/format.h>
 
+#include "cli/process/cannot_write.hpp"
 #include "element/atomic_file.hpp"
 
 namespace cli {
@@ -43,11 +44,6 @@ Header header_of(std::string_view runner) {
 
 [[noreturn]] void refuse(const fs::path& place, std::string_view why) {
     throw std::runtime_error(fmt::format("{}: {}", place.string(), why));
-}
-
-[[noreturn]] void cannot_write(const fs::path& place, int error) {
-    throw element::CannotWrite(fmt::format("{}: cannot write this file: {}", place.string(),
-                                           std::generic_category().message(error)));
 }
 
 // What the disk does not hold is lost with the power. Some file systems know no such call for folders.

@@ -11,10 +11,10 @@
 #include <cstring>
 #include <string>
 #include <string_view>
-#include <system_error>
 
 #include <fmt/format.h>
 
+#include "cli/process/cannot_write.hpp"
 #include "cli/process/version.hpp"
 #include "element/atomic_file.hpp"
 
@@ -121,11 +121,6 @@ void append(std::string& text, const std::vector<PvdEntry>& frame, std::size_t& 
     }
     for (const std::string& line : lines) text += line;
     room = text.size() + std::max(page, text.size());
-}
-
-[[noreturn]] void cannot_write(const std::filesystem::path& place, int error) {
-    throw element::CannotWrite(fmt::format("{}: cannot write this file: {}", place.string(),
-                                           std::generic_category().message(error)));
 }
 
 std::string read_begin(int file, const std::filesystem::path& place, std::size_t size) {
