@@ -28,8 +28,8 @@ struct MpmRunOptions {
     double checkpoint_minutes = 0.0;  // 0: when it is interrupted, only
     bool restart = false;             // from the checkpoint
     bool quiet = false;
-    bool field_svg = false;  // pictures of fields as .svg too
-    std::string changes;     // of the case by options, "with KEY=VALUE", empty: none
+    bool field_svg = false;    // pictures of fields as .svg too
+    std::string changes = {};  // of the case by options, "with KEY=VALUE", empty: none
 };
 
 class MpmRun {
