@@ -15,6 +15,7 @@ class Reader {
     Element document() {
         if (text.starts_with("<?xml")) at = text.find("?>") + 2;
         space();
+        while (text.compare(at, 4, "<!--") == 0) comment();
         Element out = element();
         space();
         if (at != text.size()) fail("something behind the root");
@@ -31,6 +32,12 @@ class Reader {
     }
     void space() {
         while (at < text.size() && std::strchr(" \n\t\r", text[at])) ++at;
+    }
+    void comment() {
+        const std::size_t end = text.find("--", at + 4);
+        if (end == std::string::npos || text.compare(end, 3, "-->") != 0) fail("-- in a comment");
+        at = end + 3;
+        space();
     }
     void expect(const std::string& word) {
         if (text.compare(at, word.size(), word) != 0) fail("no " + word);
