@@ -19,8 +19,9 @@ class Gather {
     // Wave speeds and velocities of particles as they are, before the first step.
     void measure();
 
-    // What a strip of a body has left.
-    struct OfStrip {
+    // What a strip of a body has left: a thread writes it for each particle, so that no two share a cache line, nor the
+    // pair of them that processors fetch.
+    struct alignas(128) OfStrip {
         GatherSums sums = {};
         double speed = 0.0;             // largest wave speed, viscosity included [m/s]
         Total viscous_loss = {};        // in this step [J]

@@ -17,8 +17,9 @@ class Gather {
     // Wave speeds and velocities of particles as they are, before the first step.
     void measure();
 
-    // What a pencil of a body has left.
-    struct OfPencil {
+    // What a pencil of a body has left: a thread writes it for each particle, so that no two share a cache line, nor the
+    // pair of them that processors fetch.
+    struct alignas(128) OfPencil {
         GatherSums sums = {};
         double speed = 0.0;             // largest wave speed, viscosity included [m/s]
         double viscous_loss = 0.0;      // in this step [J]
