@@ -121,11 +121,6 @@ TEST(MaterialPointCommand, SaysInPlaneStrainWhatIsInAPlane) {
 
 TEST(MaterialPointCommand, TakesXForRInPlaneStrain) {
     const Workplace here;
-    const auto replaced = [](std::string text, const std::string& old, const std::string& by) {
-        for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += by.size())
-            text.replace(at, old.size(), by);
-        return text;
-    };
     const std::string with_x = replaced(replaced(block, "grid.r", "grid.x"), "\nr_m", "\nx_m");
     const std::string run = "mpm --no-plot --quiet --out out ";
     here.write("r.toml", block);

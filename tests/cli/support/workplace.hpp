@@ -40,3 +40,10 @@ class Workplace {
   private:
     std::filesystem::path place;
 };
+
+// A text with all of one word replaced by another.
+inline std::string replaced(std::string text, const std::string& old, const std::string& by) {
+    for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += by.size())
+        text.replace(at, old.size(), by);
+    return text;
+}
