@@ -166,7 +166,7 @@ CaseFile read_case(const std::filesystem::path& path, TomlTable& root, const std
 }  // namespace
 
 std::vector<std::string> CaseFile::heading() const {
-    std::vector<std::string> out{fmt::format("Grit {}, case {}: {}", version(), name, title)};
+    std::vector<std::string> out{made_by_grit("case " + name, title)};
     if (!changes.empty()) out.push_back(changes);
     return out;
 }

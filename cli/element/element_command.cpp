@@ -124,8 +124,8 @@ void write_reference(const fs::path& path, const CaseFile& file) {
     Table curve = file.reference.curve;
     std::erase_if(curve.columns, [](const Column& column) { return !column.problem.empty(); });
     write_table(path,
-                {fmt::format("Grit {}, {} beside case {}: {}", version(), reference_label(file),
-                             file.name, file.reference.origin)},
+                {made_by_grit(fmt::format("{} beside case {}", reference_label(file), file.name),
+                              file.reference.origin)},
                 curve);
 }
 
@@ -136,8 +136,7 @@ void write_comparison(const fs::path& path, const std::vector<CaseFile>& cases) 
         std::replace(label.begin(), label.end(), ',', ';');
         rows.push_back({file.name, label});
     }
-    write_rows(path, rows,
-               fmt::format("Grit {}, comparison: {}", version(), title_of_comparison(cases)));
+    write_rows(path, rows, made_by_grit("comparison", title_of_comparison(cases)));
 }
 
 Outputs outputs_of(const ElementRequest& request, const std::vector<CaseFile>& cases) {

@@ -64,8 +64,7 @@ std::vector<std::string> history_comments(const grit::mpm::Runner& runner,
     const GeometryWords& words = words_of(plan);
     const std::string load =
         plan.tractions.empty() ? "" : fmt::format(" {}: tractions on it, downwards;", words.load);
-    std::vector<std::string> out{
-        fmt::format("Grit {}, case {}: {}", version(), plan.name, plan.title)};
+    std::vector<std::string> out{made_by_grit("case " + plan.name, plan.title)};
     if (!changes.empty()) out.push_back(changes);
     const std::string more[] = {
         fmt::format("{} particles, driven body: {}{}", runner.particles(), plan.history.body,

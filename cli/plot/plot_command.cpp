@@ -120,8 +120,7 @@ Picture picture_of_files(const PlotRequest& request, const Files& files) {
     for (std::size_t i = 0; i < files.size(); ++i)
         if (!is_drawn(curves[i], kind)) missing.push_back(files[i].path.string());
     const auto cycled = [](const Curve& curve) { return curve.cycles.rows() > 0; };
-    if (kind != "history" && shows_cycles(kind) &&
-        std::none_of(curves.begin(), curves.end(), cycled))
+    if (shows_cycles(kind) && std::none_of(curves.begin(), curves.end(), cycled))
         throw BadInput(
             fmt::format("a picture of {} needs cycles, as in RUN_cycles.csv, and none of "
                         "the files has any",

@@ -20,4 +20,8 @@ std::string version_and_instruction_set() {
                        grit::instruction_set_text(grit_instruction_set()));
 }
 
+std::string made_by_grit(const std::string& what, const std::string& title) {
+    return fmt::format("Grit {}, {}: {}", version(), what, title);
+}
+
 }  // namespace cli

@@ -41,8 +41,7 @@ TomlTable TomlTable::of_file(const std::filesystem::path& path,
 }
 
 std::string TomlTable::full(const std::string& key) const {
-    if (name.empty() || key.empty()) return name + content->spelled(key);
-    return name + "." + content->spelled(key);
+    return name + (name.empty() || key.empty() ? "" : ".") + content->spelled(key);
 }
 
 void TomlTable::take_names_from(const OtherNames& names) {
