@@ -200,6 +200,18 @@ TEST(PenaltyBadCall, FlushStiffnessChecksItsSurface) {
     EXPECT_EQ(c.b.stiffness[0], 0.0);
 }
 
+// An open line may end where it began; a closed one has a segment there, which needs a length.
+TEST(PenaltyBadCall, FlushStiffnessLooksAtTheSegmentThatClosesALine) {
+    Call c;
+    grit_error error{};
+    c.b.x.back() = c.b.x.front();
+    c.view_b.closed = 0;
+    EXPECT_EQ(grit_penalty_flush_stiffness(&c.o, &c.view_b, &error), GRIT_OK) << error.message;
+    c.view_b.closed = 1;
+    EXPECT_EQ(grit_penalty_flush_stiffness(&c.o, &c.view_b, &error), GRIT_BAD_STATE);
+    EXPECT_EQ(error.point, c.view_b.count - 1);
+}
+
 TEST(PenaltyOptions, StartAsDocumented) {
     grit_penalty_options o;
     ASSERT_EQ(grit_penalty_options_init(&o, sizeof o), GRIT_OK);

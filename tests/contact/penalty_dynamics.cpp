@@ -107,6 +107,14 @@ TEST(PenaltyStep, BeforeAnyContactIsThatOfFlushContact) {
     EXPECT_NEAR(line.stiffness[2], eps * 0.5 * (16.0 - 2.5 * 2.5), 1e-6);
 }
 
+TEST(PenaltyStep, OfAClosedLineCountsTheSegmentThatClosesIt) {
+    Surface line(std::vector<Point>{{0.0, 0.0}, {3.0, 0.0}, {0.0, 4.0}}, true);
+    const grit_penalty_surface view = line.view();
+    const Contact contact(eps);
+    ASSERT_EQ(grit_penalty_flush_stiffness(&contact.options, &view, nullptr), GRIT_OK);
+    EXPECT_EQ(line.stiffness, (std::vector<double>{3.5 * eps, 4.0 * eps, 4.5 * eps}));
+}
+
 TEST(PenaltyStiffness, IsAMultipleOfTheModulusOverTheCell) {
     double eps_n = 0.0;
     EXPECT_EQ(grit_penalty_stiffness(3.0, 2e7, 0.05, &eps_n), GRIT_OK);

@@ -68,6 +68,23 @@ TEST(SurfaceContact, KeepsMomentumAndMakesNoEnergy) {
             }
 }
 
+// (V5): of sweeps that end early, too.
+TEST(SurfaceContact, MakesNoEnergyHoweverEarlyItsSweepsEnd) {
+    for (std::uint64_t seed = 0; seed < 300; ++seed)
+        for (const double mu : {0.3, 1.0, 5.0, 50.0})
+            for (const int limit : {1, 2, 3, 5}) {
+                Meeting m(2, seed, 1.0);
+                for (GridBody* body : {&m.a, &m.b})
+                    std::fill(body->fixed.begin(), body->fixed.end(), 0);
+                SurfaceCall call(2, mu);
+                call.options.sweep_limit = limit;
+                call.options.spacing = 0.7;
+                const double before = m.a.kinetic() + m.b.kinetic();
+                ASSERT_EQ(call(m.a, m.b), GRIT_OK) << call.error.message;
+                EXPECT_LE(m.a.kinetic() + m.b.kinetic(), before * (1.0 + 1e-13)) << seed;
+            }
+}
+
 // The pressures are those of the quadratic program: no pressure pulls, none is where the gap stays open, and what is
 // left of the approach closes the gap and no more. Solved again, nothing changes.
 TEST(SurfaceContact, LeavesNothingThatApproaches) {
@@ -483,6 +500,32 @@ TEST(SurfaceContact, MeetsTheTipOfAWedgeHoweverLongItsSidesAre) {
         ASSERT_EQ(call(plane, wedge), GRIT_OK) << call.error.message;
         EXPECT_GT(call.totals.points, 0) << side;
         EXPECT_GT(call.totals.normal_impulse, 0.0) << side;
+    }
+}
+
+// (V2): a block in a corner presses on what it moves towards; along a smooth turn it would press on both sides.
+TEST(SurfaceContact, HasPressuresOfItsOwnOnEachSideOfATurn) {
+    const std::vector<double> x{0, 0, 1, 0, 0, 1};
+    FreeBody corner(2, x, {1, 0, 0, 2}, 1e6), block(2, x, {0, 1, 2, 0}, 1.0);
+    block.move(-1.0);
+    SurfaceCall call = call_of(2, 2.0, 0.1);
+    ASSERT_EQ(call(corner, block), GRIT_OK) << call.error.message;
+    EXPECT_EQ(call.totals.rows, 4);
+    EXPECT_EQ(call.totals.impulse_on_b[0], 0.0);
+    EXPECT_NEAR(block.v[1], 0.0, 1e-5);
+    EXPECT_NEAR(block.v[3], 0.0, 1e-5);
+    EXPECT_EQ(block.v[5], -1.0);
+}
+
+// What a step may have: masses of 1e-30 to 1e30.
+TEST(SurfaceContact, TakesTheSmallestAndTheLargestMass) {
+    for (const double mass : {1e-30, 1e30}) {
+        FreeBody floor(2, {0, 0, 1, 0}, {1, 0}, mass), block(2, {0, 0, 1, 0}, {0, 1}, mass);
+        block.move(-1.0);
+        SurfaceCall call = call_of(2, 1.0, 0.1);
+        ASSERT_EQ(call(floor, block), GRIT_OK) << call.error.message;
+        EXPECT_NEAR(block.v[1], -0.5, 1e-12);
+        EXPECT_NEAR(floor.v[3], -0.5, 1e-12);
     }
 }
 
