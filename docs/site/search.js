@@ -31,8 +31,9 @@
     }
     function excerpt(section, place) {
         const low = section.text.toLowerCase(), first = Math.min(...words.map(w => low.indexOf(w)).filter(at => at >= 0));
-        const from = Math.max(0, (Number.isFinite(first) ? first : 0) - 80);
-        let rest = (from ? "... " : "") + section.text.slice(from, from + 260);
+        let from = Math.max(0, (Number.isFinite(first) ? first : 0) - 80);
+        if (from) from = section.text.indexOf(" ", from) + 1; // words are not cut
+        let rest = (from ? "... " : "") + section.text.slice(from, from + 260).replace(/\s+\S*$/, section.text.length > from + 260 ? " ..." : "$&");
         while (rest) {
             const lower = rest.toLowerCase();
             const [at, word] = words.map(w => [lower.indexOf(w), w]).filter(x => x[0] >= 0).sort((a, b) => a[0] - b[0])[0] || [-1, ""];

@@ -71,8 +71,10 @@ assert not wrong, "\n".join(wrong[:40])
 assert len(files) > 100 and followed > 5000, (len(files), followed)
 words = (site / "reference/sand.html").read_text()
 assert "The increment" not in words and 'id="grit_sand_update"' in words, "a page of a header"
+assert 'href="sand.html"' in (site / "reference/grit.html").read_text().split('role="main"')[1], "a header of headers links to these"
 assert "relaxation_time_s" in (site / "keys/mpm.html").read_text(), "keys that the program prints"
 print(f"{len(files)} pages, {followed} links")
+words_of_site = set((site / "search/main.js").read_text().replace("\\n", " ").replace('"', " ").split())
 
 browser = headless.browser(work, "search", performance="ALL")
 from selenium.webdriver.common.by import By
@@ -100,6 +102,18 @@ try:
     browser.save_screenshot(str(work / "clicked.png"))
     assert any("Material points" in each or "Hypoplasticity" in each for each in search("(H9)")), "an equation"
     assert search("φ_c degree"), "a symbol"
+    found = search("steps of incrementalDriver")
+    places = [each.get_attribute("href") for each in browser.find_elements(By.CSS_SELECTOR, "#mkdocs-search-results h3 a")]
+    assert not any("start/incremental-driver.html" == each.split("/site/")[1] for each in places), "a page of one section twice"
+    for each in browser.find_elements(By.CSS_SELECTOR, "#mkdocs-search-results p:not(#search-count)"):
+        begin = each.text.split(" ")[:2]
+        assert begin[0] != "..." or begin[1] in words_of_site, f"cut: {begin}"
+    browser.get((site / "keys/mpm.html").as_uri())
+    broken = browser.execute_script("""return [...document.querySelectorAll("td:nth-child(-n+2) code")]
+        .filter(each => each.getClientRects().length > 1).map(each => each.textContent)""")
+    assert not broken, f"keys on two lines: {broken[:5]}"
+    browser.save_screenshot(str(work / "keys.png"))
+    browser.back()
     assert "Oedometer, loaded" not in search("oedometer") and len(search("oedometer")) > 5
     assert search("no_such_word_anywhere") == []
     assert "No section" in browser.find_element(By.ID, "search-count").text
