@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <exception>
 #include <new>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -51,8 +54,15 @@ int follow(int argc, char** argv) {
 #endif
     cli::add_report_command(app, asked);
     cli::add_guide_commands(app, asked);
+    std::vector<std::string> words(argv + 1, argv + std::max(argc, 1));
+    if (!words.empty() && words.front() == "help") {  // as other programs have it
+        std::rotate(words.begin(), words.begin() + 1, words.end());
+        words.back() = "--help";
+    }
+    if (words == std::vector<std::string>{"version"}) words = {"--version"};
+    std::reverse(words.begin(), words.end());  // as the parser takes them
     try {
-        app.parse(argc, argv);
+        app.parse(words);
         return asked();
     } catch (const CLI::ParseError& error) {
         std::ostringstream help, complaint;

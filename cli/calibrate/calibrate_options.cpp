@@ -7,6 +7,7 @@
 
 #include "cli/calibrate/calibrate_command.hpp"
 #include "cli/calibrate/calibration_case.hpp"
+#include "cli/process/option_checks.hpp"
 
 namespace cli {
 
@@ -21,9 +22,9 @@ void add_calibrate_command(CLI::App& app, Command& asked) {
     calibrate
         ->add_option("--samples", request->samples,
                      "Of the posterior, instead of the case's; 0: none")
-        ->check(CLI::Range(0L, most_samples));
+        ->check(within(0.0, most_samples));
     calibrate->add_option("--threads", request->threads, "Changes no result [all processors]")
-        ->check(CLI::Range(1, 1024));
+        ->check(within(1.0, 1024.0));
     calibrate->add_flag("--quiet", request->quiet, "Nothing but errors");
     calibrate->callback(
         [&asked, request] { asked = [request] { return run_calibration(*request); }; });

@@ -8,6 +8,7 @@
 #include "cli/element/element_command.hpp"
 #include "cli/element/element_keys.hpp"
 #include "cli/element/incremental_driver_command.hpp"
+#include "cli/process/option_checks.hpp"
 #include "cli/process/standard_streams.hpp"
 #include "cli/toml/set_option.hpp"
 
@@ -50,7 +51,7 @@ void add_element_command(CLI::App& app, Command& asked) {
     element
         ->add_option("--layout", request->umat.layout,
                      "PROPS and STATEV of that library [classic], see docs/umat.md")
-        ->check(CLI::IsMember({"classic", "radian"}))
+        ->check(one_of({"classic", "radian"}))
         ->needs(umat)
         ->excludes(folder);
     element->callback([&asked, request, driver, cases, folder, out, keys] {

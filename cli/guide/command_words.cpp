@@ -11,7 +11,7 @@
 namespace cli {
 namespace {
 
-// CLI::IsMember tells its values as "{a,b}" in the type of the option.
+// one_of tells its values as "{a,b}" in the type of the option.
 std::vector<std::string> choices_of(const CLI::Option& option) {
     const std::string type = option.get_type_name();
     const std::size_t open = type.find('{'), close = type.rfind('}');
@@ -46,13 +46,13 @@ void walk(const CLI::App& app, CommandWords& out) {
     out.description = app.get_description();
     for (const CLI::Option* each : app.get_options())
         (each->get_positional() ? out.positionals : out.options).push_back(option_words(*each));
-    if (out.name() == "grit sand show") out.positionals.front().choices = sand_names();
-    if (out.name() == "grit element")
-        for (OptionWords& each : out.options)
-            if (each.names.back() == "--sand") {
-                each.choices = sand_names();
-                each.or_file = true;
-            }
+    const auto take_sands = [](OptionWords& words) {
+        words.choices = sand_names();
+        words.or_file = true;
+    };
+    if (out.name() == "grit sand show") take_sands(out.positionals.front());
+    for (OptionWords& each : out.options)
+        if (each.names.back() == "--sand") take_sands(each);
     for (const CLI::App* each : app.get_subcommands([](const CLI::App*) { return true; })) {
         if (each->get_group().empty()) continue;
         CommandWords below;

@@ -89,8 +89,9 @@ std::string fish(const CommandWords& grit) {
                 out += fmt::format("complete -c grit -f -n {} -a {} -d {}\n", quoted(when, "\\'"),
                                    below.path.back(), quoted(below.description, "\\'"));
         } else if (!plain_words(*command).empty()) {
-            out += fmt::format("complete -c grit -n {} -a '{}'\n", quoted(seen, "\\'"),
-                               fmt::join(plain_words(*command), " "));
+            out += fmt::format("complete -c grit{} -n {} -a '{}'\n",
+                               command->positionals.front().or_file ? "" : " -f",
+                               quoted(seen, "\\'"), fmt::join(plain_words(*command), " "));
         }
         for (const OptionWords& option : command->options) {
             std::string names;

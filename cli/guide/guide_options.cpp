@@ -9,6 +9,7 @@
 #include "cli/guide/completion.hpp"
 #include "cli/guide/doctor.hpp"
 #include "cli/guide/manual_page.hpp"
+#include "cli/process/option_checks.hpp"
 #include "cli/process/standard_streams.hpp"
 
 namespace cli {
@@ -22,7 +23,7 @@ void add_guide_commands(CLI::App& app, Command& asked) {
     const auto shell = std::make_shared<std::string>();
     completion->add_option("SHELL", *shell, "As in: source <(grit completion bash)")
         ->required()
-        ->check(CLI::IsMember(shells()));
+        ->check(one_of(shells()));
     completion->callback([&asked, &app, shell] {
         asked = [&app, shell] {
             say("{}", completion_of(words_of(app), *shell));

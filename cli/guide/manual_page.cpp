@@ -16,6 +16,7 @@ std::string roff(const std::string& text) {
     for (const char c : text) {
         if (c == '\\') out += "\\e";
         else if (c == '-') out += "\\-";
+        else if (c == '|') out += "\\:|\\:";  // a line may end beside it
         else out += c;
     }
     return !out.empty() && (out.front() == '.' || out.front() == '\'') ? "\\&" + out : out;
@@ -71,7 +72,7 @@ std::string manual_page(const CommandWords& grit) {
     return out +
            ".SH EXIT STATUS\n0: done. 1: the computation failed or missed its reference. 2: "
            "bad input.\n"
-           ".SH FILES\n.I docs/\n, which this page names, and cases as those below are in the "
+           ".SH FILES\n.IR docs/ ,\nwhich this page names, and cases as those below are in the "
            "source tree and in the package grit\\-doc; grit doctor says where.\n"
            ".SH EXAMPLES\n.nf\ngrit sand show lausitz\n"
            "grit element verification/cases/lausitz_dense.toml \\-\\-out results\n"

@@ -2,12 +2,14 @@
 #include "cli/mpm/options.hpp"
 
 #include <memory>
+#include <ranges>
 
 #include <CLI/CLI.hpp>
 
 #include <adapters/mpm/case/case_words.hpp>
 
 #include "cli/mpm/command.hpp"
+#include "cli/process/option_checks.hpp"
 #include "cli/toml/set_option.hpp"
 
 namespace cli {
@@ -17,19 +19,20 @@ void add_mpm_command(CLI::App& app, Command& asked) {
         app.add_subcommand("mpm", "Run a material-point case, see docs/material-points.md");
     const auto request = std::make_shared<MpmRequest>();
     constexpr grit::mpm::Interval threads = grit::mpm::case_word("numerics", "threads").range;
+    const auto tables = std::views::keys(printed_tables());
     mpm->add_option("CASE", request->file, "TOML file");
     mpm->add_option(
            "--keys", request->keys,
            "Print the keys of case files, the words of fix grit/mpm, the variables of fields "
            "or the columns of the history, as in docs/")
-        ->check(CLI::IsMember(printed_tables()));
+        ->check(one_of({tables.begin(), tables.end()}));
     mpm->add_option("--out", request->out, "Folder for data and pictures, made if missing [.]");
     mpm->add_option(
         "--sand", request->sand,
         "Name of a sand, or a file as grit calibrate writes it, for all bodies of sand");
     add_set_option(*mpm, request->settings, "body.soil.sand.void_ratio=0.7");
     mpm->add_option("--threads", request->threads, "Instead of the case's; changes no result")
-        ->check(CLI::Range(threads.low, threads.high));
+        ->check(within(threads.low, threads.high));
     mpm->add_option("--checkpoint-minutes", request->checkpoint_minutes,
                     "Between checkpoints DIR/<case>.checkpoint; without, an interrupted run alone "
                     "leaves one")

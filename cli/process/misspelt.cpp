@@ -38,6 +38,12 @@ std::string misspelt(const CLI::App& app, int argc, const char* const* argv) {
     for (int i = 1; i < argc; ++i) {
         const std::string word = argv[i];
         if (word == "--") break;
+        if (word.size() == 2 && word[0] == '-' && word != "-h") {
+            std::string alike;
+            for (const std::string& option : options_of(*at))
+                if (alike.empty() && option[2] == word[1]) alike = "; nearest: " + option;
+            return fmt::format("{}: there is no option {}{}", command, word, alike);
+        }
         if (word.starts_with("--")) {
             const std::string name = word.substr(0, word.find('='));
             const std::vector<std::string> known = options_of(*at);

@@ -64,6 +64,9 @@ const std::vector<std::string>& props_forms() {
 
 ExitCode show_props(const std::string& name, const std::string& form, double void_ratio) {
     const grit_sand_parameters parameters = sand_of(name);
+    if (void_ratio > parameters.loosest_void_ratio)
+        throw BadInput(fmt::format("--void-ratio must be at most {:g}, e_i0 of {}, got {:g}",
+                                   parameters.loosest_void_ratio, name, void_ratio));
     double classic[GRIT_CLASSIC_NPROPS], props[GRIT_CLASSIC_NPROPS];
     grit_classic_props(&parameters, !std::isnan(parameters.reversal_stiffness), classic);
     constexpr int e_0 = GRIT_CLASSIC_VOID_RATIO_AT_ZERO_PRESSURE;

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/process/option_checks.hpp"
 #include "cli/sand/sand_command.hpp"
 
 namespace cli {
@@ -21,10 +22,10 @@ void add_sand_command(CLI::App& app, Command& asked) {
         ->required();
     const auto form = std::make_shared<std::string>();
     CLI::Option* props = show->add_option("--props", *form, "As PROPS of a UMAT, see docs/umat.md")
-                             ->check(CLI::IsMember(props_forms()));
+                             ->check(one_of(props_forms()));
     const auto void_ratio = std::make_shared<double>(0.0);
     show->add_option("--void-ratio", *void_ratio, "Of the sample, for PROPS")
-        ->check(CLI::Range(0.01, 10.0))
+        ->check(within(0.01, 10.0))
         ->needs(props);
     show->callback([&asked, name, form, void_ratio] {
         asked = [name, form, void_ratio] {

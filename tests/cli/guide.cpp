@@ -78,6 +78,7 @@ TEST(Guide, FishCompletes) {
     EXPECT_NE(offers("grit element --layout ").find("radian"), std::string::npos);
     EXPECT_NE(offers("grit sand show la").find("lausitz"), std::string::npos);
     EXPECT_NE(offers("grit element --sand la").find("lausitz"), std::string::npos);
+    EXPECT_EQ(offers("grit completion "), "bash\nfish\nzsh\n");  // no files
 }
 
 // In a terminal of its own: zsh completes nowhere else.

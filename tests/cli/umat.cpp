@@ -62,8 +62,8 @@ TEST(CliLayout, NeedsALibraryAndANameThatItKnows) {
     const Workplace here;
     const std::string run = "element --no-plot " GRIT_CASES "/umat_oedometer.toml --layout ";
     EXPECT_TRUE(here.grit(run + "radian").says("--umat"));
-    EXPECT_TRUE(
-        here.grit(run + "degrees --umat " GRIT_UMAT).says("degrees not in {classic,radian}"));
+    EXPECT_TRUE(here.grit(run + "degrees --umat " GRIT_UMAT)
+                    .says("--layout: there is no \"degrees\"; known here: classic, radian"));
 }
 
 // Radians are out of range for the classic layout, and its degrees for the other: no numbers come out.
