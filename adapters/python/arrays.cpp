@@ -68,6 +68,13 @@ std::string shape_text(const std::vector<py::ssize_t>& shape) {
     return text + (shape.size() == 1 ? ",)" : ")");
 }
 
+const double* of_size(const char* name, const Numbers& a, py::ssize_t size) {
+    const auto shape = shape_of(a);
+    if (shape.size() != 1 || shape[0] != size)
+        refuse("%s must be (%td,), got %s", name, size, shape_text(shape).c_str());
+    return a.data();
+}
+
 Arrays::Arrays(const char* name, const py::object& first) {
     const auto shape = shape_of(judged(name, first, false));
     if (shape.size() != 1) refuse("%s must be (n,), got %s", name, shape_text(shape).c_str());

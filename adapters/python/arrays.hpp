@@ -73,6 +73,10 @@ std::vector<int> labels(const char* name, const py::object& object, py::ssize_t 
 // n + 1 numbers that begin and end parts of a list of so many entries.
 std::vector<ptrdiff_t> offsets(const char* name, const py::object& object, py::ssize_t entries);
 
+// A few numbers of one point, copied where they are no doubles.
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+const double* of_size(const char* name, const Numbers& a, py::ssize_t size);
+
 // "(3, 6)"
 std::string shape_text(const std::vector<py::ssize_t>& shape);
 

@@ -8,6 +8,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include "adapters/python/arrays.hpp"
 #include "adapters/python/errors.hpp"
 #include "adapters/python/parts.hpp"
 #include "element/errors.hpp"
@@ -21,7 +22,7 @@ namespace {
 
 constexpr const char* element_doc = R"(Run stages of a laboratory test on one sample of sand.
 
-    stages       a list of what the functions of grit.stage return, one after the other
+    stages       a list of what the functions of grit.stage return, one after the other, or one of them
     stress       (6,) [stress] effective at the start, tension +
     void_ratio   e [-] at the start
     direction    (6,) strain that the sample remembers: h = rho R along it; None: h = 0
@@ -110,9 +111,23 @@ void add_slopes(py::dict& out, const std::vector<element::Record>& records) {
         one([](const Record& r) -> element::MatrixX { return r.slopes.pore_pressure; });
 }
 
-py::dict element_test(const Sand& sand, const std::vector<element::Step>& stages,
-                      const element::Vector6& stress, double void_ratio,
-                      const std::optional<element::Vector6>& direction, double rho,
+element::Vector6 vector_of(const char* name, const Numbers& given) {
+    return Eigen::Map<const element::Vector6>(of_size(name, given, 6));
+}
+
+// A list of stages, or one alone.
+std::vector<element::Step> steps_of(const py::object& stages) {
+    if (py::isinstance<element::Step>(stages)) return {stages.cast<element::Step>()};
+    try {
+        return stages.cast<std::vector<element::Step>>();
+    } catch (const py::cast_error&) {
+        refuse("stages must be a list of what the functions of grit.stage return, got %s",
+               py::repr(stages).cast<std::string>().substr(0, 200).c_str());
+    }
+}
+
+py::dict element_test(const Sand& sand, const py::object& stages, const Numbers& stress,
+                      double void_ratio, const std::optional<Numbers>& direction, double rho,
                       double tolerance, std::optional<bool> intergranular_strain,
                       const std::vector<std::string>& names,
                       const std::optional<element::Matrix6X>& stress_slope,
@@ -123,13 +138,14 @@ py::dict element_test(const Sand& sand, const std::vector<element::Step>& stages
     element::GritLawOptions options;
     options.tolerance = tolerance;
     using element::IntergranularStrain;
-    element::Start start{stress, void_ratio, element::usual_intergranular_strain(parameters)};
+    element::Start start{vector_of("stress", stress), void_ratio,
+                         element::usual_intergranular_strain(parameters)};
     start.rho = rho;
     if (intergranular_strain)
         start.intergranular_strain =
             *intergranular_strain ? IntergranularStrain::mobilised : IntergranularStrain::off;
     options.intergranular_strain = start.intergranular_strain != IntergranularStrain::off;
-    if (direction) start.direction = *direction;
+    if (direction) start.direction = vector_of("direction", *direction);
     else if (options.intergranular_strain) start.intergranular_strain = IntergranularStrain::zero;
     element::History history;
     try {
@@ -143,8 +159,9 @@ py::dict element_test(const Sand& sand, const std::vector<element::Step>& stages
                 element::start_slopes(law, start, by,
                                       {stress_slope.value_or(element::Matrix6X()),
                                        void_ratio_slope.value_or(Eigen::RowVectorXd())});
+        const std::vector<element::Step> steps = steps_of(stages);
         const py::gil_scoped_release others_may_run;
-        history = element::simulate(law, sample, stages);
+        history = element::simulate(law, sample, steps);
     } catch (const element::BadCase& bad) {
         refuse("%s", bad.what());
     }
@@ -214,7 +231,8 @@ void add_element(py::module_& module) {
               "All strains but 12 zero.");
     module.def(
         "element_test", &element_test, arg("sand"), arg("stages"), arg("stress"), arg("void_ratio"),
-        py::arg_v("direction", std::optional(Start{}.direction), "compression"),
+        py::arg_v("direction", Numbers(std::vector<py::ssize_t>{6}, Start{}.direction.data()),
+                  "[-1, -1, -1, 0, 0, 0]"),
         arg("rho") = Start{}.rho, arg("tolerance") = GritLawOptions{}.tolerance,
         arg("intergranular_strain") = py::none(), arg("parameters") = std::vector<std::string>(),
         arg("stress_slope") = py::none(), arg("void_ratio_slope") = py::none(), element_doc);

@@ -20,4 +20,5 @@ PYBIND11_MODULE(_grit, module) {
     grit_python::add_contact_distance(module);
     grit_python::add_penalty(module);
     grit_python::add_element(module);
+    grit_python::tell_signatures(module);
 }

@@ -27,5 +27,6 @@ void add_contact_normals(py::module_& module);
 void add_contact_distance(py::module_& module);
 void add_penalty(py::module_& module);
 void add_element(py::module_& module);
+void tell_signatures(const py::module_& module);  // of all that was added
 
 }  // namespace grit_python

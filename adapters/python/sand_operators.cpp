@@ -1,21 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One point at a time: for insight and set-up.
-#include <pybind11/numpy.h>
-
+#include "adapters/python/arrays.hpp"
 #include "adapters/python/errors.hpp"
 #include "adapters/python/parts.hpp"
 
 namespace grit_python {
 namespace {
-
-using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
-
-const double* of_size(const char* name, const Numbers& a, py::ssize_t size) {
-    if (a.ndim() != 1 || a.shape(0) != size)
-        refuse("%s must be (%td,), got %td dimensions and %td numbers", name, size, a.ndim(),
-               a.size());
-    return a.data();
-}
 
 py::tuple stiffness(const Sand& sand, const Numbers& stress, double void_ratio) {
     Numbers L({6, 6}), N(6);

@@ -94,6 +94,20 @@ class ElementTest(unittest.TestCase):
         np.testing.assert_allclose(turned["stress"][11:, 1], -200, rtol=1e-8)
         self.assertLess(abs(np.diff(turned["strain"][:, 0])[10]), 1.1e-6)
 
+    def test_takes_one_stage_without_a_list(self):
+        one = stage.oedometer(-0.01)
+        np.testing.assert_array_equal(grit.element_test(sand, one, isotropic, 0.6)["stress"],
+                                      grit.element_test(sand, [one], isotropic, 0.6)["stress"])
+
+    def test_says_what_shape_it_wants(self):
+        for arguments, message in (
+                (([stage.oedometer(-0.01)], [-100.0] * 3, 0.6), "stress must be (6,), got (3,)"),
+                (([stage.oedometer(-0.01)], isotropic, 0.6, [[1.0] * 6]), "direction must be (6,), got (1, 6)"),
+                (([1], isotropic, 0.6), "stages must be a list of what the functions of grit.stage return, got [1]")):
+            with self.assertRaises(grit.BadCall) as caught:
+                grit.element_test(sand, *arguments)
+            self.assertEqual(str(caught.exception), message)
+
     def test_says_what_it_does_not_run(self):
         with self.assertRaises(grit.BadCall) as caught:
             run(stage.triaxial_drained(-0.2), void_ratio=-1)

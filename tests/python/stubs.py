@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The stubs say what the module is: every name, and every argument with its default, in the order and of the kind that
-pybind11 tells in the first line of a docstring. And help(grit) teaches what is true: its examples run."""
+inspect.signature() tells. And help(grit) teaches what is true: its examples run."""
 
 import ast
 import doctest
+import inspect
 import pathlib
 
 import grit
@@ -29,6 +30,13 @@ def told(function):
     return [(name, kind, default and ast.unparse(default)) for name, kind, default in out]
 
 
+def read(signature):
+    """The same of what Python tells."""
+    kinds = {"POSITIONAL_ONLY": "positional", "POSITIONAL_OR_KEYWORD": "positional", "KEYWORD_ONLY": "keyword"}
+    return [(each.name, kinds[each.kind.name], None if each.default is each.empty else repr(each.default))
+            for each in signature.parameters.values() if each.kind.name in kinds]
+
+
 def same(stub, real, where):
     assert [each[:2] for each in stub] == [each[:2] for each in real], f"{where}: {stub} is not {real}"
     for (name, _, said), (_, _, is_) in zip(stub, real):
@@ -44,8 +52,7 @@ def compare(stubs, owner, where):
         if any(ast.unparse(each) == "property" for each in stub.decorator_list):
             assert isinstance(getattr(owner, name), property), name
             continue
-        (function,) = ast.parse("def " + real.__doc__.splitlines()[0] + ": ...").body
-        same(told(stub), told(function), f"{where}.{name}")
+        same(told(stub), read(inspect.signature(real)), f"{where}.{name}")
         count += 1
     return count
 

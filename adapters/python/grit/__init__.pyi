@@ -112,7 +112,7 @@ def contact_normals_by_regression(
     weight: Array | None = None, ridge: float = 0.0, iteration_limit: int = 0, fixed: Array | None = None,
 ) -> Array: ...
 def element_test(
-    sand: Sand, stages: Sequence[stage.Stage], stress: ArrayLike, void_ratio: float,
+    sand: Sand, stages: stage.Stage | Sequence[stage.Stage], stress: ArrayLike, void_ratio: float,
     direction: ArrayLike | None = ..., rho: float = 1.0, tolerance: float = 0.0002,
     intergranular_strain: bool | None = None, parameters: Sequence[str] = ...,
     stress_slope: ArrayLike | None = None, void_ratio_slope: ArrayLike | None = None,
