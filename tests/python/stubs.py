@@ -5,6 +5,7 @@ pybind11 tells in the first line of a docstring. And help(grit) teaches what is 
 import ast
 import doctest
 import pathlib
+import pydoc
 
 import grit
 
@@ -72,4 +73,6 @@ for kind in (grit.Sand, grit.ContactSurfaces):
 assert count > 35, count
 failed, tried = doctest.testmod(grit)
 assert failed == 0 and tried >= 18, (failed, tried)
+screen = "\n".join(pydoc.plain(pydoc.render_doc(grit)).splitlines()[:30])  # the first one
+assert "array([-406.3" in screen and "contact_correct" in screen, screen
 print(f"{count} signatures, {tried} examples")
