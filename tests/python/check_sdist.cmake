@@ -2,7 +2,6 @@
 # the same, so that a wheel can be made of it.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/../run.cmake)
-file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK}/a ${WORK}/b)
 set(ENV{PYTHONDONTWRITEBYTECODE} 1)
 set(ENV{PYTHONPATH} ${SOURCE}/adapters/python)
