@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "adapters/python/errors.hpp"
 #include "adapters/python/parts.hpp"
+#include "element/nearest.hpp"
 
 namespace grit_python {
 namespace {
@@ -24,13 +26,29 @@ transverse_stiffness m_T, elastic_strain_radius R, evolution_exponent beta_r,
 stiffness_interpolation_exponent chi. Any consistent units: stresses take the unit of h_s.
 Raises BadParameter with name, value, limit and unit. sands() lists the names.)";
 
+std::vector<std::string> names_of_sands() {
+    std::vector<std::string> out;
+    for (int i = 0; i < grit_sand_record_count(); ++i)
+        out.emplace_back(grit_sand_record_at(i)->name);
+    return out;
+}
+
+std::vector<std::string> names_of_parameters() {
+    std::vector<std::string> out;
+    for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i)
+        out.emplace_back(grit_sand_parameter_describe(i)->name);
+    return out;
+}
+
 Sand make(const py::object& name, double stress_scale, const py::kwargs& given) {
     grit_sand_parameters parameters{};
     check(grit_sand_parameters_init(&parameters, sizeof parameters), "grit_sand_parameters_init");
     if (!name.is_none()) {
         const std::string key = name.cast<std::string>();
         const int record = grit_sand_record_find(key.c_str());
-        if (record < 0) refuse("there is no sand \"%s\": sands() lists the names", key.c_str());
+        if (record < 0)
+            refuse("there is no sand \"%s\"%s", key.c_str(),
+                   element::suggestion(key, names_of_sands()).c_str());
         if (!(stress_scale > 0.0) || !std::isfinite(stress_scale))
             refuse("stress_scale must be > 0, got %g", stress_scale);
         check(grit_sand_record_parameters(record, stress_scale, &parameters), key.c_str());
@@ -40,8 +58,11 @@ Sand make(const py::object& name, double stress_scale, const py::kwargs& given) 
         int at = 0;
         while (at < GRIT_SAND_PARAMETER_COUNT && wanted != grit_sand_parameter_describe(at)->name)
             ++at;
-        if (at == GRIT_SAND_PARAMETER_COUNT)
-            refuse("a sand has no parameter \"%s\"", wanted.c_str());
+        if (at == GRIT_SAND_PARAMETER_COUNT) {
+            const std::string best = element::nearest(wanted, names_of_parameters());
+            refuse("a sand has no parameter \"%s\"%s%s", wanted.c_str(),
+                   best.empty() ? ": help(grit.Sand) tells them" : "; nearest: ", best.c_str());
+        }
         check(grit_sand_parameter_set(&parameters, at, value.cast<double>()), wanted.c_str());
     }
     Sand out;

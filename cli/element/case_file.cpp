@@ -178,12 +178,15 @@ std::vector<CaseFile> read_case_file(const std::filesystem::path& path, const Um
     std::vector<std::filesystem::path> inputs;
     TomlTable root = TomlTable::of_file(path, &inputs, settings);
     const Samples samples = read_samples(root);
+    std::vector<std::string> options;
+    if (!sand.empty()) options.push_back(fmt::format("--sand {}", sand.string()));
+    if (!umat.layout.empty()) options.push_back(fmt::format("--layout {}", umat.layout));
     std::vector<CaseFile> out;
     for (const SampleRow& row : samples.rows) {
         if (samples.given) root.take_columns_from(row);
         out.push_back(read_case(path, root, row.name, umat, sand));
         CaseFile& file = out.back();
-        file.changes = words_of(settings);
+        file.changes = words_of(settings, options);
         file.inputs.insert(file.inputs.end(), inputs.begin() + 1, inputs.end());
         if (samples.given) file.inputs.push_back(samples.table);
     }

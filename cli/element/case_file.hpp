@@ -39,7 +39,7 @@ struct CaseFile {
     std::string sand;     // name of the sand, for people
     std::string sample;   // row of the table of samples, empty: none
     std::string variant;  // of --vary, "void_ratio = 0.6", empty: none
-    std::string changes;  // of --set and --vary, "with sand.densest_void_ratio=0.4", empty: none
+    std::string changes;  // by options of the command line, "with start.void_ratio=0.7"
     grit_sand_parameters parameters{};
     element::GritLawOptions options;  // evaluation_limit, tolerance
     std::optional<element::UmatSource> umat;

@@ -103,9 +103,8 @@ ExitCode run_mpm(const MpmRequest& request) {
     if (const std::string word = word_of_unused_threads(plan.settings.threads);
         !word.empty() && !request.quiet)
         warn("grit: {}: {}\n", plan.name, word);
-    std::vector<CaseSetting> changes = request.settings;
-    if (!request.sand.empty())
-        changes.emplace_back(fmt::format("--sand {}", request.sand.string()), "--sand");
+    std::vector<std::string> others;
+    if (!request.sand.empty()) others.push_back(fmt::format("--sand {}", request.sand.string()));
     const MpmRunOptions options{request.out / (plan.name + ".csv"),
                                 request.out / (plan.name + ".checkpoint"),
                                 request.out / plan.name,
@@ -115,7 +114,7 @@ ExitCode run_mpm(const MpmRequest& request) {
                                 request.restart,
                                 request.quiet,
                                 request.field_svg,
-                                words_of(changes)};
+                                words_of(request.settings, others)};
     const Outputs outputs = outputs_of(request, file, options);
     Runner runner = prepare(request, file);
     const auto lock = outputs.lock();

@@ -32,7 +32,8 @@ ResultHead head_of(const std::filesystem::path& table) {
     ResultHead out;
     out.comments = comments_above(table);
     for (const std::string& line : out.comments)
-        if (line.starts_with(with) && line.find('=') != std::string::npos)
+        if (line.starts_with(with) &&
+            (line.find('=') != std::string::npos || line.find("--") != std::string::npos))
             out.settings = line.substr(std::char_traits<char>::length(with));
     // "Grit 0.1.0, case NAME: TITLE".
     if (out.comments.empty() || !out.comments.front().starts_with("Grit ")) return out;

@@ -16,7 +16,7 @@ struct ResultHead {
     std::string version;                // "Grit 0.1.0 (9a6c098d5faa)"
     std::string made;                   // "case lausitz_dense"
     std::string title;
-    std::string settings;  // "start.void_ratio=0.6", of --set and --vary
+    std::string settings;  // "start.void_ratio=0.6, --sand hostun", of --set, --vary and --sand
 };
 
 ResultHead head_of(const std::filesystem::path& table);

@@ -17,7 +17,9 @@ struct CaseSetting {
     std::string text, option;
 };
 
-// "with KEY=VALUE, KEY=VALUE", of what a result says of its case; of none nothing.
-std::string words_of(const std::vector<CaseSetting>& settings);
+// "with KEY=VALUE, KEY=VALUE, --sand SAND", of what a result says of its case: settings, and other options that change it;
+// of none nothing.
+std::string words_of(const std::vector<CaseSetting>& settings,
+                     const std::vector<std::string>& options);
 
 }  // namespace cli

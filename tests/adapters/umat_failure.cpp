@@ -52,7 +52,9 @@ TEST(UmatFailure, RefusesEveryPropsThatIsNotANumber) {
 }
 
 TEST(UmatFailure, NamesTheParameterAndItsRange) {
-    EXPECT_TRUE(contains(refusal_of([](UmatCall& x) { x.props[0] = 0.576; }), "radians?"));
+    EXPECT_EQ(refusal_of([](UmatCall& x) { x.props[0] = 0.576; }),
+              "Grit UMAT: element 12, point 3: PROPS(1) (phi_c) must be in [10, 60] degrees, got "
+              "0.576: radians?\n");
     EXPECT_TRUE(contains(refusal_of([](UmatCall& x) { x.props[2] = -1.0; }), "h_s"));
     EXPECT_TRUE(contains(refusal_of([](UmatCall& x) { x.props[4] = 0.97; }), "e_d0"));
     EXPECT_TRUE(contains(refusal_of([](UmatCall& x) { x.props[9] = 0.7; }), "m_R"));

@@ -369,11 +369,14 @@ TEST(Doubt, SignsAndUnitsThatSandDoesNotHave) {
         "= 0.5 }\n";
     EXPECT_EQ(doubts_of(text, sheet(1.0, 1.0)).find("look at its unit and sign"),
               std::string::npos);
-    EXPECT_NE(doubts_of(text, sheet(1.0, -1.0)).find("has the other sign of volumetric_strain"),
+    EXPECT_NE(doubts_of(text, sheet(1.0, -1.0))
+                  .find("look: test CD: sand as it is estimated from the tests has the other sign "
+                        "of volumetric_strain: look at its unit and sign"),
               std::string::npos);
-    EXPECT_NE(
-        doubts_of(text, sheet(1e-3, 1.0)).find("has a thousand times as much of axial_deviator"),
-        std::string::npos);
+    EXPECT_NE(doubts_of(text, sheet(1e-3, 1.0))
+                  .find("look: test CD: sand as it is estimated from the tests has a thousand "
+                        "times as much of axial_deviator: look at its unit and sign"),
+              std::string::npos);
 }
 
 // The rows of a sheet as cells of a workbook.

@@ -31,7 +31,8 @@ void expect_case_refused(const std::string& what, const std::string& by, const s
 }
 
 TEST(Cell, ThatIsEmpty) {
-    expect_cell_refused("40,0.7440", "40,", "lab.csv:3: column e is empty");
+    expect_cell_refused("40,0.7440", "40,",
+                        "lab.csv:3: column e is empty: fill it, or set may_be_empty of void_ratio");
     expect_cell_refused("60,0.7411", ",0.7411", "lab.csv:4: column sigma [kPa] is empty");
 }
 
@@ -158,7 +159,7 @@ TEST(Unit, ThatTheHeaderContradicts) {
     expect_case_refused("compression = \"positive\" }",
                         "compression = \"positive\", unit = \"Pa\" }",
                         "x.toml:11: test[1].columns.stress_11.unit is \"Pa\", and the header says "
-                        "\"kPa\": rename the column");
+                        "\"kPa\": rename the column in the sheet if that is wrong");
 }
 
 TEST(Unit, OfALength) {

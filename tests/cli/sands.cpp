@@ -26,6 +26,7 @@ TEST(SandOfACase, MayComeByNameOrFileFromTheCommandLineAlone) {
     EXPECT_TRUE(here.run("bare").says("bare.toml:1: sand is missing")) << here.run("bare").text;
     ASSERT_EQ(here.run("bare", "--sand lausitz").status, 0);
     EXPECT_EQ(last_stress(here, "bare"), wanted);
+    EXPECT_NE(here.text("out/bare.csv").find("\n# with --sand lausitz\n"), std::string::npos);
     // Another name in the case gives way.
     ASSERT_EQ(here.run("whole", "--sand hochstetten").status, 0);
     EXPECT_NE(last_stress(here, "whole"), wanted);

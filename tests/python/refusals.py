@@ -106,9 +106,12 @@ class Refusals(unittest.TestCase):
 
     def test_sands_that_do_not_exist(self):
         for message, kind, make in (
-                ("there is no sand \"lausit\": sands() lists the names", grit.BadCall,
-                 lambda: grit.Sand("lausit")),
-                ("a sand has no parameter \"phi\"", grit.BadCall, lambda: grit.Sand("lausitz", phi=1)),
+                ("there is no sand \"lausit\"; nearest: lausitz", grit.BadCall, lambda: grit.Sand("lausit")),
+                ("there is no sand \"hostn\"; nearest: hostun", grit.BadCall, lambda: grit.Sand("hostn")),
+                ("there is no sand \"clay\"; known here: " + ", ".join(grit.sands()), grit.BadCall, lambda: grit.Sand("clay")),
+                ("a sand has no parameter \"granulate_hardnes\"; nearest: granulate_hardness", grit.BadCall,
+                 lambda: grit.Sand("lausitz", granulate_hardnes=1)),
+                ("a sand has no parameter \"phi\": help(grit.Sand) tells them", grit.BadCall, lambda: grit.Sand("lausitz", phi=1)),
                 ("stress_scale must be > 0, got -1", grit.BadCall,
                  lambda: grit.Sand("lausitz", stress_scale=-1)),
                 ("critical_friction_angle must be in [0.1745, 1.047] rad, got 33: degrees?",

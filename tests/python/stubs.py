@@ -6,6 +6,7 @@ import ast
 import doctest
 import inspect
 import pathlib
+import pydoc
 
 import grit
 
@@ -79,4 +80,6 @@ for kind in (grit.Sand, grit.ContactSurfaces):
 assert count > 35, count
 failed, tried = doctest.testmod(grit)
 assert failed == 0 and tried >= 18, (failed, tried)
+screen = "\n".join(pydoc.plain(pydoc.render_doc(grit)).splitlines()[:30])  # the first one
+assert "array([-406.3" in screen and "contact_correct" in screen, screen
 print(f"{count} signatures, {tried} examples")

@@ -1,10 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Grit: hypoplastic sand and contact at grid nodes, on NumPy arrays.
 
-Tension and extension are positive; components 11 22 33 12 13 23 with engineering shear; logarithmic
-strain; angles in radians; any consistent units, stress in the unit of the sand's granulate hardness
-(kPa for the sands of sands()).
-
 A sand with published parameters, and a sample at 100 kPa that is sheared in a triaxial test:
 
 >>> import numpy, grit
@@ -13,6 +9,16 @@ A sand with published parameters, and a sample at 100 kPa that is sheared in a t
 ...                          stress=[-100, -100, -100, 0, 0, 0], void_ratio=0.6)
 >>> test["stress"][-1].round(1)          # a row per increment
 array([-406.3, -100. , -100. ,    0. ,    0. ,    0. ])
+
+Tension and extension are positive; components 11 22 33 12 13 23 with engineering shear; logarithmic
+strain; angles in radians; any consistent units, stress in that of the sand's granulate hardness
+(kPa for the sands of sands()). help() of each of these gives shapes, units, signs and errors:
+
+    sands, Sand            published sands; a sand, and its update of many points (with water, with derivatives)
+    element_test, stage    laboratory tests of one sample, stage after stage
+    contact_normals, contact_normals_by_regression, ContactSurfaces, contact_correct    contact at grid nodes
+    penalty_forces         contact between boundary lines
+    Error                  above all exceptions: BadCall, BadParameter, BadState, NotConverged, InternalError
 
 Points of a host, two of them, over one strain increment each: arrays are changed in place.
 
@@ -41,9 +47,7 @@ one of each body, and one call that corrects the velocities.
 >>> velocity_a[:, 1], velocity_b[:, 1]
 (array([0.5, 0.5]), array([0.5, 0.5]))
 
-Further: Sand.update_undrained with water in the pores, Sand.update_differentiated for derivatives by parameters,
-contact_normals_by_regression, penalty_forces between boundary lines; sands() lists what there is. help() of each gives shapes, units,
-signs and errors. Errors are exceptions below grit.Error, and a call that raises BadCall or BadState has changed nothing:
+A call that raises BadCall or BadState has changed nothing:
 
 >>> sand.update(strain_increment[:, :5], stress, state)
 Traceback (most recent call last):
