@@ -169,10 +169,12 @@ std::string json_of(const Shown& shown) {
         const auto words = [&](const std::string& label) {  // labels of axis.hpp
             return json_text(marked ? unmarked(label) : label);
         };
-        out += fmt::format("{}{{\"x\":{},\"y\":{},\"log\":{},\"zero\":{},\"all\":{},\"key\":{},"
-                           "\"series\":[",
-                           out.size() > 1 ? "," : "", words(panel.x_label), words(panel.y_label),
-                           panel.log_x, panel.y_from_zero, shown.compared, panel.own_key);
+        out += fmt::format(
+            "{}{{\"x\":{},\"y\":{},\"log\":{},\"from\":{},\"zero\":{},\"all\":{},\"key\":{},"
+            "\"series\":[",
+            out.size() > 1 ? "," : "", words(panel.x_label), words(panel.y_label), panel.log_x,
+            std::isnan(panel.x_from) ? std::string("null") : fmt::format("{:.6g}", panel.x_from),
+            panel.y_from_zero, shown.compared, panel.own_key);
         bool first = true;
         for (const Series& series : panel.series) {
             if (series.x.empty()) continue;  // a reference that has no such column

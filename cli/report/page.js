@@ -114,7 +114,7 @@ function drawCurves(place) {
       type: "scatter", data: { datasets },
       options: {
         animation: false, maintainAspectRatio: false, interaction: { mode: "nearest", intersect: false },
-        scales: { x: axis(panel.x, panel.log ? logarithmic : { type: "linear" }), y: axis(panel.y, { beginAtZero: panel.zero }) },
+        scales: { x: axis(panel.x, panel.log ? logarithmic : { type: "linear", suggestedMin: panel.from ?? undefined }), y: axis(panel.y, { beginAtZero: panel.zero }) },
         plugins: {
           legend: { display: panel.key, labels: { boxWidth: 18, boxHeight: 9 } },
           tooltip: { callbacks: { label: at => `${at.dataset.label}: ${text(at.parsed.x)}, ${text(at.parsed.y)}` } },
