@@ -120,8 +120,8 @@ TEST(Study, OfTestsThatMayBeTogetherIsOnePictureAndOthersAreTold) {
     if (!gnuplot()) return;
     const Workplace here;
     here.write_case("x", shearing);
-    const std::string tests = "element x.toml --out out --vary stage.1.test=triaxial_drained,";
-    const Answer together = here.grit(tests + "triaxial_undrained");
+    const std::string tests = "element x.toml --vary stage.1.test=triaxial_drained,";
+    const Answer together = here.grit(tests + "triaxial_undrained --out out");
     EXPECT_EQ(together.status, 0) << together.text;
     EXPECT_NE(here.text("out/comparison.svg").find("test = triaxial_undrained"), std::string::npos);
     EXPECT_TRUE(here.files("out").contains("comparison.csv"));
