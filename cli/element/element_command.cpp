@@ -73,13 +73,25 @@ std::vector<Variant> variants_of(const std::vector<std::string>& varied) {
     return out;
 }
 
+// What is wrong with a file may be so for what was given beside it alone, and is told with that.
+std::vector<CaseFile> read_variant(const ElementRequest& request, const fs::path& path,
+                                   const std::vector<CaseSetting>& settings) {
+    try {
+        return read_case_file(path, request.umat, request.sand, settings);
+    } catch (const BadInput& error) {
+        const std::string said = error.what();
+        if (settings.empty() || (settings.size() == 1 && said.starts_with("--"))) throw;
+        throw BadInput(fmt::format("{}, {}", said, words_of(settings)));
+    }
+}
+
 std::vector<CaseFile> read_cases(const ElementRequest& request) {
     std::vector<CaseFile> cases;
     for (const fs::path& path : request.cases)
         for (const Variant& variant : variants_of(request.varied)) {
             std::vector<CaseSetting> settings = request.settings;
             settings.insert(settings.end(), variant.settings.begin(), variant.settings.end());
-            for (CaseFile& file : read_case_file(path, request.umat, request.sand, settings)) {
+            for (CaseFile& file : read_variant(request, path, settings)) {
                 if (!variant.words.empty()) {
                     file.name += variant.name;
                     file.variant = variant.words;
@@ -165,7 +177,8 @@ std::vector<std::string> comments_of_cycles(const CaseFile& file) {
     return out;
 }
 
-std::set<std::string> columns_wanted(const ElementRequest& request, const CaseFile& file) {
+std::set<std::string> columns_wanted(const ElementRequest& request, const CaseFile& file,
+                                     const std::vector<CaseFile>& cases) {
     std::set<std::string> out;
     const auto want = [&](const std::vector<std::string>& names) {
         out.insert(names.begin(), names.end());
@@ -173,6 +186,7 @@ std::set<std::string> columns_wanted(const ElementRequest& request, const CaseFi
     for (const ReferenceValue& value : file.reference.values) want({value.quantity, value.over});
     if (file.reference.curve_tolerance) want(compared_columns(file.reference.curve));
     if (!request.no_plot) want(columns_of_picture(file.picture));
+    if (!request.no_plot && are_compared(cases)) want(columns_of_picture(cases.front().picture));
     return out;
 }
 
@@ -197,8 +211,9 @@ ExitCode run_element_tests(const ElementRequest& request) {
     std::vector<CaseResult> results;
     bool complete = true;
     for (const CaseFile& file : cases) {
-        results.push_back(run_case(
-            file, {csv_of(request, file), columns_wanted(request, file), request.residuals}));
+        results.push_back(
+            run_case(file, {csv_of(request, file), columns_wanted(request, file, cases),
+                            request.residuals}));
         const CaseResult& result = results.back();
         if (!result.cycles.columns.empty())
             write_table(cycles_of(request, file), comments_of_cycles(file), result.cycles);
@@ -207,6 +222,9 @@ ExitCode run_element_tests(const ElementRequest& request) {
         complete = complete && result.failure.empty();
     }
     if (are_compared(cases)) write_comparison(comparison_of(request), cases);
+    else if (const CaseFile* other = stranger_among(cases); other && !request.quiet)
+        say("no comparison: {} is for a picture of {}, and {} for one of {}\n", cases.front().name,
+            cases.front().picture, other->name, other->picture);
     if (!request.no_plot && !draw_cases(request.out, cases, results, request.quiet))
         complete = false;
     const Comparison comparison = compare(cases, results);

@@ -33,8 +33,8 @@ void add_element_command(CLI::App& app, Command& asked) {
     CLI::Option* vary =
         element
             ->add_option("--vary", request->varied,
-                         "KEY=VALUE,VALUE,...: a run for each, in one picture; of several all "
-                         "combinations")
+                         "KEY=VALUE,VALUE,...: a run for each, in one picture where tests may be "
+                         "together; of several all combinations")
             ->take_all()
             ->expected(1)
             ->allow_extra_args(false);

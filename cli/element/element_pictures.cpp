@@ -61,9 +61,15 @@ Picture sheet(const std::vector<const CaseFile*>& files,
 }  // namespace
 
 bool are_compared(const std::vector<CaseFile>& cases) {
-    return cases.size() > 1 && std::all_of(cases.begin(), cases.end(), [&](const CaseFile& file) {
-               return file.picture == cases.front().picture && file.sample.empty();
-           });
+    const bool samples = std::any_of(cases.begin(), cases.end(),
+                                     [](const CaseFile& file) { return !file.sample.empty(); });
+    return cases.size() > 1 && !samples && !stranger_among(cases);
+}
+
+const CaseFile* stranger_among(const std::vector<CaseFile>& cases) {
+    for (const CaseFile& file : cases)
+        if (!may_be_together(file.picture, cases.front().picture)) return &file;
+    return nullptr;
 }
 
 std::string title_of_comparison(const std::vector<CaseFile>& cases) {

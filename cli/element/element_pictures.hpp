@@ -15,11 +15,13 @@ std::vector<std::pair<std::string, std::string>> pictures_of(const std::vector<C
 
 // Whether one picture shows them all.
 bool are_compared(const std::vector<CaseFile>& cases);
+// The first that cannot be in a picture with the first of all; null: none.
+const CaseFile* stranger_among(const std::vector<CaseFile>& cases);
 std::string title_of_comparison(const std::vector<CaseFile>& cases);
 // What the points beside a case are.
 std::string reference_label(const CaseFile& file);
 
-// A picture for every case, one over all where they are of one kind, and sheets of the samples of a
+// A picture for every case, one over all where they may be together, and sheets of the samples of a
 // file. What went wrong is said on stderr; false if a picture could not be written.
 bool draw_cases(const std::filesystem::path& folder, const std::vector<CaseFile>& cases,
                 const std::vector<CaseResult>& results, bool quiet);

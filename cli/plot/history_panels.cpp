@@ -24,7 +24,8 @@ struct HistorySheet {
     const char* quantity;
     const char* prefix;  // of the unit
     std::vector<HistoryLine> lines;
-    double scale;  // values times this are shown
+    double scale;           // values times this are shown
+    bool of_steps = false;  // since the row before: where no step was made, there is none
 };
 
 // Panels, and columns of the history that they show.
@@ -38,7 +39,8 @@ const std::vector<HistorySheet>& sheets() {
           {"tip_force", "tip", "under_force", "under it"},
           {"shaft_force", "shaft", "side_force", "sides"},
           {"base_force", "base"}},
-         1.0},
+         1.0,
+         true},
         {"energy",
          "k",
          {{"external_work", "external"},
@@ -49,7 +51,7 @@ const std::vector<HistorySheet>& sheets() {
           {"transfer_loss", "mapping"}},
          1e-3},
         {"energy residual", "", {{"energy_residual", ""}}, 1.0},
-        {"time step", "µ", {{"dt", ""}}, 1e6},
+        {"time step", "µ", {{"dt", ""}}, 1e6, true},
     };
     return all;
 }
@@ -69,6 +71,14 @@ bool is_zero(const std::vector<double>& values) {
     return true;
 }
 
+// Its rows that have a step before them; all, where it does not tell steps.
+std::vector<char> rows_of_steps(const Table& history) {
+    std::vector<char> out(history.rows(), 1);
+    if (const std::vector<double>* dt = history.find("dt"))
+        std::transform(dt->begin(), dt->end(), out.begin(), [](double x) { return x != 0.0; });
+    return out;
+}
+
 // Adds the curve's line of a sheet to its panel, number `own` of the sheet's; beside others in the key by its label.
 void add_line(Panel& panel, const HistorySheet& sheet, std::size_t own, const Curve& curve,
               int number, bool several) {
@@ -83,7 +93,16 @@ void add_line(Panel& panel, const HistorySheet& sheet, std::size_t own, const Cu
     if (y_label != panel.y_label)
         throw BadInput(fmt::format("{}: {} is in {}, and of what is drawn beside it {}",
                                    curve.label, column->name, y_label, panel.y_label));
-    Series series{label, *t, column->values, static_cast<int>(own), curve.points};
+    Series series{label, {}, {}, static_cast<int>(own), curve.points};
+    const std::vector<char> stepped = rows_of_steps(curve.table);
+    for (std::size_t i = 0; i < t->size(); ++i) {
+        if (sheet.of_steps && !stepped[i]) {
+            panel.x_from = std::fmin(panel.x_from, (*t)[i]);
+            continue;
+        }
+        series.x.push_back((*t)[i]);
+        series.y.push_back(sheet.scale * column->values[i]);
+    }
     // Of several each has its dashes; in a panel with a key of its own this tells the lines of one.
     const auto called = [&](const Series& other) { return other.label == series.label; };
     if (several && !panel.own_key) series.label = curve.label;
@@ -91,7 +110,6 @@ void add_line(Panel& panel, const HistorySheet& sheet, std::size_t own, const Cu
     if (!panel.own_key && curve.points) series.colour = curve.colour;
     if (!panel.own_key && !curve.points) series.colour = number;
     series.dashes = number;
-    for (double& y : series.y) y *= sheet.scale;
     panel.series.push_back(curve.points ? spaced(series) : thinned(series));
 }
 

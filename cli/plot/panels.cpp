@@ -10,6 +10,7 @@
 #include "cli/plot/axis.hpp"
 #include "cli/plot/thinning.hpp"
 #include "cli/process/exit_code.hpp"
+#include "cli/table/foreign_columns.hpp"
 #include "element/nearest.hpp"
 
 namespace cli {
@@ -201,8 +202,9 @@ Axis axis_of_column(const Column& column, std::string& label) {
 
 const Column& column_called(const Curve& curve, const std::string& name) {
     std::vector<std::string> known;
+    const std::string ours = standard_column_name(name);
     for (const Column& each : curve.table.columns) {
-        if (each.name == name && each.problem.empty()) return each;
+        if ((each.name == name || each.name == ours) && each.problem.empty()) return each;
         known.push_back(each.name);
     }
     throw BadInput(fmt::format("{} has no column \"{}\"{}", curve.label, name,
@@ -221,7 +223,6 @@ Picture picture_of_columns(const std::string& x, const std::vector<std::string>&
                            const std::string& title, const std::vector<Curve>& curves) {
     Picture out;
     out.title = title;
-    out.wide_tics = true;
     for (const std::string& y : ys) {
         Panel panel;
         for (const Curve& curve : curves) {
@@ -241,7 +242,6 @@ Picture picture_of_curves(const std::string& kind, const std::string& title,
                           const std::vector<Curve>& curves) {
     Picture out;
     out.title = title;
-    out.wide_tics = true;
     for (std::size_t i = 0; i < panels_of(kind); ++i)
         out.panels.push_back(panel_of_curves(kind, i, curves));
     if (std::any_of(out.panels.begin(), out.panels.end(), says_anything))

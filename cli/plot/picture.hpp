@@ -2,6 +2,7 @@
 // Pictures by gnuplot.
 #pragma once
 
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ struct Panel {
     std::string title;  // above the panel, may be empty
     std::string x_label, y_label;
     bool log_x = false;
+    double x_from = NAN;  // where the axis begins, if data begin later
     bool y_from_zero = false;
     bool own_key = false;  // above it, not above the picture
     std::vector<Series> series;
@@ -34,7 +36,6 @@ struct Picture {
     int columns = 2;
     int width = 500, height = 400;  // of one panel [px]
     bool pdf = false;               // also stem.pdf
-    bool wide_tics = false;         // numbers of any length beside the axes
     bool labels_above = false;      // the title names the axes of all panels
     std::vector<Panel> panels;
 };

@@ -132,30 +132,39 @@ Picture picture_of_files(const PlotRequest& request, const Files& files) {
     return picture_of(kind, request.title, curves);
 }
 
+// Of "p.svg" p and .svg: whoever names a picture means its stem.
+std::pair<fs::path, std::string> stem_and_ending(fs::path out) {
+    const std::string ending = out.extension().string();
+    if (ending != ".svg" && ending != ".png" && ending != ".pdf") return {std::move(out), ""};
+    return {out.replace_extension(), ending};
+}
+
 }  // namespace
 
 ExitCode plot(const PlotRequest& request) {
     const std::vector<std::string>& kinds = plot_kinds();
     if (!request.kind.empty() && std::find(kinds.begin(), kinds.end(), request.kind) == kinds.end())
-        throw BadInput(fmt::format("--kind must be one of {}; got \"{}\"{}", fmt::join(kinds, ", "),
-                                   request.kind, element::suggestion(request.kind, kinds)));
+        throw BadInput(fmt::format("--kind: there is no kind \"{}\"{}", request.kind,
+                                   element::suggestion(request.kind, kinds)));
     const Files files = read_all(request);
+    for (const PlottedFile& file : files)
+        if (file.data && !request.runs.empty()) say_mirrored(file, files.front());
     Picture picture = request.x.empty() ? picture_of_files(request, files)
                                         : picture_of_columns(request.x, request.y, request.title,
                                                              curves_of(request, files, ""));
-    picture.pdf = request.pdf;
+    const auto [stem, ending] = stem_and_ending(request.out);
+    picture.pdf = request.pdf || ending == ".pdf";
     Outputs outputs;
-    std::vector<std::string> endings = {".svg", ".png"};
-    if (request.pdf) endings.emplace_back(".pdf");
-    for (const std::string& ending : endings)
-        outputs.add(request.out.string() + ending, "the picture");
+    for (const char* each : {".svg", ".png", ".pdf"})
+        if (picture.pdf || each != std::string(".pdf"))
+            outputs.add(stem.string() + each, "the picture");
     const auto lock = outputs.lock();
-    const std::string problem = draw(request.out, picture);
+    const std::string problem = draw(stem, picture);
     if (!problem.empty()) {
         warn("grit: no picture: {}\n", problem);
         return failed_computation;
     }
-    say("picture: {}.svg and .png{}\n", request.out.string(), request.pdf ? ", .pdf" : "");
+    say("picture: {}.svg and .png{}\n", stem.string(), picture.pdf ? ", .pdf" : "");
     return ok;
 }
 

@@ -43,7 +43,8 @@ void add_plot_command(CLI::App& app, Command& asked) {
             ->needs(x);
     x->needs(y);
     picture->add_option("--title", request->title, "Above the picture");
-    picture->add_option("--out", request->out, "Stem of the files .svg and .png [plot]");
+    picture->add_option("--out", request->out,
+                        "Stem of the files .svg and .png [plot]; .pdf at its end: --pdf");
     picture->add_flag("--pdf", request->pdf, "Also .pdf, for papers");
     picture->callback([&asked, request] {
         if (request->runs.empty() && request->data.empty())

@@ -2,6 +2,7 @@
 #include "cli/plot/plotted_data.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -67,6 +68,22 @@ std::string header_of(const Column& column) {
     return column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
 }
 
+// "Axial strain (%)": "Axial strain".
+std::string without_unit(const std::string& header) {
+    const std::string unit = unit_in_brackets(header);
+    return unit.empty() ? header
+                        : grit::csv::trimmed(header.substr(0, header.size() - unit.size() - 2));
+}
+
+// Of what lies on one side of zero; 0: on both.
+int sign_of(const std::vector<double>& values) {
+    constexpr double most_beyond = 1.0 / 3.0;
+    double low = 0.0, high = 0.0;
+    for (const double value : values)
+        if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
+    return -low < most_beyond * high ? 1 : high < most_beyond * -low ? -1 : 0;
+}
+
 void rename(Column& column, const std::string& ours) {
     if (column.unit.empty()) column.unit = unit_in_brackets(column.name);
     const char* unit = unit_of_column(ours);
@@ -121,6 +138,7 @@ PlottedFile read_plotted(const fs::path& path, bool data, const std::string& onl
     for (Column& column : out.named.columns) {
         auto found = renames.find(column.name);
         if (found == renames.end()) found = renames.find(header_of(column));
+        if (found == renames.end()) found = renames.find(without_unit(column.name));
         if (found != renames.end()) rename(column, found->second);
     }
     out.standardised = standardised(out.named);
@@ -137,11 +155,34 @@ void check_renames_used(const Renames& renames, const std::vector<PlottedFile>& 
             for (const std::string& cell : cells.rows.front()) {
                 headers.push_back(cell);
                 names.push_back(grit::csv::head_of(cell).name);
+                names.push_back(without_unit(cell));
             }
         }
         if (!is_in(headers, theirs) && !is_in(names, theirs))
             throw BadInput(fmt::format("--column {}={}: none of the data has a column {}{}", ours,
                                        theirs, theirs, element::suggestion(theirs, headers)));
+    }
+}
+
+void say_mirrored(const PlottedFile& data, const PlottedFile& run) {
+    for (std::size_t i = 0; i < data.named.columns.size(); ++i) {
+        const std::string& name = data.named.columns[i].name;
+        const Column& column = data.standardised.columns[i];
+        if (!is_in({"axial_strain", "stress_11", "stress_22"}, column.name)) continue;
+        const auto is_opposite = [&](const Column& beside) {
+            return beside.name == column.name &&
+                   sign_of(beside.values) * sign_of(column.values) < 0;
+        };
+        if (std::none_of(run.standardised.columns.begin(), run.standardised.columns.end(),
+                         is_opposite))
+            continue;
+        std::string laboratory;
+        for (const std::string& each : laboratory_column_names())
+            if (standard_column_name(each) == column.name) laboratory = each;
+        say("{} of {} has the other sign than {}; {}\n", name, data.path.string(),
+            run.path.string(),
+            name == laboratory ? fmt::format("tension positive is {}", column.name)
+                               : fmt::format("compression positive is {}", laboratory));
     }
 }
 

@@ -31,6 +31,8 @@ PlottedFile read_plotted(const std::filesystem::path& path, bool data, const std
 // Each of --column is of some file. Throws BadInput naming the nearest.
 void check_renames_used(const Renames& renames, const std::vector<PlottedFile>& files);
 
+// Strains and stresses of data that have the other sign than those of the run are said, and what the other sign is called.
+void say_mirrored(const PlottedFile& data, const PlottedFile& run);
 // What nobody has taken notice of is said: it may be the column that is missing in the picture.
 void say_unused(const PlottedFile& data, bool first_is_a_name);
 // What is understood and not in such a picture; stresses and strains are parts of p, q and the like.

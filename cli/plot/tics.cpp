@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/plot/tics.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 namespace cli {
 namespace {
@@ -31,6 +34,20 @@ std::vector<double> even_tics(double low, double high) {
         if (out.size() >= fewest + 1) break;
     }
     return out;
+}
+
+int longest_number(double low, double high) {
+    if (!(high > low)) {
+        const double around = std::max(0.01 * std::abs(low), 1e-8);
+        return longest_number(low - around, low + around);
+    }
+    const double unit = std::pow(10.0, std::floor(std::log10(high - low)));
+    const double steps = 20.0 * unit / (high - low);  // gnuplot's quantize_normal_tics
+    const double step = unit * (steps > 10.0 ? 0.2 : steps > 4.0 ? 0.5 : 1.0);
+    std::size_t out = 0;
+    for (double i = std::floor(low / step); i <= std::ceil(high / step); ++i)
+        out = std::max(out, fmt::format("{:g}", i * step + 0.0).size());
+    return static_cast<int>(out);
 }
 
 std::vector<double> logarithmic_tics(double low, double high) {

@@ -12,4 +12,7 @@ std::vector<double> logarithmic_tics(double low, double high);
 // Multiples of 1, 2 or 5 times a power of ten between low and high > low: four or a few more.
 std::vector<double> even_tics(double low, double high);
 
+// Characters of the longest number that gnuplot writes at a linear axis of its own choice.
+int longest_number(double low, double high);
+
 }  // namespace cli

@@ -36,6 +36,7 @@ std::vector<Panel> plain(const Table& table) {
             out.series.push_back(thinned(series));
     }
     if (out.series.size() == 1) out.y_label = out.series.front().label;
+    else out.own_key = true;
     return out.series.empty() ? std::vector<Panel>{} : std::vector<Panel>{out};
 }
 
@@ -61,9 +62,16 @@ Curve reference(const Finding& finding, const std::string& of) {
 
 // Of its picture; empty: it is none of grit element's or grit mpm's.
 std::string kind_of(const Finding& finding, const Table& table) {
-    const std::string kind = picture_of_result(comments_above(finding.table), table);
-    const bool more = !finding.cycles.empty() && kind != "history" && !shows_cycles(kind);
-    return more ? "degradation" : kind;
+    return picture_of_result(comments_above(finding.table), table);
+}
+
+// Those of the kind, and below them what went on from cycle to cycle.
+std::vector<Panel> panels_and_cycles(const std::string& kind, const std::vector<Curve>& curves) {
+    std::vector<Panel> out = picture_of_curves(kind, "", curves).panels;
+    if (shows_cycles(kind)) return out;
+    for (Panel& panel : picture_of_curves("cycles", "", curves).panels)
+        if (says_anything(panel)) out.push_back(std::move(panel));
+    return out;
 }
 
 std::vector<Panel> panels_of_result(const Finding& finding, const std::string& kind, Curve curve) {
@@ -71,7 +79,7 @@ std::vector<Panel> panels_of_result(const Finding& finding, const std::string& k
     if (is_of_cycles(curve.table)) std::swap(curve.table, curve.cycles);
     std::vector<Curve> curves = {curve};
     if (!finding.reference.empty()) curves.push_back(reference(finding, ""));
-    return picture_of_curves(kind, "", curves).panels;
+    return panels_and_cycles(kind, curves);
 }
 
 // Files of a run beside a comparison.
@@ -105,7 +113,7 @@ std::vector<Panel> panels_of_comparison(const Finding& finding) {
     }
     if (runs.size() < 2) return {};
     runs.insert(runs.end(), references.begin(), references.end());
-    return picture_of_curves(kind, "", runs).panels;
+    return panels_and_cycles(kind, runs);
 }
 
 bool all_numbers(const Table& table) {
@@ -161,9 +169,12 @@ std::string json_of(const Shown& shown) {
         const auto words = [&](const std::string& label) {  // labels of axis.hpp
             return json_text(marked ? unmarked(label) : label);
         };
-        out += fmt::format("{}{{\"x\":{},\"y\":{},\"log\":{},\"zero\":{},\"all\":{},\"series\":[",
-                           out.size() > 1 ? "," : "", words(panel.x_label), words(panel.y_label),
-                           panel.log_x, panel.y_from_zero, shown.compared);
+        out += fmt::format(
+            "{}{{\"x\":{},\"y\":{},\"log\":{},\"from\":{},\"zero\":{},\"all\":{},\"key\":{},"
+            "\"series\":[",
+            out.size() > 1 ? "," : "", words(panel.x_label), words(panel.y_label), panel.log_x,
+            std::isnan(panel.x_from) ? std::string("null") : fmt::format("{:.6g}", panel.x_from),
+            panel.y_from_zero, shown.compared, panel.own_key);
         bool first = true;
         for (const Series& series : panel.series) {
             if (series.x.empty()) continue;  // a reference that has no such column

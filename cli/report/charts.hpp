@@ -26,8 +26,8 @@ struct ComparedRun {
 bool is_comparison(const Finding& finding);
 std::vector<ComparedRun> compared_runs(const Finding& finding);  // throws BadInput
 
-// Panels as grit element and grit mpm draw them, with the points of a reference; of a comparison those of all its runs; of tables
-// that are none of theirs all columns over the first. Throws BadInput.
+// Panels as grit element and grit mpm draw them, with the points of a reference, and what went on over the cycles; of a
+// comparison those of all its runs; of tables that are none of theirs all columns over the first. Throws BadInput.
 Shown shown_of(const Finding& finding);
 
 std::string json_of(const Shown& shown);

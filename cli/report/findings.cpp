@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -154,6 +155,32 @@ std::vector<StoryLine> read_story(const fs::path& path) {
                             path.string(), number, line));
     }
     return out;
+}
+
+void give_pictures_to_runs(std::vector<Finding>& findings, const std::vector<StoryLine>& story) {
+    const auto is_picture = [](const Finding& f) {
+        return !f.picture.empty() && f.table.empty() && f.cycles.empty() && f.frames.empty() &&
+               f.numbers.empty() && f.words.empty() && f.sand.empty() && f.sand_page.empty();
+    };
+    const auto named = [&](const Finding& f) {
+        const std::string last = f.stem.substr(f.stem.rfind('/') + 1);
+        return std::any_of(story.begin(), story.end(), [&](const StoryLine& line) {
+            return !line.heading && (line.name == f.stem || line.name == last);
+        });
+    };
+    std::set<std::string> given;
+    for (const Finding& picture : findings) {
+        if (!is_picture(picture) || named(picture)) continue;
+        Finding* run = nullptr;
+        for (Finding& each : findings)
+            if (!each.table.empty() && picture.stem.starts_with(each.stem + "_") &&
+                (!run || each.stem.size() > run->stem.size()))
+                run = &each;
+        if (!run) continue;
+        run->fields.push_back(picture.picture);
+        given.insert(picture.stem);
+    }
+    std::erase_if(findings, [&](const Finding& f) { return given.contains(f.stem); });
 }
 
 bool is_called(const Finding& finding, const std::string& name) {

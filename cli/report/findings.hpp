@@ -13,6 +13,7 @@ struct Finding {
     std::filesystem::path table, cycles, reference, picture, frames, numbers,
         words;  // .csv, _cycles.csv, _reference.csv, .png or .svg, .pvd, .json, .txt
     std::filesystem::path sand, sand_page;  // NAME_sand.toml and NAME_report.html of grit calibrate
+    std::vector<std::filesystem::path> fields;  // NAME_FIELD.png or .svg of grit mpm
     bool shown = false;
 };
 
@@ -30,6 +31,9 @@ struct StoryLine {
 
 // Lines "== heading" and "NAME | sentence"; without a file none. Throws BadInput.
 std::vector<StoryLine> read_story(const std::filesystem::path& path);
+
+// Pictures NAME_FIELD go to the run NAME, but for those that the story names by all their letters.
+void give_pictures_to_runs(std::vector<Finding>& findings, const std::vector<StoryLine>& story);
 
 // Whether the stem, or its last part, is called so.
 bool is_called(const Finding& finding, const std::string& name);

@@ -198,7 +198,7 @@ std::vector<std::pair<double, std::vector<fs::path>>> files_in(const fs::path& l
 
 }  // namespace
 
-std::string frames_of(const fs::path& list, const std::string& across) {
+Frames frames_of(const fs::path& list, const std::string& across) {
     const auto files = files_in(list);
     std::vector<Particles> frames;
     Values times;
@@ -218,7 +218,8 @@ std::string frames_of(const fs::path& list, const std::string& across) {
         frames.push_back(std::move(cells));
         times.push_back(time);
     }
-    if (frames.empty()) return "";
+    Frames shown;
+    if (frames.empty()) return shown;
     Range x, y, edge;
     std::map<std::string, Range> ranges;
     for (const Particles& cells : frames) {
@@ -238,10 +239,10 @@ std::string frames_of(const fs::path& list, const std::string& across) {
         files.size(), json_text(slice ? "x" : across),
         slice ? fmt::format("{:.4g}", *slice) : std::string("null"), json_numbers(times), bounds(x),
         bounds(y), bounds(edge));
-    bool first = true;
     for (const auto& [name, range] : ranges) {
-        out += fmt::format("{}{}:{}", first ? "" : ",", json_text(name), bounds(range));
-        first = false;
+        out += fmt::format("{}{}:{}", shown.variables.empty() ? "" : ",", json_text(name),
+                           bounds(range));
+        shown.variables.push_back(name);
     }
     out += "},\"frames\":[";
     for (const Particles& cells : frames) {
@@ -254,7 +255,8 @@ std::string frames_of(const fs::path& list, const std::string& across) {
                 out += fmt::format(",{}:{}", json_text("v " + name), packed(values, ranges[name]));
         out += "}";
     }
-    return out + "]}";
+    shown.json = out + "]}";
+    return shown;
 }
 
 }  // namespace cli

@@ -60,17 +60,43 @@ function makeZoom(chart, canvas) {
   });
 }
 
+// The key of all panels of a result that have none of their own; a click on a name turns its series off and on in all of them.
+function drawKey(place, panels, charts, colourOf) {
+  const entries = new Map();
+  for (const panel of panels)
+    if (!panel.key) for (const series of panel.series) if (series.label !== panel.y && !entries.has(series.label)) entries.set(series.label, [panel, series]);
+  if (entries.size < 2) return;
+  const key = place.insertBefore(Object.assign(document.createElement("div"), { className: "key" }), place.querySelector(".chart"));
+  for (const [label, [panel, series]] of entries) {
+    const entry = element("button", key, {}), colour = colourOf(panel, series);
+    const sign = element("span", entry, { className: series.points ? "points" : "line" });
+    sign.style.borderColor = colour;
+    entry.append(label);
+    entry.onclick = () => {
+      const off = entry.classList.toggle("off");
+      for (const chart of charts) {
+        chart.data.datasets.forEach((each, i) => { if (each.label === label) chart.setDatasetVisibility(i, !off); });
+        chart.update("none");
+      }
+    };
+  }
+}
+
 function drawCurves(place) {
-  for (const panel of dataOf(place)) {
-    const canvas = element("canvas", element("div", place, { className: "chart" }), {});
-    const many = panel.series.length > 6, runs = panel.series.filter(series => series.colour >= 0).length;
-    // Runs that are compared are all shown, many of them in the order of their colours.
-    const colourOf = series => series.colour < 0 ? dataColour
+  const panels = dataOf(place), charts = [];
+  // Runs that are compared are all shown, many of them in the order of their colours.
+  const colourOf = (panel, series) => {
+    const runs = panel.series.filter(each => each.colour >= 0).length;
+    return series.colour < 0 ? dataColour
       : panel.all && runs > colours.length ? colourAt(0.95 * series.colour / (runs - 1)) : colours[series.colour % colours.length];
+  };
+  for (const panel of panels) {
+    const canvas = element("canvas", element("div", place, { className: "chart" }), {});
+    const many = panel.series.length > 6;
     const datasets = panel.series.map(series => ({
       label: series.label,
       data: series.x.map((x, i) => ({ x, y: series.y[i] })).filter(point => !panel.log || point.x > 0),
-      borderColor: colourOf(series), backgroundColor: series.points ? "transparent" : colourOf(series),
+      borderColor: colourOf(panel, series), backgroundColor: series.points ? "transparent" : colourOf(panel, series),
       showLine: !series.points, borderWidth: series.points ? 1.2 : 2, pointRadius: series.points ? 3 : 0,
       hidden: !panel.all && many && series.colour > 2,
     }));
@@ -88,16 +114,18 @@ function drawCurves(place) {
       type: "scatter", data: { datasets },
       options: {
         animation: false, maintainAspectRatio: false, interaction: { mode: "nearest", intersect: false },
-        scales: { x: axis(panel.x, panel.log ? logarithmic : { type: "linear" }), y: axis(panel.y, { beginAtZero: panel.zero }) },
+        scales: { x: axis(panel.x, panel.log ? logarithmic : { type: "linear", suggestedMin: panel.from ?? undefined }), y: axis(panel.y, { beginAtZero: panel.zero }) },
         plugins: {
-          legend: { display: panel.series.length > 1, labels: { boxWidth: 18, boxHeight: 9 } },
+          legend: { display: panel.key, labels: { boxWidth: 18, boxHeight: 9 } },
           tooltip: { callbacks: { label: at => `${at.dataset.label}: ${text(at.parsed.x)}, ${text(at.parsed.y)}` } },
         },
       },
     });
     canvas.title = "drag: zoom, double click: all";
     makeZoom(chart, canvas);
+    charts.push(chart);
   }
+  drawKey(place, panels, charts, colourOf);
 }
 
 const unpacked = text => {
@@ -114,7 +142,7 @@ function drawPlayer(place) {
   const choice = element("select", bar, {});
   for (const name of names) element("option", choice, { textContent: name });
   choice.value = names.find(name => /^p( |$)/.test(name)) ?? names[0];
-  const canvas = element("canvas", place, {}), told = element("output", place, {});
+  const canvas = element("canvas", place, {}), told = element("output", place, {}), pointed = element("output", place, { className: "pointed" });
   const width = run.x[1] - run.x[0] + run.edge[1], height = run.y[1] - run.y[0] + run.edge[1];
   // The bodies, axes left of and below them, the colours to the right.
   const left = 64, right = 132, top = 34, bottom = 46;
@@ -183,7 +211,13 @@ function drawPlayer(place) {
     if (beyond[0]) { arrow(top + plot.height + 2, false); context.fillText(`to ${beyond[0]}`, x + wide + 6, top + plot.height + 10); }
     return { ticks: shownTicks, beyond };
   }
-  let cells = [];
+  let cells = [], pointer = null;  // on the canvas; null: elsewhere
+  // The cell that was drawn last lies above others.
+  function tellPointed() {
+    const below = pointer && cells.findLast(cell => Math.abs(cell.x - pointer.x) <= cell.wide / 2 && Math.abs(cell.y - pointer.y) <= cell.tall / 2);
+    const value = below && (Number.isNaN(below.value) ? "unknown" : text(below.value));
+    pointed.textContent = below ? `${choice.value} ${value} at ${run.across} = ${text(below.across)} m, z = ${text(below.up)} m` : "";
+  }
   function draw() {
     const frame = run.frames[slider.value], range = run.variables[choice.value], ends = colourRange(), context = canvas.getContext("2d");
     const [x, y, w, h, values] = ["x", "y", "w", "h", "v " + choice.value].map(key => frame[key] ? unpacked(frame[key]) : null);
@@ -192,7 +226,8 @@ function drawPlayer(place) {
     for (let i = 0; i < x.length; ++i) {
       const value = values ? valueOf(values[i], range) : NaN;
       const [wide, tall] = [w, h].map(sizes => Math.max(1, valueOf(sizes[i], run.edge) * scale));
-      const at = { x: acrossAt(valueOf(x[i], run.x)), y: upAt(valueOf(y[i], run.y)), value };
+      const across = valueOf(x[i], run.x), up = valueOf(y[i], run.y);
+      const at = { x: acrossAt(across), y: upAt(up), across, up, wide, tall, value };
       context.fillStyle = Number.isNaN(value) ? "#999" : colourAt((value - ends[0]) / (ends[1] - ends[0] || 1));
       context.fillRect(at.x - wide / 2, at.y - tall / 2, wide + 0.5, tall + 0.5);
       cells.push(at);
@@ -205,6 +240,7 @@ function drawPlayer(place) {
       (run.slice === null ? "" : `, slice at y = ${text(run.slice)} m: x to the right, z up`) +
       `; ${choice.value}: colours from ${text(ends[0])} to ${text(ends[1])}` +
       (below || above ? `, values beyond them ${[below && `down to ${below}`, above && `up to ${above}`].filter(Boolean).join(" and ")}` : "");
+    tellPointed();
   }
   let timer = null;
   button.onclick = () => {
@@ -215,11 +251,10 @@ function drawPlayer(place) {
   slider.oninput = choice.onchange = draw;
   canvas.onmousemove = event => {
     const zoom = canvas.width / canvas.clientWidth;
-    const distance = cell => (cell.x - event.offsetX * zoom) ** 2 + (cell.y - event.offsetY * zoom) ** 2;
-    let nearest = cells[0];
-    for (const cell of cells) if (distance(cell) < distance(nearest)) nearest = cell;
-    canvas.title = `${choice.value} ${Number.isNaN(nearest.value) ? "unknown" : text(nearest.value)}`;
+    pointer = { x: event.offsetX * zoom, y: event.offsetY * zoom };
+    tellPointed();
   };
+  canvas.onmouseleave = () => { pointer = null; tellPointed(); };
   draw();
 }
 

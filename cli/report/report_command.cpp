@@ -21,6 +21,7 @@
 #include "cli/report/findings.hpp"
 #include "cli/report/found_sand.hpp"
 #include "cli/report/frames.hpp"
+#include "cli/report/json_check.hpp"
 #include "cli/report/json_text.hpp"
 #include "cli/report/result_head.hpp"
 #include "cli/table/table.hpp"
@@ -59,12 +60,93 @@ std::string as_word(const std::string& text) {
     return text.find_first_of(" '\"") == std::string::npos ? text : fmt::format("\"{}\"", text);
 }
 
+// Forces of plane strain are those of a metre.
+std::string across(const fs::path& table) {
+    const std::vector<std::string> names = read_cells(table).rows.front();
+    return std::any_of(names.begin(), names.end(),
+                       [](const std::string& name) { return name.ends_with("[kN/m]"); })
+               ? "x"
+               : "r";
+}
+
+// What is known of a result before the page begins: its place in the contents, and what cannot be read.
+struct Section {
+    const Finding* finding;
+    std::string heading, sentence;
+    Shown table;
+    ResultHead head;
+    FoundSand sand;
+    std::vector<std::string> problems;
+    std::string axis = "r";  // of bodies in the plane
+};
+
+struct Chapter {
+    std::string heading;  // of a story; empty: none
+    std::vector<Section> sections;
+};
+
+template <class Read> void try_to(Section& section, Read&& read) {
+    try {
+        read();
+    } catch (const BadInput& error) {
+        section.problems.emplace_back(error.what());
+    }
+}
+
+Section read_section(const Finding& finding, const std::string& heading,
+                     const std::string& sentence) {
+    Section out{&finding, heading, sentence, {}, {}, {}, {}};
+    try_to(out, [&] {
+        if (!finding.sand.empty()) out.sand = found_sand_of(finding.sand);
+    });
+    try_to(out, [&] {
+        if (finding.table.empty()) return;
+        out.head = head_of(finding.table);
+        out.table = shown_of(finding);
+        out.axis = across(finding.table);
+    });
+    try_to(out, [&] {
+        if (finding.numbers.empty()) return;
+        const std::string problem = problem_of_json(content_of(finding.numbers));
+        if (!problem.empty())
+            throw BadInput(fmt::format("{}:{}", finding.numbers.string(), problem));
+    });
+    if (!out.sand.title.empty()) out.heading = out.sand.title;
+    return out;
+}
+
+// As the story has them; of the others verdicts come first, and what cannot be read last.
+std::vector<Chapter> chapters_of(std::vector<Finding>& findings,
+                                 const std::vector<StoryLine>& story) {
+    const std::map<std::string, std::string> headings = headings_of(findings);
+    std::vector<Chapter> out(1);
+    const auto add = [&](Finding& finding, const std::string& sentence) {
+        finding.shown = true;
+        out.back().sections.push_back(read_section(finding, headings.at(finding.stem), sentence));
+    };
+    for (const StoryLine& line : story) {
+        if (line.heading) out.push_back({line.name, {}});
+        else
+            for (Finding& finding : findings)
+                if (!finding.shown && is_called(finding, line.name)) add(finding, line.sentence);
+    }
+    out.push_back({story.empty() ? "" : "Further results", {}});
+    for (Finding& finding : findings)
+        if (!finding.shown) add(finding, "");
+    std::vector<Section>& rest = out.back().sections;
+    std::stable_partition(rest.begin(), rest.end(),
+                          [](const Section& each) { return each.problems.empty(); });
+    std::stable_partition(rest.begin(), rest.end(), [](const Section& each) {
+        return each.problems.empty() && is_called(*each.finding, "references");
+    });
+    std::erase_if(out, [](const Chapter& each) { return each.sections.empty(); });
+    return out;
+}
+
 // One page, written from its top.
 class Page {
   public:
-    Page(const ReportRequest& asked, const fs::path& place,
-         std::map<std::string, std::string> titles)
-        : request(asked), headings(std::move(titles)), file(place) {
+    Page(const ReportRequest& asked, const fs::path& place) : request(asked), file(place) {
         file.write(fmt::format(
             "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">{2}<meta "
             "name=\"viewport\" content=\"width=device-width\"><title>{0}</title>\n<style>{1}</"
@@ -72,32 +154,39 @@ class Page {
             escaped(title()), page_style(), generator));
     }
 
+    // Links to all sections, where there are enough of them to be looked for.
+    void contents(const std::vector<Chapter>& chapters) {
+        constexpr std::size_t few = 3;
+        std::size_t count = 0;
+        for (const Chapter& chapter : chapters) count += chapter.sections.size();
+        if (count <= few) return;
+        file.write("<nav><ul>\n");
+        for (const Chapter& chapter : chapters) {
+            if (!chapter.heading.empty())
+                file.write(
+                    fmt::format("<li class=\"chapter\">{}</li>\n", escaped(chapter.heading)));
+            for (const Section& section : chapter.sections)
+                file.write(fmt::format("<li{}><a href=\"#{}\">{}</a></li>\n",
+                                       section.problems.empty() ? "" : " class=\"bad\"",
+                                       as_link(section.finding->stem), escaped(section.heading)));
+        }
+        file.write("</ul></nav>\n");
+    }
+
     void heading(const std::string& text) {
         file.write(fmt::format("<h2>{}</h2>\n", escaped(text)));
     }
 
-    void show(Finding& finding, const std::string& sentence) {
-        if (finding.shown) return;
-        finding.shown = true;
-        Shown table;
-        ResultHead head;
-        FoundSand sand;
-        std::string problem, axis = "r";
-        try {
-            if (!finding.sand.empty()) sand = found_sand_of(finding.sand);
-            if (!finding.table.empty()) {
-                head = head_of(finding.table);
-                table = shown_of(finding);
-                axis = across(finding.table);
-            }
-        } catch (const BadInput& error) {
-            problem = error.what();
-        }
-        const std::string heading = sand.title.empty() ? headings.at(finding.stem) : sand.title;
+    void show(const Section& section) {
+        const Finding& finding = *section.finding;
+        const Shown& table = section.table;
+        const ResultHead& head = section.head;
+        const FoundSand& sand = section.sand;
         file.write(fmt::format("<section id=\"{0}\"><h3>{1}</h3>\n", escaped(finding.stem),
-                               escaped(heading)));
-        if (!sentence.empty()) file.write(fmt::format("<p>{}</p>\n", escaped(sentence)));
-        if (!problem.empty())
+                               escaped(section.heading)));
+        if (!section.sentence.empty())
+            file.write(fmt::format("<p>{}</p>\n", escaped(section.sentence)));
+        for (const std::string& problem : section.problems)
             file.write(fmt::format("<p class=\"bad\">{}</p>\n", escaped(problem)));
         if (!sand.rows.empty()) {
             cells(sand.rows);
@@ -107,15 +196,16 @@ class Page {
         if (!finding.sand_page.empty()) calibration_page(finding.sand_page);
         if (!table.panels.empty()) data("curves", json_of(table));
         if (!table.cells.empty()) cells(table.cells);
-        if (!finding.frames.empty())
-            if (const std::string frames = frames_of(finding.frames, axis); !frames.empty())
-                data("player", frames);
-        if (!finding.numbers.empty()) numbers(finding.numbers);
+        Frames frames;
+        if (!finding.frames.empty()) frames = frames_of(finding.frames, section.axis);
+        if (!frames.json.empty()) data("player", frames.json);
+        fields(finding, frames.variables);
+        if (!finding.numbers.empty() && section.problems.empty()) numbers(finding.numbers);
         if (!finding.words.empty())
             file.write(fmt::format("<pre>{}</pre>\n", escaped(content_of(finding.words))));
         // Curves say all that a picture of theirs does; where there are none, the picture stays.
         if (!finding.picture.empty() && (table.panels.empty() || !curves_are_drawn()))
-            picture(finding);
+            picture(finding.stem, finding.picture);
         if (!head.comments.empty())
             made_by(finding.table, head.comments, head.version,
                     table.command + (table.command.empty() || head.made.empty() ? "" : ", ") +
@@ -164,15 +254,6 @@ class Page {
         return out;
     }
 
-    // Forces of plane strain are those of a metre.
-    static std::string across(const fs::path& table) {
-        const std::vector<std::string> names = read_cells(table).rows.front();
-        return std::any_of(names.begin(), names.end(),
-                           [](const std::string& name) { return name.ends_with("[kN/m]"); })
-                   ? "x"
-                   : "r";
-    }
-
     static bool curves_are_drawn() { return !chart_library().empty(); }
 
     // Read by the page's script, which draws it in place.
@@ -207,11 +288,25 @@ class Page {
                 fmt::format("<p>{} more rows are in the file.</p>\n", rows.size() - most_rows));
     }
 
-    void picture(const Finding& finding) {
-        file.write(fmt::format("<img alt=\"{}\" src=\"data:image/{};base64,{}\">\n",
-                               escaped(finding.stem),
-                               finding.picture.extension() == ".svg" ? "svg+xml" : "png",
-                               base64(content_of(finding.picture))));
+    void picture(const std::string& name, const fs::path& path) {
+        file.write(fmt::format("<img alt=\"{}\" src=\"data:image/{};base64,{}\">\n", escaped(name),
+                               path.extension() == ".svg" ? "svg+xml" : "png",
+                               base64(content_of(path))));
+    }
+
+    // Pictures of the end that the player does not show.
+    void fields(const Finding& run, const std::vector<std::string>& played) {
+        for (const fs::path& path : run.fields) {
+            const std::string stem = path.stem().string();
+            const std::string name = stem.substr(run.table.stem().string().size() + 1);
+            const auto is_played = [&](const std::string& variable) {
+                return variable == name || variable.starts_with(name + " [");
+            };
+            if (std::any_of(played.begin(), played.end(), is_played)) continue;
+            file.write(fmt::format("<details><summary>picture: {}</summary>\n", escaped(name)));
+            picture(stem, path);
+            file.write("</details>\n");
+        }
     }
 
     // How a file was made; a click shows all that stands above its columns.
@@ -241,7 +336,6 @@ class Page {
     }
 
     const ReportRequest& request;
-    const std::map<std::string, std::string> headings;  // by stem
     element::AtomicFile file;
     std::set<std::string> versions;
     std::vector<std::vector<std::string>> made;  // file, by what, version, settings
@@ -254,28 +348,18 @@ ExitCode report_folder(const ReportRequest& request) {
     const fs::path place = request.out.empty() ? request.folder / "index.html" : request.out;
     const std::vector<StoryLine> story = read_story(request.story);
     std::vector<Finding> findings = findings_in(request.folder);
+    give_pictures_to_runs(findings, story);
     Outputs outputs;
     outputs.add(place, "the page");
     spare_pages_of_others(place);
     const auto lock = outputs.lock();
-    Page page(request, place, headings_of(findings));
-    std::string heading;
-    for (const StoryLine& line : story) {
-        if (line.heading) {
-            heading = line.name;
-            continue;
-        }
-        for (Finding& finding : findings) {
-            if (finding.shown || !is_called(finding, line.name)) continue;
-            if (!heading.empty()) page.heading(heading);
-            heading.clear();
-            page.show(finding, line.sentence);
-        }
+    const std::vector<Chapter> chapters = chapters_of(findings, story);
+    Page page(request, place);
+    page.contents(chapters);
+    for (const Chapter& chapter : chapters) {
+        if (!chapter.heading.empty()) page.heading(chapter.heading);
+        for (const Section& section : chapter.sections) page.show(section);
     }
-    const bool rest = std::any_of(findings.begin(), findings.end(),
-                                  [](const Finding& each) { return !each.shown; });
-    if (rest && !story.empty()) page.heading("Further results");
-    for (Finding& finding : findings) page.show(finding, "");
     say("{} results -> {}\n", page.complete(), place.string());
     return ok;
 }

@@ -91,6 +91,8 @@ void standardise(Column& column, const std::string& file) {
     const char* unit = unit_of_column(column.name);
     if (!unit || !*unit) return;  // not understood, or a number of things
     const Name* name = find_name(column.name);
+    // Everybody's word, in whatever unit.
+    if (column.name == "time" && column.unit.empty()) return;
     double factor = name ? name->factor : 1.0;
     if (!column.unit.empty()) {
         const LaboratoryUnit* said = laboratory_unit(column.unit, unit);

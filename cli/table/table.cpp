@@ -28,11 +28,11 @@ bool of_incremental_driver(const std::string& header) {
     return header.find(',') == std::string::npos && header.find("stran(") != std::string::npos;
 }
 
-// Of a sheet whose cells are parted by semicolons, where a comma may be the decimal one.
-std::vector<std::string> semicolon_cells(const std::string& line, bool numbers) {
+// Of a sheet whose cells are parted by semicolons or tabs, where a comma may be the decimal one.
+std::vector<std::string> parted_cells(const std::string& line, char mark, bool numbers) {
     std::vector<std::string> out;
-    std::istringstream cells(line + ';');
-    for (std::string cell; std::getline(cells, cell, ';');) {
+    std::istringstream cells(line + mark);
+    for (std::string cell; std::getline(cells, cell, mark);) {
         cell = grit::csv::trimmed(cell);
         std::string pointed = cell;
         std::replace(pointed.begin(), pointed.end(), ',', '.');
@@ -66,12 +66,15 @@ std::vector<std::string> comments_above(const std::filesystem::path& path) {
 }
 
 Cells read_cells(const std::filesystem::path& path) {
-    bool blanks = false, semicolons = false;  // separate the cells
+    bool blanks = false;  // separate the cells
+    char mark = ',';      // if not they
     const auto cut = [&](const std::string& line,
                          std::size_t rows) -> std::optional<std::vector<std::string>> {
         if (rows == 0) blanks = of_incremental_driver(line);
-        if (rows == 0) semicolons = line.find(';') != std::string::npos;
-        if (semicolons) return semicolon_cells(line, rows > 0);
+        if (rows == 0)
+            for (const char each : {'\t', ',', ';'})
+                if (line.find(each) != std::string::npos) mark = each;
+        if (!blanks && mark != ',') return parted_cells(line, mark, rows > 0);
         if (!blanks) return grit::csv::cells_of(line);
         std::vector<std::string> words = words_of(line);
         // Below the names, incrementalDriver repeats the heading of its test.

@@ -50,6 +50,8 @@ template <class Cut> Cells read(const std::filesystem::path& path, Cut&& cut) {
     } catch (const TextFileError& error) {
         throw Error(error.what());
     }
+    if (whole.find('\0') != std::string::npos)
+        throw Error(path.string() + ": is no table, it has bytes that no text has");
     Cells out;
     int number = 0;
     TextLines lines(whole);

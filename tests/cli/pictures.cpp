@@ -116,6 +116,40 @@ TEST(Study, RunsACaseForEachValueAndDrawsThemTogether) {
     EXPECT_EQ(here.result("alone").at("stress_11"), here.result("x_0.65_lausitz").at("stress_11"));
 }
 
+TEST(Study, OfTestsThatMayBeTogetherIsOnePictureAndOthersAreTold) {
+    if (!gnuplot()) return;
+    const Workplace here;
+    here.write_case("x", shearing);
+    const std::string tests = "element x.toml --vary stage.1.test=triaxial_drained,";
+    const Answer together = here.grit(tests + "triaxial_undrained --out out");
+    EXPECT_EQ(together.status, 0) << together.text;
+    EXPECT_NE(here.text("out/comparison.svg").find("test = triaxial_undrained"), std::string::npos);
+    EXPECT_TRUE(here.files("out").contains("comparison.csv"));
+    const Answer apart = here.grit(tests + "oedometer --out apart");
+    EXPECT_TRUE(apart.says("no comparison: x_triaxial_drained is for a picture of triaxial, and "
+                           "x_oedometer for one of oedometer\n"))
+        << apart.text;
+    EXPECT_FALSE(here.files("apart").contains("comparison.csv"));
+    EXPECT_FALSE(here.grit(tests + "oedometer --out apart --quiet").says("no comparison"));
+}
+
+TEST(Study, TellsTheRunThatCannotBe) {
+    const Workplace here;
+    here.write_case("x", shearing);
+    here.write("dense.toml",
+               replaced(here.text("x.toml"), "void_ratio = 0.6", "void_ratio = 0.55"));
+    const auto says = [&](const std::string& arguments, const std::string& words) {
+        const Answer answer = here.grit("element --quiet --out out " + arguments);
+        EXPECT_EQ(answer.status, 2) << answer.text;
+        EXPECT_TRUE(answer.says(words)) << answer.text;
+    };
+    says("dense.toml --vary sand.name=lausitz,hostun", "got 0.55, with sand.name=hostun\n");
+    says("x.toml --vary start.void_ratio=0.65,0.55 --vary sand.name=lausitz,hostun",
+         "got 0.55, with start.void_ratio=0.55, sand.name=hostun\n");
+    const Answer one = here.grit("element x.toml --vary start.void_ratio=0.6,5");
+    EXPECT_TRUE(one.says("--vary start.void_ratio=5: ") && !one.says(", with ")) << one.text;
+}
+
 TEST(Study, MayBePlottedByAnyColumns) {
     if (!gnuplot()) return;
     const Workplace here;

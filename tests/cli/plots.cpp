@@ -31,6 +31,10 @@ std::string axes(const std::string& svg) {
     return out;
 }
 
+std::string fmt_name(int number) {
+    return (number < 10 ? "run0" : "run") + std::to_string(number) + ".csv";
+}
+
 class Plot : public testing::Test {
   protected:
     void run(const std::string& name, const std::string& stages) const {
@@ -208,12 +212,118 @@ TEST_F(Plot, TakesNoNameThatNoPictureDraws) {
 TEST_F(Plot, TellsItsKinds) {
     if (!gnuplot_is_there()) return;
     run("x", drained);
-    refused("out/x.csv --kind oedometr", "nearest: oedometer");
+    refused("out/x.csv --kind oedometr",
+            "--kind: there is no kind \"oedometr\"; nearest: oedometer");
+    const std::string all = here.grit("plot out/x.csv --kind wind").text;
+    EXPECT_EQ(all.find("oedometer"), all.rfind("oedometer")) << all;
     for (const char* command : {"plot --help", "man", "completion bash"}) {
         const Answer answer = here.grit(command);
         for (const char* kind : {"oedometer", "cycles", "shear_constant_volume", "history"})
             EXPECT_TRUE(answer.says(kind)) << command << ' ' << kind;
     }
+}
+
+// Where the grid of the first panel begins.
+double left_of(const std::string& svg) {
+    const std::string grid = "class=\"gridline\"  d='M";
+    return std::atof(svg.c_str() + svg.find(grid) + grid.size());
+}
+
+// Numbers are short, and where they are not, they have room; neither leaves a label off the picture.
+TEST_F(Plot, HasAPowerOfTenInTheUnitOrRoomForNumbers) {
+    if (!gnuplot_is_there()) return;
+    const auto drawn = [&](const std::string& values) {
+        here.write("x.csv", "t [s],depth [m],count [-]\n" + values);
+        EXPECT_EQ(here.grit("plot x.csv --x t --y depth,count --out p").status, 0);
+        return here.text("p.svg");
+    };
+    const auto has = [](const std::string& svg, const std::string& word) {
+        return svg.find(word) != std::string::npos;
+    };
+    const std::string plain = drawn("0,0,1\n1,4.5,2\n");
+    EXPECT_FALSE(has(plain, ">10<")) << plain;
+    const std::string small = drawn("0,0,0\n1,4.5e-5,2e6\n");
+    EXPECT_TRUE(has(small, ">-6<") && has(small, ">6<") && has(small, " 45<")) << small;
+    EXPECT_FALSE(has(small, "0.0000") || has(small, "\u00d7")) << small;
+    EXPECT_NEAR(left_of(small), left_of(plain), 1.0);
+    EXPECT_GT(left_of(drawn("0,0.61234,1\n1,0.61238,2\n")), left_of(plain) + 10.0);
+}
+
+// The number at the left end of a logarithmic axis, where a test begins.
+TEST_F(Plot, HasANumberAtBothEndsOfALogarithmicAxis) {
+    if (!gnuplot_is_there()) return;
+    here.write("y.csv", "stress_11 [kPa],void_ratio [-]\n-100.00001,0.6\n-1000,0.5\n");
+    EXPECT_NE(axes_of("y.csv --kind oedometer"), "");
+    EXPECT_NE(here.text("p.svg").find(">100<"), std::string::npos) << here.text("p.svg");
+}
+
+// Fourteen runs in the order of their colours, with a key of several columns.
+TEST_F(Plot, OfManyRunsHasAColourForEachAndALowKey) {
+    if (!gnuplot_is_there()) return;
+    std::string files;
+    for (int i = 0; i < 14; ++i) {
+        const std::string name = fmt_name(i);
+        here.write(name, "t [s],depth [m]\n0,0\n1," + std::to_string(i + 1) + "\n");
+        files += name + " ";
+    }
+    ASSERT_EQ(here.grit("plot " + files + "--x t --y depth --out many").status, 0);
+    ASSERT_EQ(here.grit("plot run00.csv run01.csv --x t --y depth --out two").status, 0);
+    const auto height = [&](const std::string& name) {
+        const std::string svg = here.text(name);
+        return std::atof(svg.c_str() + svg.find("height=\"") + 8);
+    };
+    EXPECT_LT(height("many.svg"), height("two.svg") + 120.0);
+    const std::string svg = here.text("many.svg");
+    std::set<std::string> colours;
+    for (std::size_t at = 0; (at = svg.find("stroke='rgb(", at)) != std::string::npos; ++at)
+        colours.insert(svg.substr(at, svg.find(')', at) - at));
+    EXPECT_GE(colours.size(), 14u);
+    EXPECT_TRUE(colours.contains("stroke='rgb( 68,   1,  84")) << *colours.begin();
+}
+
+TEST_F(Plot, TellsDataOfTheOtherSign) {
+    if (!gnuplot_is_there()) return;
+    run("x", drained);
+    const auto said = [&](const std::string& header, const std::string& strain) {
+        here.write("lab.csv", header + ",q_kPa\n0,0\n" + strain + ",100\n");
+        return here.grit("plot out/x.csv --data lab.csv --out p").text;
+    };
+    EXPECT_NE(
+        said("axial_strain [%]", "2")
+            .find("axial_strain of lab.csv has the other sign than out/x.csv; compression positive "
+                  "is eps_a_percent\n"),
+        std::string::npos);
+    EXPECT_NE(said("eps_a_percent", "-2")
+                  .find("eps_a_percent of lab.csv has the other sign than "
+                        "out/x.csv; tension positive is axial_strain\n"),
+              std::string::npos);
+    EXPECT_EQ(said("axial_strain [%]", "-2").find("other sign"), std::string::npos);
+    EXPECT_EQ(said("eps_a_percent", "2").find("other sign"), std::string::npos);
+}
+
+TEST_F(Plot, TakesTabsEndingsAndUnitsInParentheses) {
+    if (!gnuplot_is_there()) return;
+    here.write("lab.csv", "Axial strain (%)\tDeviator (MPa)\n0\t0\n1,5\t0,12\n");
+    const std::string names = "--data lab.csv --column eps_a_percent='Axial strain' --column "
+                              "q_kPa=Deviator";
+    EXPECT_EQ(axes_of(names), "axial compression; q = ; ");
+    const std::string tabs = here.text("p.svg");
+    here.write("lab.csv", "eps_a_percent,q_kPa\n0,0\n1.5,120\n");
+    EXPECT_EQ(axes_of("--data lab.csv"), "axial compression; q = ; ");
+    EXPECT_EQ(here.text("p.svg"), tabs);
+    EXPECT_TRUE(here.grit("plot --data lab.csv --out r.svg --pdf").says("r.svg and .png, .pdf"));
+    EXPECT_TRUE(here.grit("plot --data lab.csv --out s.pdf").says("s.svg and .png, .pdf"));
+    EXPECT_TRUE(here.files().contains("r.svg") && here.files().contains("s.pdf"));
+    EXPECT_FALSE(here.files().contains("r.svg.svg"));
+    refused("r.png", "r.png: is no table");
+    // Others' names for columns of any kind, and units that nobody has said.
+    here.write("any.csv", "time,e,q\n0,0.6,1\n1,0.5,2\n");
+    ASSERT_EQ(here.grit("plot any.csv --x time --y q,e --out any").status, 0);
+    EXPECT_NE(here.text("any.svg").find("void ratio e"), std::string::npos);
+    EXPECT_EQ(here.text("any.svg").find("time [s]"), std::string::npos);
+    run("x", drained);
+    EXPECT_EQ(here.grit("plot out/x.csv --x time --y q,e --out any").status, 0);
+    EXPECT_NE(here.text("any.svg").find("time [s]"), std::string::npos);
 }
 
 // Data that the first panel has not are in the key all the same.

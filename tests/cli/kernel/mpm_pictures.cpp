@@ -82,6 +82,12 @@ TEST(HistoryPicture, HasAPanelForEachKindOfCurveThatTheHistoryHas) {
     ASSERT_EQ(picture.panels.size(), 4u);
     EXPECT_EQ(picture.panels[1].series.size(), 2u);
     EXPECT_NEAR(picture.panels[3].series[0].y.back(), 1e6 * history.at("dt").back(), 1e-6);
+    // Where no step was made there is neither its length nor a mean of forces, and the axis begins there all the same.
+    EXPECT_EQ(picture.panels[0].series[0].x.front(), 0.0);
+    for (const std::size_t panel : {1, 3}) {
+        EXPECT_EQ(picture.panels[panel].series[0].x.front(), 1e-3);
+        EXPECT_EQ(picture.panels[panel].x_from, 0.0);
+    }
     EXPECT_EQ(cli::draw(here.path("x"), picture), "");
     EXPECT_NE(here.text("x.svg").find("kinetic"), std::string::npos);
 }
