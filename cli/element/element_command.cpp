@@ -81,7 +81,7 @@ std::vector<CaseFile> read_variant(const ElementRequest& request, const fs::path
     } catch (const BadInput& error) {
         const std::string said = error.what();
         if (settings.empty() || (settings.size() == 1 && said.starts_with("--"))) throw;
-        throw BadInput(fmt::format("{}, {}", said, words_of(settings)));
+        throw BadInput(fmt::format("{}, {}", said, words_of(settings, {})));
     }
 }
 
