@@ -183,12 +183,13 @@ std::string x_tics(const Panel& panel, bool narrow) {
     if (!panel.log_x && !narrow) return linear + "set xtics autofreq\n";
     const auto [low, high] = extent_of(panel, &Series::x);
     if (!(high > low)) return linear + "set xtics autofreq\n";
+    const double room = panel.log_x ? std::pow(high / low, 0.02) : 1.0;  // for numbers at the ends
     std::string out;
-    for (const double tic : panel.log_x ? logarithmic_tics(low, high) : even_tics(low, high))
+    for (const double tic :
+         panel.log_x ? logarithmic_tics(low / room, high * room) : even_tics(low, high))
         out += fmt::format("{}{:g}", out.empty() ? "" : ", ", tic);
     out = fmt::format("set xtics ({})\n", out);
     if (!panel.log_x) return linear + out;
-    const double room = std::pow(high / low, 0.02);  // for numbers at the ends
     return fmt::format("set logscale x\nset xrange [{:.8g}:{:.8g}]\nset format x '%g'\n{}",
                        low / room, high * room, out);
 }

@@ -60,6 +60,12 @@ function makeZoom(chart, canvas) {
   });
 }
 
+// Chart.js writes 4.500000E-5.
+function tickText(value, index, ticks) {
+  const small = ticks.every(tick => Math.abs(tick.value) < 1e-4);
+  return small ? text(value) : Chart.Ticks.formatters.numeric.call(this, value, index, ticks);
+}
+
 // The key of all panels of a result that have none of their own; a click on a name turns its series off and on in all of them.
 function drawKey(place, panels, charts, colourOf) {
   const entries = new Map();
@@ -114,7 +120,7 @@ function drawCurves(place) {
       type: "scatter", data: { datasets },
       options: {
         animation: false, maintainAspectRatio: false, interaction: { mode: "nearest", intersect: false },
-        scales: { x: axis(panel.x, panel.log ? logarithmic : { type: "linear", suggestedMin: panel.from ?? undefined }), y: axis(panel.y, { beginAtZero: panel.zero }) },
+        scales: { x: axis(panel.x, panel.log ? logarithmic : { type: "linear", suggestedMin: panel.from ?? undefined }), y: axis(panel.y, { beginAtZero: panel.zero, ticks: { callback: tickText } }) },
         plugins: {
           legend: { display: panel.key, labels: { boxWidth: 18, boxHeight: 9 } },
           tooltip: { callbacks: { label: at => `${at.dataset.label}: ${text(at.parsed.x)}, ${text(at.parsed.y)}` } },

@@ -31,7 +31,7 @@ std::string axes(const std::string& svg) {
     return out;
 }
 
-std::string fmt_name(int number) {
+std::string name_of_run(int number) {
     return (number < 10 ? "run0" : "run") + std::to_string(number) + ".csv";
 }
 
@@ -262,7 +262,7 @@ TEST_F(Plot, OfManyRunsHasAColourForEachAndALowKey) {
     if (!gnuplot_is_there()) return;
     std::string files;
     for (int i = 0; i < 14; ++i) {
-        const std::string name = fmt_name(i);
+        const std::string name = name_of_run(i);
         here.write(name, "t [s],depth [m]\n0,0\n1," + std::to_string(i + 1) + "\n");
         files += name + " ";
     }

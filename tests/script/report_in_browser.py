@@ -114,6 +114,12 @@ try:
     own = script("""return [...document.querySelectorAll("section#falling canvas")].map(place => Chart.getChart(place)).filter(chart => chart)
         .filter(chart => chart.legend.options.display).map(chart => chart.legend.legendItems.map(item => item.text))""")
     assert own[0] == ["base"] and len(own) == 2, own
+    depths = script("""return Chart.getChart(document.querySelector("section#falling_in_space canvas")).scales.y.ticks.map(tick => tick.label)""")
+    assert depths[0] == "0" and all(re.fullmatch(r"[\d.]+e-[56]", each) for each in depths[1:]), depths
+    # Forces begin with the first step, their axis with the others.
+    begins = script("""return [...document.querySelectorAll("section#falling canvas")].map(place => Chart.getChart(place)).filter(chart => chart)
+        .map(chart => [chart.scales.x.min, chart.data.datasets[0].data[0].x > 0])""")
+    assert begins == [[0, False], [0, False], [0, True], [0, False], [0, False], [0, True]], begins
 
     # Pictures of fields are in their run, folded, where the player does not have them.
     assert "falling_p" not in sections and "falling_velocity" not in sections, sections
