@@ -128,7 +128,7 @@ void read_picture(TomlTable& root, CaseFile& file) {
 
 CaseFile read_case(const std::filesystem::path& path, TomlTable& root, const std::string& sample,
                    const UmatChoice& choice, const std::filesystem::path& sand) {
-    if (root.has("grid")) root.fail("grid", "grid: this is a case of grit mpm");
+    root.refuse_case_of("grit mpm");
     CaseFile out;
     out.path = path;
     out.inputs = {path};

@@ -116,8 +116,7 @@ MpmCaseFile read_mpm_case(const std::filesystem::path& path, const std::filesyst
     TomlTable root = TomlTable::of_file(path, &out.inputs, settings);
     name_axes(root);
     if (!sand.empty()) out.inputs.push_back(sand);
-    if (!root.has("grid") && root.has("start"))
-        root.fail("start", "start: this is a case of grit element");
+    root.refuse_case_of("grit element");
     Case& plan = out.plan;
     plan.name = root.string_if("name").value_or(path.stem().string());
     refuse(root, objection_to_name(plan.name));

@@ -63,6 +63,11 @@ void TomlTable::fail(const std::string& key, const std::string& message) const {
                              : fmt::format("{}: {}{}", file, sample, message));
 }
 
+void TomlTable::refuse_case_of(const std::string& command) const {
+    const char* const own = command == "grit mpm" ? "grid" : "start";
+    if (content->values->get(own)) fail(own, fmt::format("{}: this is a case of {}", own, command));
+}
+
 bool TomlTable::has(const std::string& key) {
     const std::string here = content->spelled(key);
     known.insert(key);

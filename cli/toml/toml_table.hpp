@@ -56,6 +56,9 @@ class TomlTable {
     // Refuse keys nobody has asked for, naming the nearest of those somebody has.
     void finish() const;
 
+    // Refuse a file that is a case of this command, as a table tells which no case of another has.
+    void refuse_case_of(const std::string& command) const;
+
     // Throw BadInput at the line of a key, or of the table if it is missing.
     [[noreturn]] void fail(const std::string& key, const std::string& message) const;
     // "stage[2].axial_strain"
