@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Prints what columns of saturated sand do and what is known of it: the tables of docs/saturated.md.
+#include <algorithm>
 #include <cstdio>
 #include <ctime>
+#include <string_view>
 
 #include <grit/sand_catalogue.h>
 #include <tests/mpm/support/mandel_slab.hpp>
@@ -174,48 +176,55 @@ Case of_sand(Case plan) {
 }
 
 // Of 64 by 64 cells with four particles each, under their weight.
-struct Cost {
-    double per_step, dt;  // [µs]
+class Cost {
+  public:
+    Cost(bool is_sand, bool has_water, bool implicit, double conductivity) {
+        constexpr int cells = 64;
+        const Column column{
+            .cells = cells, .conductivity = conductivity, .implicit = implicit, .gravity = 9.81};
+        Case plan = column.plan();
+        plan.r = {0.0, {{column.height, cells, 1.0}}};
+        plan.bodies[0].outlines[0].corners = {
+            {0.0, 0.0}, {column.height, 0.0}, {column.height, column.height}, {0.0, column.height}};
+        if (is_sand) plan = of_sand(plan);
+        if (!has_water) plan.bodies[0].water.reset();
+        built = build_case(plan);
+        apply_stage(plan, plan.stages[0], *built.simulation);
+        for (int i = 0; i < steps; ++i) built.simulation->step();
+    }
+    void measure() {
+        const std::clock_t begin = std::clock();  // of this process, whoever else computes
+        for (int i = 0; i < steps; ++i) built.simulation->step();
+        const double spent = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+        best = std::min(best, 1e6 * spent / steps);
+    }
+    double per_step() const { return best; }                           // [µs]
+    double dt() const { return 1e6 * built.simulation->next_step(); }  // [µs]
+
+  private:
+    static constexpr int steps = 20;
+    BuiltCase built;
+    double best = 1e9;
 };
 
-Cost cost_of(double conductivity, bool has_water, bool is_sand, bool implicit) {
-    constexpr int cells = 64;
-    Column column{
-        .cells = cells, .conductivity = conductivity, .implicit = implicit, .gravity = 9.81};
-    Case plan = column.plan();
-    plan.r = {0.0, {{column.height, cells, 1.0}}};
-    plan.bodies[0].outlines[0].corners = {
-        {0.0, 0.0}, {column.height, 0.0}, {column.height, column.height}, {0.0, column.height}};
-    if (is_sand) plan = of_sand(plan);
-    if (!has_water) plan.bodies[0].water.reset();
-    BuiltCase built = build_case(plan);
-    apply_stage(plan, plan.stages[0], *built.simulation);
-    for (int i = 0; i < 20; ++i) built.simulation->step();
-    double best = 1e9;
-    for (int trial = 0; trial < 10; ++trial) {
-        const std::clock_t begin = std::clock();  // of this process, whoever else computes
-        for (int i = 0; i < 20; ++i) built.simulation->step();
-        const double spent = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-        best = std::min(best, spent / 20);
-    }
-    return {1e6 * best, 1e6 * built.simulation->next_step()};
-}
-
-// What a step costs beside that of the dry body, and how long it is.
+// What a step costs beside that of the dry body, the best of many trials in turn, and how long it is.
 void cost() {
+    constexpr int trials = 15;
     std::printf("\n| processor's µs per step of 16384 particles, Δt [µs] | dry | undrained | flow "
-                "| undrained, "
-                "implicit | flow, implicit |\n|---|---|---|---|---|---|\n");
+                "| undrained, implicit | flow, implicit |\n|---|---|---|---|---|---|\n");
     for (const bool is_sand : {false, true}) {
-        const Cost dry = cost_of(0.0, false, is_sand, false);
-        std::printf("| %s | %.0f, %.1f |", is_sand ? "Lausitz sand" : "elastic", dry.per_step,
-                    dry.dt);
+        std::vector<Cost> costs;
+        costs.emplace_back(is_sand, false, false, 0.0);
         for (const bool implicit : {false, true})
-            for (const double k : {0.0, 1e-4}) {
-                const Cost now = cost_of(k, true, is_sand, implicit);
-                std::printf(" %.0f, ×%.2f, %.1f |", now.per_step, now.per_step / dry.per_step,
-                            now.dt);
-            }
+            for (const double k : {0.0, 1e-4}) costs.emplace_back(is_sand, true, implicit, k);
+        for (int trial = 0; trial < trials; ++trial)
+            for (Cost& of : costs) of.measure();
+        const double dry = costs[0].per_step();
+        std::printf("| %s | %.0f, %.1f |", is_sand ? "Lausitz sand" : "elastic", dry,
+                    costs[0].dt());
+        for (std::size_t i = 1; i < costs.size(); ++i)
+            std::printf(" %.0f, ×%.2f, %.1f |", costs[i].per_step(), costs[i].per_step() / dry,
+                        costs[i].dt());
         std::printf("\n");
         std::fflush(stdout);
     }
@@ -223,16 +232,23 @@ void cost() {
 
 }  // namespace
 
-int main() {
-    waves();
-    disk();
-    mandel();
+// All of them, or those named.
+int main(int argc, char** argv) {
+    const auto wanted = [&](std::string_view name) {
+        return argc == 1 || std::find(argv + 1, argv + argc, name) != argv + argc;
+    };
+    if (wanted("waves")) waves();
+    if (wanted("disk")) disk();
+    if (wanted("mandel")) mandel();
     for (const bool implicit : {false, true}) {
+        if (!wanted("column") && !wanted("block")) continue;
         std::printf("\n%s pressure\n", implicit ? "Implicit" : "Explicit");
-        terzaghi(implicit);
-        conductivities(implicit);
-        block(implicit);
+        if (wanted("column")) {
+            terzaghi(implicit);
+            conductivities(implicit);
+        }
+        if (wanted("block")) block(implicit);
     }
-    cost();
+    if (wanted("cost")) cost();
     return 0;
 }

@@ -107,6 +107,9 @@ struct Separation {
     double cap = 0.0;     // [-]
 };
 
+struct WaterScatter;
+struct WaterGather;
+
 struct ScatterCall {
     GridView grid;
     ParticleView particles;
@@ -116,6 +119,7 @@ struct ScatterCall {
     FixedPoint* fixed_point = nullptr;  // in place of nodes
     CellMean mean = {};                 // with cells, of the mean stress
     Separation separation = {};
+    const WaterScatter* water = nullptr;  // in its pores, where parts are all; null: none
 };
 
 // Mean stress and volume of the cells.
@@ -156,8 +160,9 @@ struct GatherCall {
     unsigned tasks;
     Separation separation = {};
     bool reduces_domains = false;
-    CellMean mean = {};        // with cells, deformation stops there
-    bool fixed_point = false;  // of the sums
+    CellMean mean = {};                  // with cells, deformation stops there
+    bool fixed_point = false;            // of the sums
+    const WaterGather* water = nullptr;  // in its pores; null: none
 };
 
 // The rest of deformation, where the mean is over cells.
@@ -180,9 +185,6 @@ struct GatherSums {
     int outside = 0;       // ... or outside of the grid
 };
 
-struct WaterScatterCall;
-struct WaterGatherCall;
-struct WaterSums;
 struct PatchCall;
 
 // The kernels of one instruction set: bitwise the same results, for nothing is contracted.
@@ -192,10 +194,7 @@ struct Kernels {
     void (*deform)(bool axisymmetric, const DeformCall&, Increments&);
     // Returns the largest mean stress [Pa].
     double (*add_mean_stresses)(bool axisymmetric, const MeanStressCall&);
-    // Of pore_water.hpp.
-    void (*scatter_water)(Shape, bool axisymmetric, const WaterScatterCall&);
-    void (*gather_water)(Shape, bool axisymmetric, const WaterGatherCall&, WaterSums&);
-    // Forces of pressures, added to nodes; how fast the volumes of cells grow at velocities of nodes.
+    // Of pore_water.hpp: forces of pressures, added to nodes; how fast the volumes of cells grow at velocities of nodes.
     void (*push_by_pressures)(const PatchCall&, const double* pressure, double* nodes);
     void (*find_swelling)(const PatchCall&, const double* nodes, double* swelling);
 };

@@ -15,16 +15,41 @@ GRIT_INLINE RowOfPatch load_row(const double* from) {
     return row;
 }
 
+// The nodes of a row that cells beside each other reach: the first of the next cell is the second of this one. In registers, for
+// what one cell stores another one reads, half a row farther on.
+struct MovingRow {
+    RowOfPatch sum{};
+    double* at;
+
+    GRIT_INLINE explicit MovingRow(double* from) : at(from) {}
+    GRIT_INLINE void leave_node() {
+        at[0] += sum[0];
+        at[1] += sum[1];
+        at += 2;
+        sum = RowOfPatch{sum[2], sum[3], sum[4], sum[5], sum[6], sum[7], 0.0, 0.0};
+    }
+};
+
 void push_by_pressures(const PatchCall& call, const double* pressure, double* nodes) {
-    for (std::size_t c = 0; c < call.count; ++c) {
-        const double* force = call.patches[call.cells[c].patch].force;
-        double* at = nodes + 2 * call.cells[c].first;
-        for (int j = 0; j < 4; ++j, force += 8, at += 2 * call.row) {
-            const RowOfPatch share = pressure[c] * load_row(force);
-            const RowOfPatch sum =
-                load_row(at) + ((share + call.rounding.magic) - call.rounding.magic);
-            __builtin_memcpy(at, &sum, sizeof sum);
+    const double magic = call.rounding.magic;
+    for (std::size_t c = 0; c < call.count;) {
+        double* const from = nodes + 2 * call.cells[c].first;
+        const std::size_t row = 2 * call.row;
+        MovingRow rows[] = {MovingRow(from), MovingRow(from + row), MovingRow(from + 2 * row),
+                            MovingRow(from + 3 * row)};
+        bool goes_on = true;
+        for (; goes_on; ++c) {
+            const double* force = call.patches[call.cells[c].patch].force;
+            for (MovingRow& to : rows) {
+                const RowOfPatch share = pressure[c] * load_row(force);
+                to.sum += (share + magic) - magic;
+                to.leave_node();
+                force += 8;
+            }
+            goes_on = c + 1 < call.count && call.cells[c + 1].first == call.cells[c].first + 1;
         }
+        for (MovingRow& to : rows)
+            for (int k = 0; k < 3; ++k) to.leave_node();
     }
 }
 

@@ -6,41 +6,9 @@
 #include "adapters/mpm/kernel/cell_mean.hpp"
 #include "adapters/mpm/kernel/increment.hpp"
 #include "adapters/mpm/kernel/node_stencil.hpp"
+#include "adapters/mpm/kernel/water_gather.hpp"
 
 GRIT_KERNEL_BEGIN_OF(mpm)
-
-// Sums of v_r, v_z, other_r, other_z over the points of a particle.
-struct Gathered {
-    Vec4 S{}, U{}, G_r{}, G_z{}, T{};
-};
-
-template <class Stencil, bool axisymmetric>
-GRIT_INLINE Gathered gather_point_values(const Stencil& w, const NodeMotion* nodes) {
-    Gathered sum;
-    for (int k = 0; k < Stencil::points; ++k) {
-        const Vec4 v = w.value(k, nodes);
-        sum.S += w.S[k] * v;
-        sum.G_r += w.G_r[k] * v;
-        sum.G_z += w.G_z[k] * v;
-        if constexpr (Stencil::is_corner) sum.U += v;
-    }
-    // All corners have the same T and U; T of a node is S / r_p.
-    if constexpr (Stencil::is_corner) {
-        if constexpr (axisymmetric) sum.T = w.T * sum.U;
-        sum.U *= 0.25;
-    } else {
-        if constexpr (axisymmetric) sum.T = w.per_r * sum.S;
-        sum.U = sum.S;
-    }
-    return sum;
-}
-
-// Of the velocity in two lanes, times dt.
-template <bool axisymmetric>
-GRIT_INLINE Gradient gradient_of(const Gathered& g, int lane, double dt) {
-    return {dt * g.G_r[lane], dt * g.G_z[lane], dt * g.G_r[lane + 1], dt * g.G_z[lane + 1],
-            axisymmetric ? dt * g.T[lane] : 0.0};
-}
 
 GRIT_INLINE void move_velocity(const GatherCall& call, const Gathered& g, std::ptrdiff_t p,
                                GatherSums& sums) {
@@ -81,15 +49,18 @@ GRIT_INLINE void move_position(const GatherCall& call, const Gathered& g, std::p
                       z <= a_z.node[a_z.cells]);
 }
 
-template <Shape shape, bool axisymmetric, bool all, bool mean>
+template <Shape shape, bool axisymmetric, bool all, bool mean, bool water>
 void gather_by(const GatherCall& call, Increments& increments, GatherSums& sums) {
     using Stencil = typename StencilOf<shape, axisymmetric>::type;
     const unsigned tasks = all ? static_cast<unsigned>(task::all) : call.tasks;
+    // Numbers of its own: no store to a column can change them.
+    const PoreWater pores = water ? *call.water->water : PoreWater{};
     const std::ptrdiff_t lane = tasks & task::deform_by_other ? 2 : 0;
     for (std::ptrdiff_t p = call.begin; p < call.end; ++p) {
         const Place place = place_of<axisymmetric>(call.grid, call.particles, p);
         const Stencil w(call.grid, place);
         const Gathered g = gather_point_values<Stencil, axisymmetric>(w, call.nodes);
+        if constexpr (water) gather_water<axisymmetric>(call, pores, place, w, g, p);
         if (tasks & task::velocity) move_velocity(call, g, p, sums);
         if (tasks & task::position) move_position(call, g, p, axisymmetric, sums);
         if (tasks & (task::deformation | task::deform_by_other)) {
@@ -102,18 +73,20 @@ void gather_by(const GatherCall& call, Increments& increments, GatherSums& sums)
     }
 }
 
-template <Shape shape, bool axisymmetric>
+template <Shape shape, bool axisymmetric, bool water>
 void gather_tasks(const GatherCall& call, Increments& increments, GatherSums& sums) {
-    if (call.mean.cells) gather_by<shape, axisymmetric, false, true>(call, increments, sums);
+    if (call.mean.cells) gather_by<shape, axisymmetric, false, true, water>(call, increments, sums);
     else if (call.tasks == task::all)
-        gather_by<shape, axisymmetric, true, false>(call, increments, sums);
-    else gather_by<shape, axisymmetric, false, false>(call, increments, sums);
+        gather_by<shape, axisymmetric, true, false, water>(call, increments, sums);
+    else gather_by<shape, axisymmetric, false, false, water>(call, increments, sums);
 }
 
 void gather(Shape shape, bool axisymmetric, const GatherCall& call, Increments& increments,
             GatherSums& sums) {
-    with_shape(shape, axisymmetric,
-               [&]<Shape of, bool axi>() { gather_tasks<of, axi>(call, increments, sums); });
+    with_shape(shape, axisymmetric, [&]<Shape of, bool axi>() {
+        call.water ? gather_tasks<of, axi, true>(call, increments, sums)
+                   : gather_tasks<of, axi, false>(call, increments, sums);
+    });
 }
 
 GRIT_KERNEL_END

@@ -3,11 +3,10 @@
 #include "adapters/mpm/kernel/cell_patches.hpp"
 #include "adapters/mpm/kernel/gather.hpp"
 #include "adapters/mpm/kernel/scatter.hpp"
-#include "adapters/mpm/kernel/water_transfer.hpp"
 
 namespace grit::mpm {
 extern const Kernels avx2_kernels;
-const Kernels avx2_kernels{avx2::scatter,           avx2::gather,        avx2::deform_by_mean,
-                           avx2::add_mean_stresses, avx2::scatter_water, avx2::gather_water,
+const Kernels avx2_kernels{avx2::scatter,           avx2::gather,
+                           avx2::deform_by_mean,    avx2::add_mean_stresses,
                            avx2::push_by_pressures, avx2::find_swelling};
 }  // namespace grit::mpm

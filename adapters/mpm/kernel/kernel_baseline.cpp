@@ -3,12 +3,10 @@
 #include "adapters/mpm/kernel/cell_patches.hpp"
 #include "adapters/mpm/kernel/gather.hpp"
 #include "adapters/mpm/kernel/scatter.hpp"
-#include "adapters/mpm/kernel/water_transfer.hpp"
 
 namespace grit::mpm {
 extern const Kernels baseline_kernels;
 const Kernels baseline_kernels{baseline::scatter,           baseline::gather,
                                baseline::deform_by_mean,    baseline::add_mean_stresses,
-                               baseline::scatter_water,     baseline::gather_water,
                                baseline::push_by_pressures, baseline::find_swelling};
 }  // namespace grit::mpm

@@ -38,6 +38,12 @@ template <bool axisymmetric, bool domain> struct NodeStencil {
     template <class Sums> GRIT_INLINE void add(int k, const Vec8& P, Sums& sums) const {
         sums.add(at[k], P);
     }
+    template <class Patch>
+    GRIT_INLINE void add_to_patch(int k, const Vec2& force, Patch& patch) const {
+        if (force[0] == 0.0 && force[1] == 0.0)
+            return;  // weights that are nothing may lie anywhere
+        patch.add(patch.at(at[k]), force);
+    }
     GRIT_INLINE Vec4 value(int k, const NodeMotion* nodes) const {
         return *reinterpret_cast<const Vec4*>(nodes + at[k]);
     }

@@ -78,35 +78,42 @@ void add_pressures(const GridView& grid, const ParticleView& q, std::ptrdiff_t b
     }
 }
 
+namespace {
+
+[[noreturn]] void fail(const ParticleView& q, std::ptrdiff_t p, const std::string& why) {
+    throw std::runtime_error("pore water: a particle at (" + std::to_string(q[column::r][p]) +
+                             ", " + std::to_string(q[column::z][p]) + ") m has no " + why);
+}
+
+}  // namespace
+
 // Of undrained water the strain is that of the pores too, whose middle is taken.
-void update_pressures(const ParticleView& q, std::ptrdiff_t begin, std::ptrdiff_t end,
-                      const PoreWater& water, const CellIntegers* cells, const int* cell,
-                      double per_volume, const double* left, bool fixed_point, WaterSums& sums) {
+double update_pressures(const ParticleView& q, std::ptrdiff_t begin, std::ptrdiff_t end,
+                        const PoreWater& water, const CellIntegers* cells, const WaterPlace* places,
+                        double per_volume, const double* left, bool fixed_point, WaterSums& sums) {
+    double fastest = 0.0;
     for (std::ptrdiff_t p = begin; p < end; ++p) {
-        const CellIntegers& mean = cells[cell[p]];
-        const double of_cell = mean.volume > 0 ? mean.mean() : 0.0, e = water.void_ratio(q, p);
-        const double gone = left && mean.volume > 0 ? left[cell[p]] / mean.total(per_volume) : 0.0;
+        const auto [V, e, cell] = places[p];
+        const CellIntegers& mean = cells[cell];
+        const double of_cell = mean.volume > 0 ? mean.mean() : 0.0;
+        const double gone = left && mean.volume > 0 ? left[cell] / mean.total(per_volume) : 0.0;
         const double strain = of_cell + gone;
         const double e_middle = water.flows ? e : e + 0.5 * (1.0 + e) * of_cell;
         if (!(e_middle > 0.0))
-            throw std::runtime_error(
-                "pore water: a particle at (" + std::to_string(q[column::r][p]) + ", " +
-                std::to_string(q[column::z][p]) + ") m has no pores left, its void ratio is " +
-                std::to_string(e_middle));
+            fail(q, p, "pores left, its void ratio is " + std::to_string(e_middle));
         if (water.flows && !(q[water.content_column()][p] > 0.0))
-            throw std::runtime_error(
-                "pore water: a particle at (" + std::to_string(q[column::r][p]) + ", " +
-                std::to_string(q[column::z][p]) +
-                ") m has no water left: more has flowed out of it than was there");
+            fail(q, p, "water left: more has flowed out of it than was there");
         const double before = water.pressure(q, p);
         q[water.first][p] -= water.bulk_modulus / PoreWater::porosity_of(e_middle) * strain;
-        const double V = q[column::V0][p] * q.J(p), now = water.pressure(q, p);
+        const double now = water.pressure(q, p);
         sums.work.add(-0.5 * (before + now) * strain * V, fixed_point);
         sums.half.add(-0.5 * now * of_cell * V, fixed_point);
+        fastest = std::max(fastest, water.speed2(e, q[column::mass][p] / V));
         if (gone == 0.0) continue;
         sums.between.add(0.5 * (before + now) * gone * V, fixed_point);
         if (water.flows) q[water.content_column()][p] -= water.density * gone * V;
     }
+    return fastest;
 }
 
 void push_water(const WaterNodeCall& call, WaterSums& sums) {

@@ -86,8 +86,10 @@ struct PoreWater {
     }
     // n^2 rho_w g/k: force on a volume for a velocity against the grains [N s/m4].
     GRIT_INLINE double drag(double e) const {
-        const double n = porosity_of(e);
-        return n * n * density * standard_gravity / conductivity_of(e);
+        const double largest = density * standard_gravity / conductivity, n = porosity_of(e);
+        if (!(conductivity_at > 0.0)) return largest * n * n;
+        const double cube = conductivity_at * conductivity_at * conductivity_at;
+        return largest * (cube / (1.0 + conductivity_at)) / (e * (1.0 + e));
     }
     // Of water that flows; that of the grains is not in it [J].
     double kinetic_energy(const ParticleView& q, std::ptrdiff_t p) const {
@@ -157,43 +159,43 @@ struct WaterSums {
     Total kept;  // ... what it has of the grains' velocity times what it changes by [J]
 };
 
-struct WaterScatterCall {
-    GridView grid;
-    ParticleView particles;
-    std::ptrdiff_t begin, end;
+// What a scatter leaves of water, beside the grains.
+struct WaterScatter {
     const PoreWater* water;
     const CellIntegers* cells;            // mean pressures, of add_pressures
     NodeRecord* nodes;                    // added to
-    FixedPoint* fixed_point = nullptr;    // in place of nodes
+    FixedPoint* fixed_point = nullptr;    // in place of nodes, if the grains are
     CellPatch* patches = nullptr;         // added to, of implicit pressure ...
     FixedPoint* fixed_patches = nullptr;  // ... in their place: four records a cell, its rows
 };
 
-struct WaterGatherCall {
-    GridView grid;
-    ParticleView particles;
-    std::ptrdiff_t begin, end;
+// A particle before a gather: its pressure waits for the strain of its cell.
+struct WaterPlace {
+    double V, e;  // [m3], void ratio
+    int cell;
+};
+
+// What a gather takes of water, beside that of the grains.
+struct WaterGather {
     const PoreWater* water;
-    const NodeMotion*
-        volume;  // as nodes have it: its divergence takes pressure and water; of undrained bodies v
-    const NodeMotion* grains;   // v and other, of water that flows ...
-    const NodeMotion* flowing;  // ... and of the water itself
-    double dt, pic;
-    CellIntegers* cells;  // volumetric strains, added to
-    int* cell;            // [particles] out
+    // As nodes have it: its divergence takes pressure and water; of undrained bodies the grains'.
+    const NodeMotion* volume;
+    const NodeMotion* flowing;  // of water that flows: v and other
+    CellIntegers* cells;        // volumetric strains, added to
+    WaterPlace* places;         // [particles] out
     double per_volume;
-    bool fixed_point = false;  // of the sums
+    WaterSums* sums;
 };
 
 // The mean pressures of cells, as shares of K_w.
 void add_pressures(const GridView& grid, const ParticleView& particles, std::ptrdiff_t begin,
                    std::ptrdiff_t end, const PoreWater& water, double per_volume,
                    CellIntegers* cells);
-// (W1), (W2) of a range, each particle with the mean strain of its cell and its share of what else left that [m3] (null:
-// nothing did).
-void update_pressures(const ParticleView& particles, std::ptrdiff_t begin, std::ptrdiff_t end,
-                      const PoreWater& water, const CellIntegers* cells, const int* cell,
-                      double per_volume, const double* left, bool fixed_point, WaterSums& sums);
+// (W1), (W2) of a range, after a gather: each particle with the mean strain of its cell and its share of what else left that
+// [m3] (null: nothing did). Returns what water adds to the square of the speed of waves, at the most [m2/s2].
+double update_pressures(const ParticleView& particles, std::ptrdiff_t begin, std::ptrdiff_t end,
+                        const PoreWater& water, const CellIntegers* cells, const WaterPlace* places,
+                        double per_volume, const double* left, bool fixed_point, WaterSums& sums);
 
 struct WaterNodeCall {
     NodeCall grains;      // of the body

@@ -6,6 +6,7 @@
 
 GRIT_KERNEL_BEGIN_OF(mpm)
 
+using Vec2 = grit::GRIT_TARGET::VectorTypes<2>::RealInPlace;
 using Vec4 = grit::GRIT_TARGET::VectorTypes<4>::RealInPlace;
 using Vec8 = grit::GRIT_TARGET::VectorTypes<8>::RealInPlace;
 using Integers = grit::GRIT_TARGET::VectorTypes<8>::UnsignedInPlace;

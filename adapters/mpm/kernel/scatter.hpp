@@ -5,11 +5,12 @@
 #include "adapters/mpm/kernel/cell_mean.hpp"
 #include "adapters/mpm/kernel/node_stencil.hpp"
 #include "adapters/mpm/kernel/sums.hpp"
+#include "adapters/mpm/kernel/water_scatter.hpp"
 
 GRIT_KERNEL_BEGIN_OF(mpm)
 
-template <Shape shape, bool axisymmetric, bool all, class Sums>
-GRIT_INLINE void scatter_by(const ScatterCall& call, Sums& sums) {
+template <Shape shape, bool axisymmetric, bool all, class Sums, class Water>
+GRIT_INLINE void scatter_by(const ScatterCall& call, Sums& sums, Water water) {
     using Stencil = typename StencilOf<shape, axisymmetric>::type;
     namespace c = column;
     const ParticleView q = call.particles;
@@ -46,17 +47,25 @@ GRIT_INLINE void scatter_by(const ScatterCall& call, Sums& sums) {
                             f_z,      g_r,       g_z,       std::fabs(g_r) + std::fabs(g_z)};
             w.add(k, P, sums);
         }
+        water.add(place, w, p, V);
     }
+}
+
+template <Shape shape, bool axisymmetric, bool all, class Sums>
+GRIT_INLINE void scatter_both(const ScatterCall& call, Sums& sums) {
+    if (!call.water) return scatter_by<shape, axisymmetric, all>(call, sums, NoWater{});
+    with_water<axisymmetric>(
+        call, [&](auto water) { scatter_by<shape, axisymmetric, all>(call, sums, water); });
 }
 
 template <Shape shape, bool axisymmetric> void scatter_parts(const ScatterCall& call) {
     if (call.fixed_point)
         return add_in_fixed_point(*call.fixed_point, [&](FixedSums& sums) {
-            scatter_by<shape, axisymmetric, false>(call, sums);
+            scatter_both<shape, axisymmetric, false>(call, sums);
         });
     DoubleSums sums{call.nodes};
-    if (call.parts == part::all) scatter_by<shape, axisymmetric, true>(call, sums);
-    else scatter_by<shape, axisymmetric, false>(call, sums);
+    if (call.parts == part::all) scatter_both<shape, axisymmetric, true>(call, sums);
+    else scatter_by<shape, axisymmetric, false>(call, sums, NoWater{});
 }
 
 void scatter(Shape shape, bool axisymmetric, const ScatterCall& call) {

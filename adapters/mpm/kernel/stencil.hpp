@@ -52,6 +52,15 @@ template <bool axisymmetric, bool weighted> struct CornerStencil {
         sums.add(n + n_r, (y - xy) * P);
         sums.add(n + n_r + 1, xy * P);
     }
+    template <class Patch>
+    GRIT_INLINE void add_to_patch(int c, const Vec2& force, Patch& patch) const {
+        const auto at = patch.at(corner_node[c]);
+        const double x = xi_r[c], y = xi_z[c], xy = x * y;
+        patch.add(at, (1.0 - x - y + xy) * force);
+        patch.add({at.row, at.column + 1}, (x - xy) * force);
+        patch.add({at.row + 1, at.column}, (y - xy) * force);
+        patch.add({at.row + 1, at.column + 1}, xy * force);
+    }
     GRIT_INLINE Vec4 value(int c, const NodeMotion* nodes) const {
         const Vec4* n = reinterpret_cast<const Vec4*>(nodes + corner_node[c]);
         const double x = xi_r[c], y = xi_z[c], xy = x * y;

@@ -17,9 +17,8 @@ void CompactFlow::begin(const std::vector<Cell>& now, const std::vector<CompactA
     std::fill(mixed.begin(), mixed.end(), Vector2{});
     for (const Cell& cell : cells)
         if (cell.bears && cell.counted)
-            for (const std::size_t node :
-                 {cell.first, cell.first + 1, cell.first + row, cell.first + row + 1})
-                mixed[node][0] += 1.0;
+            for (const std::size_t node : {std::size_t{0}, std::size_t{1}, row, row + 1})
+                mixed[cell.first + node][0] += 1.0;
     exchange.sum_nodes(mixed.data(), static_cast<std::ptrdiff_t>(mixed.size()));
     for (std::size_t node = 0; node < nodes.size(); ++node)
         if (mixed[node][0] != 4.0) nodes[node] = {};

@@ -3,6 +3,7 @@
 // gradient at nodes is nothing, though from cell to cell it is the largest there is. Rhie & Chow (1983), doi 10.2514/3.8284.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "adapters/mpm/kernel/exchange.hpp"
@@ -19,7 +20,7 @@ struct CompactAnswer {
 class CompactFlow {
   public:
     struct Cell {
-        std::size_t first;  // of its nodes in the grid
+        std::uint32_t first;  // of its nodes in the grid
         bool bears, counted;
     };
     CompactFlow(const GridView& grid, Exchange& exchange, bool fixed_point);

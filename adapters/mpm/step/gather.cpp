@@ -30,9 +30,11 @@ void Gather::operator()(unsigned tasks) {
             if (deforms) strip.viscous_loss = strip.half = Total();
         }
     const auto work = [&, this](std::size_t body, int strip) { gather(body, strip, tasks); };
-    if (!means.wanted() || !deforms) return model.for_strips(work);
-    means.begin_strains();
+    const bool has_means = means.wanted() && deforms;
+    if (!has_means && !water.is_anywhere()) return model.for_strips(work);
+    if (has_means) means.begin_strains();
     model.for_strips_apart(work);
+    if (!has_means) return;
     means.sum();
     model.for_strips([this](std::size_t body, int strip) { deform(body, strip); });
 }
@@ -46,6 +48,8 @@ void Gather::gather(std::size_t body, int strip, unsigned tasks) {
     if (tasks == 0) return;
     const bool updates = (tasks & (task::deformation | task::deform_by_other)) && !means.has(body);
     const ParticleView q = part.body.particles.view();
+    const bool has_water = water.has(body);
+    const WaterGather of_water = has_water ? water.gathered(body, strip) : WaterGather{};
     double fastest = 0.0;
     each_range(part.strips, strip, Increments::capacity,
                [&](std::ptrdiff_t begin, std::ptrdiff_t stop) {
@@ -60,7 +64,8 @@ void Gather::gather(std::size_t body, int strip, unsigned tasks) {
                                          part.separation,
                                          part.reduces_domains,
                                          means.of(body),
-                                         settings.fixed_point};
+                                         settings.fixed_point,
+                                         has_water ? &of_water : nullptr};
                    kernels().gather(settings.shape, settings.axisymmetric, call,
                                     bodies[body].increments[s], sums.sums);
                    if (updates) fastest = std::max(fastest, update(body, strip, {q, begin, stop}));

@@ -6,12 +6,14 @@
 
 #include "adapters/mpm/step/cell_means.hpp"
 #include "adapters/mpm/step/model.hpp"
+#include "adapters/mpm/step/water.hpp"
 
 namespace grit::mpm {
 
 class Gather {
   public:
-    Gather(Model& of, CellMeans& of_cells) : model(of), means(of_cells) {}
+    Gather(Model& of, CellMeans& of_cells, Water& in_pores)
+        : model(of), means(of_cells), water(in_pores) {}
     void add_body();
 
     // tasks: task::velocity ..., over dt.
@@ -45,6 +47,7 @@ class Gather {
 
     Model& model;
     CellMeans& means;
+    Water& water;
     std::vector<OfBody> bodies;
     bool with_half = false;
 };

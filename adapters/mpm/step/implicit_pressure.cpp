@@ -56,18 +56,20 @@ void ImplicitPressure::share(std::vector<Vector2>& at) {
 }
 
 void ImplicitPressure::push(const double* x, std::vector<Vector2>& at) {
-    double largest = 0.0;
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-        pushing[c] = cells[c].counted ? x[c] : 0.0;
-        largest = std::max(largest, std::fabs(pushing[c]) * cells[c].reach);
-    }
     PatchCall call{of_cells.data(), patched.data(), cells.size(), row};
+    if (exchange.counted_cells()) {
+        for (std::size_t c = 0; c < cells.size(); ++c) pushing[c] = cells[c].counted ? x[c] : 0.0;
+        x = pushing.data();
+    }
     if (fixed_point) {
+        double largest = 0.0;
+        for (std::size_t c = 0; c < cells.size(); ++c)
+            largest = std::max(largest, std::fabs(x[c]) * cells[c].reach);
         exchange.max(&largest, 1);
         call.rounding = Rounding::of_sums(largest, 5);  // a node has 16 cells
     }
     std::fill(at.begin(), at.end(), Vector2{});
-    kernels().push_by_pressures(call, pushing.data(), at.data()->c);
+    kernels().push_by_pressures(call, x, at.data()->c);
     share(at);
 }
 
@@ -128,7 +130,7 @@ void ImplicitPressure::find_cells(const PoreWater& water) {
         const std::size_t of_row = static_cast<std::size_t>(cells_r);
         const double* force = of_cells[at].force;
         double reach = 0.0;
-        for (int k = 0; k < 32; ++k) reach = std::max(reach, std::fabs(force[k]));
+        for (int k = 0; k < 32 && fixed_point; ++k) reach = std::max(reach, std::fabs(force[k]));
         patched.push_back({at, at / of_row * row + at % of_row});
         cells.push_back({.begin = at == 0 ? 0 : end_of[at - 1],
                          .end = end_of[at],
@@ -173,17 +175,14 @@ bool ImplicitPressure::find_laws(const PoreWater& water, double dt) {
 }
 
 void ImplicitPressure::apply(const System& system, const double* x, double* y) {
-    for (std::size_t c = 0; c < cells.size(); ++c)
-        scaled[c] = cells[c].compliance > 0.0 ? cells[c].scale * x[c] : 0.0;
+    for (std::size_t c = 0; c < cells.size(); ++c) scaled[c] = system.scale[c] * x[c];
     push(scaled.data(), at_nodes);
     system.answers(at_nodes);
     swell(at_nodes, y);
     for (std::size_t c = 0; c < cells.size(); ++c) y[c] *= system.dt * system.dt;
     compact.add(&CompactAnswer::to_change, scaled.data(), y);
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-        const Cell& cell = cells[c];
-        y[c] = cell.compliance > 0.0 ? cell.scale * (cell.compliance * scaled[c] + y[c]) : x[c];
-    }
+    for (std::size_t c = 0; c < cells.size(); ++c)
+        y[c] = system.scale[c] * (system.compliance[c] * scaled[c] + y[c]) + system.alone[c] * x[c];
 }
 
 // Of cells, each once.
@@ -196,6 +195,22 @@ double ImplicitPressure::dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
     }
     exchange.sum(sum, fixed_point);
     return sum[0].value();
+}
+
+// What may be left in any case, in a square: a share of what water is compressed by, so that pressures are at most that share
+// of themselves off (all of them together).
+double ImplicitPressure::least_error2(const System& system) const {
+    constexpr double share = 1e-7;
+    Eigen::VectorXd compressed(static_cast<Eigen::Index>(cells.size()));
+    for (std::size_t c = 0; c < cells.size(); ++c)
+        compressed[static_cast<Eigen::Index>(c)] =
+            system.scale[c] * system.compliance[c] * cells[c].pressure;
+    double largest = compressed.size() > 0 ? compressed.cwiseAbs().maxCoeff() : 0.0;
+    exchange.max(&largest, 1);
+    if (!(largest > 0.0)) return 0.0;
+    const double unit = std::ldexp(1.0, std::ilogb(largest));
+    compressed /= unit;
+    return share * share * unit * unit * dot(compressed, compressed);
 }
 
 // What the last two steps lead to, or what is known of this one, as solve has it.
@@ -234,7 +249,9 @@ Eigen::VectorXd ImplicitPressure::solve(const System& system, Eigen::VectorXd b,
     const double unit = std::ldexp(1.0, std::ilogb(largest));
     b /= unit;
     Eigen::VectorXd product(b.size());
-    const double load2 = dot(b, b), enough2 = tolerance * tolerance * load2;
+    const double load2 = dot(b, b);
+    const double enough2 =
+        std::max(tolerance * tolerance * load2, least_error2(system) / (unit * unit));
     double left2 = load2;
     // From the guess, if that is nearer than nothing.
     const Eigen::VectorXd x_0 = guess / unit;
@@ -248,6 +265,7 @@ Eigen::VectorXd ImplicitPressure::solve(const System& system, Eigen::VectorXd b,
     Eigen::VectorXd direction = b;
     for (int i = 0; i < most_iterations; ++i) {
         if (left2 < enough2) return unit * x;
+        ++iterated;
         apply(system, direction.data(), product.data());
         const double along = left2 / dot(direction, product), before = left2;
         x += along * direction;
@@ -264,7 +282,8 @@ Eigen::VectorXd ImplicitPressure::solve(const System& system, Eigen::VectorXd b,
 void ImplicitPressure::find_compact_flow(const Answers& answers) {
     std::vector<CompactFlow::Cell> of_compact;
     for (std::size_t c = 0; c < cells.size(); ++c) {
-        of_compact.push_back({first_node(patched[c]), cells[c].compliance > 0.0, cells[c].counted});
+        of_compact.push_back({static_cast<std::uint32_t>(first_node(patched[c])),
+                              cells[c].compliance > 0.0, cells[c].counted});
         scaled[c] = cells[c].pressure;
     }
     compact.begin(of_compact, answers.compact);
@@ -281,7 +300,9 @@ void ImplicitPressure::solve(const PoreWater& water, const GridView& grid, Parti
     find_cells(water);
     std::fill(swelling.begin(), swelling.end(), 0.0);
     find_laws(water, dt);
-    const System system{dt, answers};
+    System system{dt, answers};
+    for (std::vector<double>* of : {&system.scale, &system.compliance, &system.alone})
+        of->resize(cells.size());
     Eigen::VectorXd b(static_cast<Eigen::Index>(cells.size()));
     std::vector<double> flow;
     // u + dt A G of the values, and the flow beside it.
@@ -311,11 +332,14 @@ void ImplicitPressure::solve(const PoreWater& water, const GridView& grid, Parti
                 diagonal += dt * dt * (f[0] * v[0] + f[1] * v[1]);
             }
             cell.scale = diagonal > 0.0 ? 1.0 / std::sqrt(diagonal) : 1.0;
+            const bool bears = cell.compliance > 0.0;
+            system.scale[c] = bears ? cell.scale : 0.0;
+            system.compliance[c] = cell.compliance;
+            system.alone[c] = bears ? 0.0 : 1.0;
             b[static_cast<Eigen::Index>(c)] =
-                cell.compliance > 0.0
-                    ? cell.scale *
-                          (cell.compliance * (cell.reached - cell.pressure) - dt * swelling[c])
-                    : 0.0;
+                bears ? cell.scale *
+                            (cell.compliance * (cell.reached - cell.pressure) - dt * swelling[c])
+                      : 0.0;
         }
         const Eigen::VectorXd x = solve(system, b, guess(dt, again));
         for (std::size_t c = 0; c < cells.size(); ++c)

@@ -69,6 +69,8 @@ class ImplicitPressure {
     const std::vector<double>& flow() const { return flow_of_grid; }
     // Once it is solved for good.
     void remember(double dt);
+    // Of all solutions since it was built.
+    long iterations() const { return iterated; }
 
     template <class Self, class Archive> static void visit(Self& of, Archive& archive) {
         IntegerRecords::visit(of.rows_of_patches, archive);
@@ -88,13 +90,16 @@ class ImplicitPressure {
     struct InCell {
         double V, stiffness, p;  // K_w/n [Pa], p as it goes on below the largest tension
     };
-    // The matrix of the system, scaled to a diagonal of 1: never assembled. Cells that do not bear have no row.
+    // The matrix of the system, scaled to a diagonal of 1: never assembled. Of cells one after the other: the scale, nothing
+    // where a cell does not bear, and 1 there.
     struct System {
         double dt;
         const Answers& answers;
+        std::vector<double> scale = {}, compliance = {}, alone = {};
     };
     void apply(const System& system, const double* x, double* y);
     Eigen::VectorXd solve(const System& system, Eigen::VectorXd b, const Eigen::VectorXd& guess);
+    double least_error2(const System& system) const;
     Eigen::VectorXd guess(double dt, bool again) const;
     // Of the grid, the first of the cell itself.
     std::size_t first_node(const PatchedCell& cell) const {
@@ -131,6 +136,7 @@ class ImplicitPressure {
         flow_of_grid;  // what leaves cells by the pressures before [m3]
     // Of cells, at the first of their nodes: how fast values changed in the last two steps [Pa/s].
     std::vector<Vector2> rates;
+    long iterated = 0;
 };
 
 }  // namespace grit::mpm

@@ -43,11 +43,18 @@ void Scatter::clear() {
 
 void Scatter::operator()(unsigned parts) {
     if (means.wanted() && (parts & part::force)) means.find_stresses();
-    if (model.settings.fixed_point) return add_fixed(parts, nullptr);
-    add(parts, nullptr);
-    for (Part& part : model.parts)
-        model.exchange.sum_nodes(part.records.data(),
-                                 static_cast<std::ptrdiff_t>(part.records.size()));
+    const bool with_water = parts == part::all;
+    if (with_water) water.find_pressures();
+    if (model.settings.fixed_point) {
+        add_fixed(parts, nullptr);
+    } else {
+        if (with_water) water.begin_sums();
+        add(parts, nullptr);
+        for (Part& part : model.parts)
+            model.exchange.sum_nodes(part.records.data(),
+                                     static_cast<std::ptrdiff_t>(part.records.size()));
+    }
+    if (with_water) water.finish_sums();
 }
 
 void Scatter::into(std::vector<ScatterTarget>& targets, unsigned parts) {
@@ -68,6 +75,8 @@ void Scatter::add(unsigned parts, std::vector<ScatterTarget>* targets) {
                         !((*targets)[body].strips[s] || model.settings.fixed_point)))
             return;
         Part& part = model.parts[body];
+        const bool has_water = !targets && parts == part::all && water.has(body);
+        const WaterScatter of_water = has_water ? water.scattered(body, strip) : WaterScatter{};
         const ScatterCall call{model.grid(),
                                part.body.particles.view(),
                                part.strips.begin(strip),
@@ -76,7 +85,8 @@ void Scatter::add(unsigned parts, std::vector<ScatterTarget>* targets) {
                                parts,
                                model.settings.fixed_point ? integers[body].strip(strip) : nullptr,
                                with_means ? means.of(body) : CellMean{},
-                               part.separation};
+                               part.separation,
+                               has_water ? &of_water : nullptr};
         if (body_force && (parts & part::force))
             body_force(call.particles, call.begin, call.end, model.t);
         kernels().scatter(model.settings.shape, model.settings.axisymmetric, call);
@@ -96,12 +106,15 @@ bool Scatter::check(unsigned parts, const std::vector<ScatterTarget>* targets) {
             fail_share(model.parts[i].body, name_of(part_of(found.failed)), model.t);
         again = again || found.again;
     }
+    // Processes ask each other: no short cut.
+    if (!targets && parts == part::all && water.check_sums()) again = true;
     return again;
 }
 
 void Scatter::add_fixed(unsigned parts, std::vector<ScatterTarget>* targets) {
     do {
         for (IntegerRecords& body : integers) body.begin();
+        if (!targets && parts == part::all) water.begin_sums();
         add(parts, targets);
     } while (check(parts, targets));
     for (std::size_t i = 0; i < integers.size(); ++i) {

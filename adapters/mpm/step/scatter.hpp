@@ -8,6 +8,7 @@
 #include "adapters/mpm/step/cell_means.hpp"
 #include "adapters/mpm/step/integer_records.hpp"
 #include "adapters/mpm/step/model.hpp"
+#include "adapters/mpm/step/water.hpp"
 
 namespace grit::mpm {
 
@@ -23,12 +24,13 @@ struct ScatterTarget {
 
 class Scatter {
   public:
-    Scatter(Model& of, CellMeans& of_cells) : model(of), means(of_cells) {}
+    Scatter(Model& of, CellMeans& of_cells, Water& in_pores)
+        : model(of), means(of_cells), water(in_pores) {}
     void add_body();
     void set_body_force(BodyForce force) { body_force = std::move(force); }
 
     void clear();
-    // Adds parts (part::mass ...) to the records of all bodies. Throws std::runtime_error where a contribution
+    // Adds parts (part::mass ...) to the records of all bodies, all of them to those of water too. Throws std::runtime_error where a contribution
     // is infinite or no number, in fixed point.
     void operator()(unsigned parts);
     // ... to other nodes, of this process alone.
@@ -46,6 +48,7 @@ class Scatter {
 
     Model& model;
     CellMeans& means;
+    Water& water;
     BodyForce body_force;
     std::vector<IntegerRecords> integers;  // of bodies, in fixed point
 };

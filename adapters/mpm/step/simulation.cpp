@@ -47,7 +47,7 @@ void Simulation::step() {
     watch.lap(spent.nodes);
     penalties.move(account.sums());
     watch.lap(spent.contact);
-    water.update();
+    water.close();
     if (scheme == Scheme::musl) {
         gather(task::velocity);
         momentum.forget();
@@ -59,6 +59,7 @@ void Simulation::step() {
     } else {
         gather(task::all);
     }
+    water.update();
     model.t += model.dt;
     ++model.steps;
     ++spent.steps;

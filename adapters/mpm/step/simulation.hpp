@@ -143,16 +143,16 @@ class Simulation {
 
     Model model;
     CellMeans means{model};
-    Scatter scatter{model, means};
     Momentum momentum{model};
     Water water{model, momentum};
+    Scatter scatter{model, means, water};
     Loads loads{model, water};
     Platens platens{model, water};
     AbsorbingSides sides;
     NodalContacts contacts{model, water};
     PenaltyContacts penalties{model, scatter};
     SurfaceContacts surfaces{model, water};
-    Gather gather{model, means};
+    Gather gather{model, means, water};
     StepSize step_size{model, penalties, water};
     Account account{model};
     bool started = false;

@@ -74,6 +74,7 @@ WaterNodeCall Water::nodes(std::size_t i, int strip) {
 
 // The means of cells, of all processes.
 void Water::find_pressures() {
+    if (!is_anywhere()) return;
     for (OfBody& body : bodies) std::fill(body.cells.begin(), body.cells.end(), CellIntegers{});
     model.for_strips_apart([this](std::size_t i, int strip) {
         if (!has(i)) return;
@@ -92,8 +93,7 @@ void Water::sum_cells() {
                                      static_cast<std::ptrdiff_t>(body.cells.size()));
 }
 
-// True if the sums must be done again.
-bool Water::check_integers() {
+bool Water::check_sums() {
     static constexpr const char* names[] = {
         "mass of pore water", "momentum of pore water", "momentum of pore water", "pore pressure",
         "pore pressure",      "volume with pore water", "drag of pore water"};
@@ -113,37 +113,35 @@ bool Water::check_integers() {
     return again;
 }
 
-void Water::scatter() {
-    find_pressures();
+void Water::begin_sums() {
+    for (OfBody& body : bodies) {
+        body.integers.begin();
+        if (body.implicit) body.implicit->begin();
+    }
     model.for_strips([this](std::size_t i, int strip) {
         if (!has(i)) return;
         const Model::Rows rows = model.nodes_of(strip);
         const auto begin = bodies[i].records.begin();
         std::fill(begin + rows.begin, begin + rows.end, NodeRecord{});
     });
-    const bool fixed_point = model.settings.fixed_point;
-    do {
-        for (OfBody& body : bodies) {
-            body.integers.begin();
-            if (body.implicit) body.implicit->begin();
-        }
-        model.for_strips_apart([&, this](std::size_t i, int strip) {
-            if (!has(i)) return;
-            Part& part = model.parts[i];
-            kernels().scatter_water(
-                model.settings.shape, model.settings.axisymmetric,
-                {model.grid(), part.body.particles.view(), part.strips.begin(strip),
-                 part.strips.begin(strip + 1), &*part.body.water, bodies[i].cells.data(),
-                 bodies[i].records.data(), fixed_point ? bodies[i].integers.strip(strip) : nullptr,
-                 is_implicit(i) ? bodies[i].implicit->patches() : nullptr,
-                 is_implicit(i) && fixed_point ? bodies[i].implicit->integers().strip(strip)
-                                               : nullptr});
-        });
-    } while (fixed_point && check_integers());
+}
+
+WaterScatter Water::scattered(std::size_t i, int strip) {
+    OfBody& body = bodies[i];
+    const bool fixed_point = model.settings.fixed_point, implicit = is_implicit(i);
+    return {&*model.parts[i].body.water,
+            body.cells.data(),
+            body.records.data(),
+            fixed_point ? body.integers.strip(strip) : nullptr,
+            implicit ? body.implicit->patches() : nullptr,
+            implicit && fixed_point ? body.implicit->integers().strip(strip) : nullptr};
+}
+
+void Water::finish_sums() {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         OfBody& body = bodies[i];
         if (!has(i)) continue;
-        if (fixed_point) body.integers.add_to(body.records, model.exchange);
+        if (model.settings.fixed_point) body.integers.add_to(body.records, model.exchange);
         else
             model.exchange.sum_nodes(body.records.data(),
                                      static_cast<std::ptrdiff_t>(body.records.size()));
@@ -159,7 +157,6 @@ void Water::push() {
         const double speed = inflow.sign * inflow.speed(model.t + model.dt);
         for (const std::size_t node : inflow.nodes) poured[node][inflow.direction] += speed;
     }
-    scatter();
     model.for_strips([this](std::size_t i, int strip) {
         if (!has(i)) return;
         WaterSums& sums = bodies[i].sums[static_cast<std::size_t>(strip)];
@@ -186,18 +183,16 @@ void Water::drag() {
     });
 }
 
-void Water::gather(std::size_t i, int strip) {
+WaterGather Water::gathered(std::size_t i, int strip) {
     OfBody& body = bodies[i];
     Part& part = model.parts[i];
-    const std::vector<NodeMotion>& volume = flows(i) ? body.volume : part.motions;
-    kernels().gather_water(model.settings.shape, model.settings.axisymmetric,
-                           {model.grid(), part.body.particles.view(), part.strips.begin(strip),
-                            part.strips.begin(strip + 1), &*part.body.water, volume.data(),
-                            part.motions.data(), body.flowing.data(), model.dt,
-                            std::min(model.settings.pic_rate * model.dt, 1.0), body.cells.data(),
-                            body.cell.data(), 1.0 / part.largest_volume,
-                            model.settings.fixed_point},
-                           body.sums[static_cast<std::size_t>(strip)]);
+    return {&*part.body.water,
+            flows(i) ? body.volume.data() : part.motions.data(),
+            body.flowing.data(),
+            body.cells.data(),
+            body.places.data(),
+            1.0 / part.largest_volume,
+            &body.sums[static_cast<std::size_t>(strip)]};
 }
 
 namespace {
@@ -683,7 +678,7 @@ void Water::change(std::size_t i, std::vector<Pressed>& pressed,
     for (const Wall& wall : borne) account_for(wall);
 }
 
-void Water::update() {
+void Water::close() {
     if (!is_anywhere()) return;
     model.for_strips([this](std::size_t i, int strip) {
         if (flows(i)) close_water(nodes(i, strip), bodies[i].sums[static_cast<std::size_t>(strip)]);
@@ -692,21 +687,23 @@ void Water::update() {
         OfBody& body = bodies[i];
         std::fill(body.cells.begin(), body.cells.end(), CellIntegers{});
         if (has(i))
-            body.cell.resize(static_cast<std::size_t>(model.parts[i].body.particles.size()));
+            body.places.resize(static_cast<std::size_t>(model.parts[i].body.particles.size()));
     }
-    model.for_strips_apart([this](std::size_t i, int strip) {
-        if (has(i)) gather(i, strip);
-    });
+}
+
+void Water::update() {
+    if (!is_anywhere()) return;
     sum_cells();
     model.for_strips([this](std::size_t i, int strip) {
         if (!has(i)) return;
         Part& part = model.parts[i];
-        update_pressures(
+        OfBody& body = bodies[i];
+        const auto s = static_cast<std::size_t>(strip);
+        body.speed2[s] = update_pressures(
             part.body.particles.view(), part.strips.begin(strip), part.strips.begin(strip + 1),
-            *part.body.water, bodies[i].cells.data(), bodies[i].cell.data(),
-            1.0 / part.largest_volume, is_implicit(i) ? bodies[i].implicit->flow().data() : nullptr,
-            model.settings.fixed_point, bodies[i].sums[static_cast<std::size_t>(strip)]);
-        measure(i, strip);
+            *part.body.water, body.cells.data(), body.places.data(), 1.0 / part.largest_volume,
+            is_implicit(i) ? body.implicit->flow().data() : nullptr, model.settings.fixed_point,
+            body.sums[s]);
     });
 }
 

@@ -56,6 +56,13 @@ class Water {
         }
     }
 
+    // For a scatter: the mean pressures of cells, before it; its sums, which it may begin again, and what a strip has there;
+    // true: they must be done again; once it is done.
+    void find_pressures();
+    void begin_sums();
+    WaterScatter scattered(std::size_t body, int strip);
+    bool check_sums();
+    void finish_sums();
     // Once the stresses are scattered: the force of the pressure.
     void push();
     // After the forces: grains and water drag each other.
@@ -91,6 +98,8 @@ class Water {
     bool is_implicit(std::size_t body) const {
         return has(body) && model.parts[body].body.water->implicit;
     }
+    // Of its solver, since it was built.
+    long iterations(std::size_t body) const { return bodies[body].implicit->iterations(); }
     // After contact, of a body with implicit pressure: it gets what the pressure changes by in the step.
     // surfaces: of its contacts at these, whose rows get the impulses of the end.
     void change(std::size_t body, std::vector<Pressed>& pressed,
@@ -98,8 +107,12 @@ class Water {
     // Values of a row: normal and tangential approach, flow of the water of a and of b; of the velocities now (or before
     // the step) [m/s].
     std::array<double, 4> values(const SurfaceRows& of, const SurfaceRow& row, bool now) const;
-    // After contact, before the particles move: pressures and velocities of water.
+    // After contact: nodes as a gather wants them, and what it takes of a strip.
+    void close();
+    WaterGather gathered(std::size_t body, int strip);
+    // Once the particles have moved: their pressures.
     void update();
+    bool is_anywhere() const;
     // Speeds of particles as they are, before the first step.
     void measure();
 
@@ -142,7 +155,7 @@ class Water {
     };
     struct OfBody {
         std::vector<CellIntegers> cells = {};
-        std::vector<int> cell = {};  // of each particle
+        std::vector<WaterPlace> places = {};  // of particles
         std::vector<NodeRecord> records = {};
         IntegerRecords integers = {};                       // of these, in fixed point
         std::vector<NodeMotion> flowing = {}, volume = {};  // of water that flows
@@ -189,13 +202,8 @@ class Water {
     void hold_platens(std::size_t body);
     void push_platens(std::size_t body);
     Wall push_together(std::size_t body, const Together& together, const Vector2& impulse);
-    bool is_anywhere() const;
     WaterNodeCall nodes(std::size_t body, int strip);
-    void scatter();
-    void find_pressures();
     void sum_cells();
-    bool check_integers();
-    void gather(std::size_t body, int strip);
     void measure(std::size_t body, int strip);
 
     Model& model;
