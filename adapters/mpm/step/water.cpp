@@ -134,9 +134,9 @@ void Water::scatter() {
                 model.settings.shape, model.settings.axisymmetric,
                 {model.grid(), part.body.particles.view(), part.strips.begin(strip),
                  part.strips.begin(strip + 1), &*part.body.water, bodies[i].cells.data(),
-                 bodies[i].records.data(), fixed_point ? bodies[i].integers.strip(strip) : nullptr,
+                 bodies[i].records.data(), fixed_point ? bodies[i].integers.part(strip) : nullptr,
                  is_implicit(i) ? bodies[i].implicit->patches() : nullptr,
-                 is_implicit(i) && fixed_point ? bodies[i].implicit->integers().strip(strip)
+                 is_implicit(i) && fixed_point ? bodies[i].implicit->integers().part(strip)
                                                : nullptr});
         });
     } while (fixed_point && check_integers());

@@ -24,6 +24,7 @@ std::string words_of(const Simulation& s) {
         << "bulk viscosity: linear " << settings.linear_viscosity << ", quadratic "
         << settings.quadratic_viscosity << '\n'
         << "volumetric strain: " << (settings.cell_mean ? "mean of the cell" : "own") << '\n'
+        << "sums: " << (settings.fixed_point ? "fixed point" : "floating point") << '\n'
         << "bodies: " << s.bodies() << '\n';
     for (std::size_t i = 0; i < s.bodies(); ++i) {
         const Body& body = s.body(i);

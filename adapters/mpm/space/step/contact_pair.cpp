@@ -110,7 +110,8 @@ class FreeMeeting {
 }  // namespace
 
 ContactPair::ContactPair(const ContactLaw& law, const Model& model)
-    : pair_law(law), place_of(model.nodes(), -1), touched(model.nodes()), near(model.cells()) {
+    : pair_law(law), place_of(model.nodes(), -1), touched(model.nodes()), near(model.cells()),
+      fixed_point(model.settings.fixed_point) {
     pair_law.options.components = 3;
     step_totals.struct_size = sizeof step_totals;
     step_measured.largest_gap = NAN;
@@ -575,14 +576,17 @@ void ContactPair::apply(const Model& model) {
                                  reports.data(), &sums, &error),
             error, "contact");
     require(grit_contact_sums_read(&sums, &step_totals), error, "contact");
+    Total sums_of[6];
     for (std::size_t i = 0; i < active.size(); ++i) {
         const Vector3 n = at(normal, i);
-        const double* f = reports[i].force;
-        Vector3& sum = std::fabs(n[2]) > std::hypot(n[0], n[1]) ? step_measured.along_z
-                                                                : step_measured.sideways;
-        sum = sum + Vector3{f[0], f[1], f[2]};
+        const int first = std::fabs(n[2]) > std::hypot(n[0], n[1]) ? 3 : 0;
+        for (int k = 0; k < 3; ++k) sums_of[first + k].add(reports[i].force[k], fixed_point);
         if ((geo || pair_law.gated) && std::isfinite(gap[i]))
             step_measured.largest_gap = std::fmax(step_measured.largest_gap, gap[i]);
+    }
+    for (int k = 0; k < 3; ++k) {
+        step_measured.sideways[k] = sums_of[k].value();
+        step_measured.along_z[k] = sums_of[k + 3].value();
     }
 }
 

@@ -92,6 +92,7 @@ class ContactPair {
     std::vector<char> touched;  // pressed in the step before
     std::vector<char> near;     // cells from which a domain may reach a node in contact
     std::vector<std::ptrdiff_t> near_cells;
+    bool fixed_point;  // of sums of forces
     Twist found;
     double step_size = 0.0;  // [s]
     grit_contact_totals step_totals{};

@@ -10,15 +10,12 @@
 #include "adapters/mpm/space/step/contact_pair.hpp"
 #include "adapters/mpm/space/step/gather.hpp"
 #include "adapters/mpm/space/step/loads.hpp"
+#include "adapters/mpm/space/step/scatter.hpp"
 #include "adapters/mpm/step/stopwatch.hpp"
 
 namespace grit::mpm::space {
 
 enum class Hold { across, all };
-
-// Fills the columns b_x, b_y, b_z, an acceleration besides gravity, for time t.
-using BodyForce =
-    std::function<void(ParticleView, std::ptrdiff_t begin, std::ptrdiff_t end, double t)>;
 
 class Simulation {
   public:
@@ -34,7 +31,7 @@ class Simulation {
     // No velocity across nodes at x, y or z = at, and beyond; or none at all.
     void fix_below(int direction, double at, Hold hold = Hold::across);
     void fix_above(int direction, double at, Hold hold = Hold::across);
-    void set_body_force(BodyForce force) { body_force = std::move(force); }
+    void set_body_force(BodyForce force) { scatter.set_body_force(std::move(force)); }
 
     // Between steps, from the next one on.
     void set_gravity(const Vector3& gravity) { model.gravity = gravity; }
@@ -83,6 +80,7 @@ class Simulation {
     template <class Self, class Archive> static void visit(Self& simulation, Archive& archive) {
         Model::visit(simulation.model, archive);
         archive.value(simulation.started);
+        Scatter::visit(simulation.scatter, archive);
         Loads::visit(simulation.loads, archive);
         for (auto& contact : simulation.contacts) ContactPair::visit(contact, archive);
         archive.value(simulation.largest_speed);
@@ -93,7 +91,6 @@ class Simulation {
 
   private:
     void start();
-    void scatter();
     void advance();
     void correct_contacts();
     void damp_and_close();
@@ -112,11 +109,11 @@ class Simulation {
 
     Model model;
     CellMeans means{model};
+    Scatter scatter{model, means};
     Gather gather{model, means};
     Loads loads{model};
     std::vector<ContactPair> contacts;
     std::vector<std::vector<NodeSums>> node_sums;  // of each body's chunks
-    BodyForce body_force;
     Energy energies;
     double largest_speed = 0.0;  // v + c [m/s]
     bool started = false;
