@@ -38,6 +38,9 @@ class SpaceSubject : public Subject {
     }
 
   private:
+    // Of a contact: forces on its body b, whose sign is 1, and the impulse on the body.
+    static void add(Forces& to, const ContactPair::Measured& forces, const Twist& impulse,
+                    double sign);
     double base_reaction() const;
 
     Simulation& simulation;
@@ -116,21 +119,31 @@ double SpaceSubject::base_reaction() const {
     return sum.value();
 }
 
+void SpaceSubject::add(Forces& to, const ContactPair::Measured& forces, const Twist& impulse,
+                       double sign) {
+    to.tip += sign * forces.along_z[2];
+    to.shaft += sign * forces.sideways[2];
+    to.largest_gap = std::fmax(to.largest_gap, forces.largest_gap);
+    for (int k = 0; k < 3; ++k) {
+        to.contact_impulse[static_cast<std::size_t>(k)] += impulse.along[k];
+        to.contact_impulse[static_cast<std::size_t>(k) + 3] += impulse.about[k];
+    }
+}
+
 Subject::Forces SpaceSubject::forces(std::size_t body) {
     Forces out;
     out.largest_gap = NAN;
     for (std::size_t i = 0; i < simulation.contact_count(); ++i) {
         const ContactPair& pair = simulation.contact(i);
         if (pair.law().a != body && pair.law().b != body) continue;
-        const double sign = pair.law().b == body ? 1.0 : -1.0;
-        out.tip += sign * pair.measured().along_z[2];
-        out.shaft += sign * pair.measured().sideways[2];
-        out.largest_gap = std::fmax(out.largest_gap, pair.measured().largest_gap);
-        const Twist impulse = pair.impulse_on(body, {0.0, 0.0, 0.0});
-        for (int k = 0; k < 3; ++k) {
-            out.contact_impulse[static_cast<std::size_t>(k)] += impulse.along[k];
-            out.contact_impulse[static_cast<std::size_t>(k) + 3] += impulse.about[k];
-        }
+        add(out, pair.measured(), pair.impulse_on(body, {0.0, 0.0, 0.0}),
+            pair.law().b == body ? 1.0 : -1.0);
+    }
+    for (std::size_t i = 0; i < simulation.surface_contact_count(); ++i) {
+        const SurfacePair& pair = simulation.surface_contact(i);
+        if (pair.law().a == body || pair.law().b == body)
+            add(out, pair.measured(), pair.impulse_on(body, {0.0, 0.0, 0.0}),
+                pair.law().b == body ? 1.0 : -1.0);
     }
     out.traction = simulation.traction_force(body)[2];
     out.base = base_reaction();

@@ -92,7 +92,17 @@ void Simulation::correct_contacts() {
         const grit_contact_totals& totals = pair.totals();
         energies.contact += totals.dissipation_normal + totals.dissipation_tangential;
         for (const std::size_t which : {pair.law().a, pair.law().b})
-            if (model.parts[which].body.rigid()) push_rigid(which, pair);
+            if (const Body& body = model.parts[which].body; body.rigid())
+                push_rigid(which, pair.impulse_on(which, body.motion->centre()),
+                           pair.velocity_found());
+    }
+    for (SurfacePair& pair : surfaces) {
+        pair.correct(model);
+        energies.contact += pair.totals().dissipation;
+        for (const std::size_t which : {pair.law().a, pair.law().b})
+            if (const Body& body = model.parts[which].body; body.rigid())
+                push_rigid(which, pair.impulse_on(which, body.motion->centre()),
+                           body.motion->velocity());
     }
     for (std::size_t body = 0; body < model.parts.size(); ++body)
         if (model.parts[body].body.rigid()) finish_rigid(body);
@@ -100,10 +110,9 @@ void Simulation::correct_contacts() {
 
 // What moves a rigid body works against the force that the body feels; where that moves it, contact took what it has
 // for the velocity that it was found with, and the body ends with another one.
-void Simulation::push_rigid(std::size_t body, const ContactPair& pair) {
+void Simulation::push_rigid(std::size_t body, const Twist& impulse, const Twist& found) {
     RigidMotion& motion = *model.parts[body].body.motion;
-    const Twist impulse = pair.impulse_on(body, motion.centre());
-    const Twist found = pair.velocity_found(), trial = motion.velocity();
+    const Twist trial = motion.velocity();
     motion.push(impulse);
     for (int k = 0; k < 3; ++k) {
         const auto i = static_cast<std::size_t>(k);
@@ -284,6 +293,14 @@ std::size_t Simulation::add_body(Body body) {
 void Simulation::add_contact(const ContactLaw& law) {
     for (const std::size_t body : {law.a, law.b}) scatter.add_slopes(body);
     contacts.emplace_back(law, model);
+}
+
+void Simulation::add_contact(const SurfaceLaw& law) {
+    for (const std::size_t body : {law.a, law.b})
+        if (const Body& of = model.parts[body].body; of.rigid() && of.motion->any_free())
+            throw std::invalid_argument("body " + of.name +
+                                        ": what moves freely has no surface contact in space");
+    surfaces.emplace_back(law, model);
 }
 
 void Simulation::fix(int direction, Hold hold, const std::function<bool(double)>& where) {

@@ -11,6 +11,7 @@
 #include "adapters/mpm/space/step/gather.hpp"
 #include "adapters/mpm/space/step/loads.hpp"
 #include "adapters/mpm/space/step/scatter.hpp"
+#include "adapters/mpm/space/step/surface_pair.hpp"
 #include "adapters/mpm/step/stopwatch.hpp"
 
 namespace grit::mpm::space {
@@ -28,6 +29,7 @@ class Simulation {
     void add_traction(Traction traction) { loads.add(std::move(traction)); }
     // After what fixes nodes.
     void add_contact(const ContactLaw& law);
+    void add_contact(const SurfaceLaw& law);
     // No velocity across nodes at x, y or z = at, and beyond; or none at all.
     void fix_below(int direction, double at, Hold hold = Hold::across);
     void fix_above(int direction, double at, Hold hold = Hold::across);
@@ -60,6 +62,8 @@ class Simulation {
     const std::vector<std::uint8_t>& constraints() const { return model.fixed_nodes; }
     const ContactPair& contact(std::size_t i) const { return contacts[i]; }
     std::size_t contact_count() const { return contacts.size(); }
+    const SurfacePair& surface_contact(std::size_t i) const { return surfaces[i]; }
+    std::size_t surface_contact_count() const { return surfaces.size(); }
     std::size_t traction_count() const { return loads.count(); }
     // Of all tractions on a body in the last step [N].
     Vector3 traction_force(std::size_t body) const { return loads.force(body); }
@@ -83,6 +87,7 @@ class Simulation {
         Scatter::visit(simulation.scatter, archive);
         Loads::visit(simulation.loads, archive);
         for (auto& contact : simulation.contacts) ContactPair::visit(contact, archive);
+        for (auto& contact : simulation.surfaces) SurfacePair::visit(contact, archive);
         archive.value(simulation.largest_speed);
         archive.value(simulation.energies);
     }
@@ -100,7 +105,8 @@ class Simulation {
     void decide_step();
     double fastest_rigid(double at) const;
     void begin_rigid(std::size_t body);
-    void push_rigid(std::size_t body, const ContactPair& pair);
+    // found: the velocity that contact took it for.
+    void push_rigid(std::size_t body, const Twist& impulse, const Twist& found);
     void finish_rigid(std::size_t body);
     void measure_energy();
     [[noreturn]] void report_lost(std::ptrdiff_t count) const;
@@ -113,6 +119,7 @@ class Simulation {
     Gather gather{model, means};
     Loads loads{model};
     std::vector<ContactPair> contacts;
+    std::vector<SurfacePair> surfaces;
     std::vector<std::vector<NodeSums>> node_sums;  // of each body's chunks
     Energy energies;
     double largest_speed = 0.0;  // v + c [m/s]
