@@ -24,8 +24,8 @@ Body shuffled(Body body, unsigned seed) {
     return body;
 }
 
-// Sand and a slab that meet, with a load on the slab, particles in some order.
-std::unique_ptr<Simulation> meeting(const Settings& settings, unsigned seed) {
+// A cube and a slab that meet, with a load on the slab, particles in some order.
+std::unique_ptr<Simulation> meeting(const Settings& settings, unsigned seed, bool gated = false) {
     auto out = std::make_unique<Simulation>(cube_of_cells(1.3, 13), settings);
     out->set_gravity({1.0, 0.0, -9.81});
     out->add_body(shuffled(loose_cube_of_sand(), seed));
@@ -34,7 +34,9 @@ std::unique_ptr<Simulation> meeting(const Settings& settings, unsigned seed) {
         out->add_traction({1, id, {2, true}, [](double t) {
                                return Vector3{1e3, 2e2 * std::sin(1e3 * t), -7e3};
                            }});
-    out->add_contact(not_gated());
+    ContactLaw law = not_gated();
+    law.gated = gated;
+    out->add_contact(law);
     for (int step = 0; step < 25; ++step) out->step();
     return out;
 }
@@ -96,10 +98,11 @@ TEST(SpaceFixedPoint, NeitherThreadsNorTheOrderOfParticlesChangeABit) {
     }
 }
 
+// Of bodies that do not touch: which particles a node takes for the surface beside it, roundoff may change.
 TEST(SpaceFixedPoint, IsWhatDoublesAreToRoundoff) {
     for (const bool means : {false, true}) {
-        const auto integers = meeting(settings_of(true, means, 1), 1);
-        const auto doubles = meeting(settings_of(false, means, 1), 1);
+        const auto integers = meeting(settings_of(true, means, 1), 1, true);
+        const auto doubles = meeting(settings_of(false, means, 1), 1, true);
         EXPECT_LT(difference(*integers, *doubles), 1e-9);
         EXPECT_GT(difference(*integers, *doubles), 0.0);
         const grit::mpm::Energy a = integers->energy(), b = doubles->energy();
