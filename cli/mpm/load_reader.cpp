@@ -140,7 +140,7 @@ ContactPlan read_contact(TomlTable table, const Case& plan) {
     out.stiff = body_name(table, "stiff", plan);
     out.soft = body_name(table, "soft", plan);
     const int law = choice(table, case_word("contact", "law"));
-    if (plan.space && (law == words::penalty_law_word || law == words::surface_law_word))
+    if (plan.space && law == words::penalty_law_word)
         table.fail("law", fmt::format("{}: {} is not there in space", table.full("law"),
                                       word_of(words::contact_laws, law)));
     if (law == words::penalty_law_word) {
@@ -152,6 +152,14 @@ ContactPlan read_contact(TomlTable table, const Case& plan) {
         return out;
     }
     words::set_law(out, law);
+    if (plan.space)
+        for (const char* key : {"stiff_line", "after_damping"})
+            if (table.has(key)) refuse_in_space(table, key);
+    if (plan.space && out.at_surfaces && table.has("stiff_surface")) {
+        TomlTable of = table.table("stiff_surface");
+        out.surface_mesh = read_closed_surface(of, case_word("contact.stiff_surface", "unit_m"));
+        of.finish();
+    }
     if (out.at_surfaces && table.has("stiff_line"))
         out.surface_line = read_line(table.table("stiff_line"), plan);
     read_members(table, "contact", contact_members(), out);

@@ -74,17 +74,22 @@ SphereShape read_sphere(TomlTable& table) {
 }
 
 SurfaceShape read_surface(TomlTable& table) {
+    return {read_closed_surface(table, case_word("body.surface", "unit_m"))};
+}
+
+}  // namespace
+
+std::shared_ptr<const ClosedSurface> read_closed_surface(TomlTable& table,
+                                                         const CaseWord& unit_word) {
     const std::filesystem::path file = table.folder() / table.string("file");
-    const double unit = number_or_default(table, case_word("body.surface", "unit_m"));
+    const double unit = number_or_default(table, unit_word);
     const auto at = table.numbers_if("offset_m", 3).value_or(std::vector<double>(3, 0.0));
     try {
-        return {std::make_shared<ClosedSurface>(read_stl(file, unit, {at[0], at[1], at[2]}))};
+        return std::make_shared<ClosedSurface>(read_stl(file, unit, {at[0], at[1], at[2]}));
     } catch (const std::invalid_argument& error) {
         table.fail("file", error.what());
     }
 }
-
-}  // namespace
 
 void refuse_in_space(const TomlTable& table, const std::string& key) {
     table.fail(key, fmt::format("{} is not there in space", table.full(key)));

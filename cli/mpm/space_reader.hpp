@@ -2,7 +2,10 @@
 // What a case file says otherwise in space.
 #pragma once
 
+#include <memory>
+
 #include <adapters/mpm/case/case.hpp>
+#include <adapters/mpm/case/case_words.hpp>
 
 #include "cli/toml/toml_table.hpp"
 
@@ -21,6 +24,10 @@ bool read_rigid_in_space(TomlTable& table, grit::mpm::RigidPlan& plan);
 grit::mpm::FacePlan read_face(TomlTable& traction);
 
 // Refuses a key by name.
+// A table with file, this unit and offset_m.
+std::shared_ptr<const grit::mpm::ClosedSurface>
+read_closed_surface(TomlTable& table, const grit::mpm::CaseWord& unit);
+
 void refuse_in_space(const TomlTable& table, const std::string& key);
 
 }  // namespace cli

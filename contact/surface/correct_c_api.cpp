@@ -77,6 +77,15 @@ template <int C> class Call {
     void write() const { system.write(); }
 
   private:
+    // Where B's facets may lie. In space along the normal alone: none of the others has anything opposite. In the plane they
+    // part what is integrated.
+    Box<C> what_it_sees(const Facet<C>& facet) const {
+        if constexpr (C == 2) return facet.box().grown(o.reach);
+        Box<C> box = Box<C>::empty();
+        for (const auto& x : facet.x)
+            for (const double side : {-o.reach, o.reach}) box.include(x + side * facet.n);
+        return box.grown(1e-6 * o.reach);
+    }
     // Points of integration whose gap the step overruns, or nearly.
     bool find_points() {
         const std::ptrdiff_t n_b = b.given->facets;
@@ -93,7 +102,7 @@ template <int C> class Call {
         for (std::ptrdiff_t f = 0; f < a.given->facets; ++f) {
             smallest_gap[f] = infinite;
             std::ptrdiff_t n = 0;
-            tree.each(a.facet[f].box().grown(o.reach),
+            tree.each(what_it_sees(a.facet[f]),
                       [&](std::ptrdiff_t other) { candidates[n++] = other; });
             sort_ascending(candidates, candidates + n);
             meeting.each_point(f, candidates, n, [&](MeetingPoint<C> p) {

@@ -3,13 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
-#include "../catalogue.hpp"
+#include "support/loose_cube.hpp"
 #include "support/manufactured.hpp"
 
 #include <adapters/mpm/kernel/elastic.hpp>
-#include <adapters/mpm/space/kernel/sand.hpp>
 #include <adapters/mpm/step/simulation.hpp>
 
 namespace {
@@ -20,20 +18,6 @@ TEST(SpaceManufacturedSolution, IsMetWithSecondOrder) {
     const double at_8 = Manufactured::run(8, {}), at_16 = Manufactured::run(16, {});
     EXPECT_GT(std::log2(at_8 / at_16), 1.9);
     EXPECT_LT(at_16, 1.3e-3);
-}
-
-Body loose_cube(std::unique_ptr<Material> material) {
-    Body body =
-        make_brick({{0.21, 0.33, 0.27}, {0.71, 0.73, 0.87}, {9, 8, 11}}, std::move(material));
-    const ParticleView q = body.particles.view();
-    std::mt19937 generator(1);
-    std::uniform_real_distribution<double> any(-1.0, 1.0);
-    for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p) {
-        for (int k = 0; k < 3; ++k) q[column::v_x + k][p] = any(generator) + (k == 0 ? 2.0 : -1.0);
-        for (int k = 0; k < 6; ++k)
-            q[column::S_xx + k][p] = 1e4 * any(generator) - (k < 3 ? 2e5 : 0.0);
-    }
-    return body;
 }
 
 TEST(SpaceBody, ThatIsFreeKeepsMassMomentumAndItsMoment) {
@@ -76,10 +60,6 @@ TEST(SpaceBody, ThatVibratesKeepsItsEnergyBalance) {
     EXPECT_LT(std::fabs(e.residual()), 2e-3 * e.kinetic_0);
 }
 
-std::unique_ptr<Material> sand() {
-    return std::make_unique<Sand>(catalogue_sand("lausitz", 1000.0), options_with_tolerance(1e-3));
-}
-
 void expect_same(const Particles& a, const Particles& b) {
     for (std::ptrdiff_t p = 0; p < a.size(); ++p) {
         ASSERT_EQ(a.ids()[p], b.ids()[p]);
@@ -96,19 +76,9 @@ TEST(SpaceThreads, ChangeNoBit) {
                                                           .linear_viscosity = 0.1,
                                                           .cell_mean = means,
                                                           .threads = 1 + i});
-            Body body = loose_cube(sand());
-            const ParticleView q = body.particles.view();
-            for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p)
-                q[Sand::state + GRIT_SAND_VOID_RATIO][p] = 0.65;
-            by[i]->add_body(std::move(body));
-            by[i]->add_body(make_brick({{0.3, 0.3, 0.9}, {0.9, 0.9, 1.2}, {12, 12, 6}},
-                                       std::make_unique<LinearElastic>(1e7, 0.3)));
-            by[i]->add_contact([] {
-                ContactLaw law = grit::mpm::contact_law(GRIT_CONTACT_GEO, 0.3);
-                law.a = 1;
-                law.b = 0;
-                return law;
-            }());
+            by[i]->add_body(loose_cube_of_sand());
+            by[i]->add_body(slab_above());
+            by[i]->add_contact(not_gated());
             for (int step = 0; step < 25; ++step) by[i]->step();
         }
         for (const std::size_t b : {0u, 1u})
@@ -177,7 +147,6 @@ TEST(SpaceSimulation, RefusesWhatIsNotThere) {
     const auto make = [](const Settings& settings) { Simulation(cube_of_cells(1.0, 2), settings); };
     EXPECT_THROW(make({.shape = Shape::cpdi_published}), std::invalid_argument);
     EXPECT_THROW(make({.scheme = grit::mpm::Scheme::musl}), std::invalid_argument);
-    EXPECT_THROW(make({.fixed_point = true}), std::invalid_argument);
     EXPECT_THROW(make({.reduced_domains = true}), std::invalid_argument);
     EXPECT_NO_THROW(make({}));
 }

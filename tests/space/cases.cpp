@@ -214,27 +214,36 @@ TEST(SpaceRun, TellsForcesAndMomentsOfContactsInSpace) {
 }
 
 TEST(SpaceRun, GoesOnFromACheckpointWithTheBitsOfOneThatNeverStopped) {
-    mpm::Runner all(stamp()), first(stamp()), second(stamp());
-    for (int i = 0; i < 12; ++i) all.step();
-    for (int i = 0; i < 6; ++i) first.step();
-    std::istringstream in(saved(first));
-    second.resume(first.state());
-    second.subject().restore(in, mpm::OtherBits::refused);
-    for (int i = 0; i < 6; ++i) second.step();
-    EXPECT_TRUE(saved(second) == saved(all));
-    EXPECT_EQ(second.row().tip_force, all.row().tip_force);
+    for (const int kind : {0, 1, 2}) {
+        mpm::Case plan = stamp();
+        plan.settings.fixed_point = kind > 0;
+        plan.contacts[0].at_surfaces = kind == 2;
+        mpm::Runner all(plan), first(plan), second(plan);
+        for (int i = 0; i < 12; ++i) all.step();
+        for (int i = 0; i < 6; ++i) first.step();
+        std::istringstream in(saved(first));
+        second.resume(first.state());
+        second.subject().restore(in, mpm::OtherBits::refused);
+        for (int i = 0; i < 6; ++i) second.step();
+        EXPECT_TRUE(saved(second) == saved(all));
+        EXPECT_EQ(second.row().tip_force, all.row().tip_force);
+    }
 }
 
 TEST(SpaceRun, RefusesTheCheckpointOfAnotherCase) {
-    mpm::Case other = stamp();
-    other.contacts[0].friction_coefficient = 0.4;
-    mpm::Runner one(stamp()), another(other);
-    std::istringstream in(saved(one));
-    try {
-        another.subject().restore(in, mpm::OtherBits::refused);
-        FAIL();
-    } catch (const std::runtime_error& error) {
-        EXPECT_NE(std::string(error.what()).find("friction coefficient"), std::string::npos);
+    mpm::Case rough = stamp(), freed = stamp();
+    rough.contacts[0].friction_coefficient = 0.4;
+    std::get<mpm::RigidPlan>(freed.bodies[1].material).free[2] = true;
+    for (const auto& [other, what] :
+         {std::pair{&rough, "friction coefficient"}, std::pair{&freed, "free"}}) {
+        mpm::Runner one(stamp()), another(*other);
+        std::istringstream in(saved(one));
+        try {
+            another.subject().restore(in, mpm::OtherBits::refused);
+            ADD_FAILURE() << what;
+        } catch (const std::runtime_error& error) {
+            EXPECT_NE(std::string(error.what()).find(what), std::string::npos) << error.what();
+        }
     }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -140,8 +141,9 @@ struct ContactPlan {
     std::optional<PenaltyPlan> penalty = {};  // in place of a nodal law
     bool at_surfaces = false;                 // in place of a nodal law ...
     BoundaryLine surface_line = {};  // ... along this line of the stiff body; empty: its free edges
-    double pressure_spacing = 2.0;   // of that: [cells]
-    bool after_damping = false;      // of that: once more, on what local damping has changed
+    std::shared_ptr<const ClosedSurface> surface_mesh = {};  // ... in space, along this one
+    double pressure_spacing = 2.0;                           // of that: [cells]
+    bool after_damping = false;  // of that: once more, on what local damping has changed
 };
 
 // What ends a stage: whichever comes first.

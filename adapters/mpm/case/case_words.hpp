@@ -325,9 +325,15 @@ inline constexpr CaseWord all[] = {
         "of penalty and surface: with the body on its left, closed if the last point is the first",
         "needed by penalty; of surface: the free edges of particles"),
     a_table("contact", "soft_line", "of penalty", "needed by penalty"),
+    a_table("contact", "stiff_surface", "of surface, in space: a closed surface of triangles",
+            "the free faces of particles"),
 
     numbers("contact.stiff_line", "r_m", metre, ""),
     numbers("contact.stiff_line", "z_m", metre, ""),
+
+    a_text("contact.stiff_surface", "file", "an STL file, as of `body.surface`"),
+    number("contact.stiff_surface", "unit_m", above_zero, metre, "of its numbers", "1"),
+    numbers("contact.stiff_surface", "offset_m", metre, "x, y and z that are added", "0"),
 
     a_text("stage", "name", "letters, digits, _ and -"),
     yes_or_no("stage", "gravity", ""),

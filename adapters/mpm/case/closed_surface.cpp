@@ -78,10 +78,18 @@ ClosedSurface::ClosedSurface(std::vector<Triangle> of) : triangles(std::move(of)
     }
     check_edges();
     const Vector3 size = most - least;
+    is_inside_out = enclosed < 0.0;
     enclosed = std::fabs(enclosed);
     if (!(enclosed > 1e-9 * size[0] * size[1] * size[2]))
         throw std::invalid_argument("a surface that encloses nothing");
     sort_into_columns();
+}
+
+std::vector<ClosedSurface::Triangle> ClosedSurface::outward() const {
+    std::vector<Triangle> out = triangles;
+    for (Triangle& t : out)
+        if (is_inside_out) std::swap(t[1], t[2]);
+    return out;
 }
 
 void ClosedSurface::check_edges() const {

@@ -24,6 +24,8 @@ class ClosedSurface {
     const Vector3& to() const { return most; }
     double volume() const { return enclosed; }
     std::size_t size() const { return triangles.size(); }
+    // Counter-clockwise as seen from outside.
+    std::vector<Triangle> outward() const;
 
   private:
     void check_edges() const;
@@ -33,6 +35,7 @@ class ClosedSurface {
     std::vector<Triangle> triangles;
     Vector3 least, most;
     double enclosed = 0.0;
+    bool is_inside_out = false;  // its triangles are clockwise
     // Triangles over each rectangle of a raster in x and y: those of column c are order[first[c]] to order[first[c + 1] - 1].
     std::size_t columns[2] = {};
     std::vector<std::size_t> first, order;

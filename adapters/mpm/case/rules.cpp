@@ -144,6 +144,12 @@ Objections objection_to_contact(const Case& plan, std::size_t contact, const Key
     if (c.stiff == c.soft) return Objection{"soft", " must be another body than " + name("stiff")};
     if (plan.bodies[plan.body(c.stiff)].rigid() && plan.bodies[plan.body(c.soft)].rigid())
         return Objection{"soft", ": both bodies are rigid"};
+    for (const std::string& name_of : {c.stiff, c.soft}) {
+        const BodyPlan& body = plan.bodies[plan.body(name_of)];
+        if (c.at_surfaces && body.rigid() && !body.prescribed())
+            return Objection{"law", ": the rigid body \"" + name_of +
+                                        "\", which moves freely, knows contacts at nodes alone"};
+    }
     if (is_implicit(plan.bodies[plan.body(c.stiff)]) && is_implicit(plan.bodies[plan.body(c.soft)]))
         return Objection{
             "", ": \"" + c.stiff + "\" and \"" + c.soft +

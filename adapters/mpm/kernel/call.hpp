@@ -55,17 +55,18 @@ enum : unsigned { mass = 1, momentum = 2, force = 4, gradient = 8, all = 15 };
 }  // namespace part
 
 // A record in fixed point: value times scale, a power of two, rounded.
-struct alignas(64) NodeIntegers {
-    std::int64_t value[record::size];
-};
+template <int lanes> struct alignas(8 * lanes) IntegersOf { std::int64_t value[lanes]; };
 
-struct FixedPoint {
+template <int lanes> struct FixedPointOf {
     // Contributions from this size on are lost. A node has room for 2^12 of the largest.
     static constexpr double limit = 0x1p51;
-    NodeIntegers* nodes;  // added to
-    double scale[record::size];
-    double largest[record::size];  // out: |contribution| times scale
+    IntegersOf<lanes>* nodes;  // added to
+    double scale[lanes];
+    double largest[lanes];  // out: |contribution| times scale
 };
+
+using NodeIntegers = IntegersOf<record::size>;
+using FixedPoint = FixedPointOf<record::size>;
 
 // Displacement gradient of the step against its start [-]; tt is the hoop.
 struct Gradient {

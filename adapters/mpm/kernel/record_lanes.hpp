@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A node's record, its integers and half of one are a vector each, read and added to where they lie.
+// A node's record and half of one are a vector each, read and added to where they lie.
 #pragma once
 
 #include "support/lanes.hpp"
@@ -9,6 +9,5 @@ GRIT_KERNEL_BEGIN_OF(mpm)
 using Vec2 = grit::GRIT_TARGET::VectorTypes<2>::RealInPlace;
 using Vec4 = grit::GRIT_TARGET::VectorTypes<4>::RealInPlace;
 using Vec8 = grit::GRIT_TARGET::VectorTypes<8>::RealInPlace;
-using Integers = grit::GRIT_TARGET::VectorTypes<8>::UnsignedInPlace;
 
 GRIT_KERNEL_END

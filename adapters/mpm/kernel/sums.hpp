@@ -15,10 +15,11 @@ struct DoubleSums {
 };
 
 // The largest of many sizes; no number if one of them is none: no comparison sees that, a sum keeps it.
-struct LargestSizes {
-    Vec8 size{}, sum{};
+template <int lanes> struct LargestSizes {
+    using Vec = typename grit::GRIT_TARGET::VectorTypes<lanes>::RealInPlace;
+    Vec size{}, sum{};
 
-    GRIT_INLINE void add(const Vec8& x) {
+    GRIT_INLINE void add(const Vec& x) {
         size = x > size ? x : size;
         sum += x;
     }
@@ -27,27 +28,37 @@ struct LargestSizes {
 
 // x scale, rounded to an integer by the addition of 1.5 2^52, which leaves the integer in the last bits. Without
 // sign: sums that are too large wrap, and are done again with another scale.
-struct FixedSums {
+template <int lanes> struct FixedSumsOf {
+    using Vec = typename grit::GRIT_TARGET::VectorTypes<lanes>::RealInPlace;
+    using Integers = typename grit::GRIT_TARGET::VectorTypes<lanes>::UnsignedInPlace;
     static constexpr double magic = 0x1.8p52;
-    NodeIntegers* nodes;
-    Vec8 scale;
-    LargestSizes largest;
+    IntegersOf<lanes>* nodes;
+    Vec scale;
+    LargestSizes<lanes> largest;
 
-    GRIT_INLINE void add(std::ptrdiff_t node, const Vec8& x) {
-        const Vec8 scaled = x * scale;
+    explicit GRIT_INLINE FixedSumsOf(const FixedPointOf<lanes>& to)
+        : nodes(to.nodes), scale{}, largest{} {
+        for (int c = 0; c < lanes; ++c) scale[c] = to.scale[c];
+    }
+    GRIT_INLINE void tell_largest(FixedPointOf<lanes>& to) const {
+        for (int c = 0; c < lanes; ++c) to.largest[c] = largest[c];
+    }
+    GRIT_INLINE void add(std::ptrdiff_t node, const Vec& x) {
+        const Vec scaled = x * scale;
         largest.add(scaled < 0.0 ? -scaled : scaled);
-        const Vec8 shifted = scaled + magic, zero = Vec8{} + magic;
+        const Vec shifted = scaled + magic, zero = Vec{} + magic;
         *reinterpret_cast<Integers*>(nodes + node) +=
             reinterpret_cast<const Integers&>(shifted) - reinterpret_cast<const Integers&>(zero);
     }
 };
+using FixedSums = FixedSumsOf<record::size>;
 
 // work(sums), which adds contributions.
-template <class Work> GRIT_INLINE void add_in_fixed_point(FixedPoint& to, const Work& work) {
-    FixedSums sums{to.nodes, {}, {}};
-    for (int c = 0; c < record::size; ++c) sums.scale[c] = to.scale[c];
+template <int lanes, class Work>
+GRIT_INLINE void add_in_fixed_point(FixedPointOf<lanes>& to, const Work& work) {
+    FixedSumsOf<lanes> sums(to);
     work(sums);
-    for (int c = 0; c < record::size; ++c) to.largest[c] = sums.largest[c];
+    sums.tell_largest(to);
 }
 
 GRIT_KERNEL_END

@@ -83,7 +83,7 @@ void Scatter::add(unsigned parts, std::vector<ScatterTarget>* targets) {
                                part.strips.begin(strip + 1),
                                nodes(body, targets).data(),
                                parts,
-                               model.settings.fixed_point ? integers[body].strip(strip) : nullptr,
+                               model.settings.fixed_point ? integers[body].part(strip) : nullptr,
                                with_means ? means.of(body) : CellMean{},
                                part.separation,
                                has_water ? &of_water : nullptr};

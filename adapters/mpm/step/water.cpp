@@ -132,9 +132,9 @@ WaterScatter Water::scattered(std::size_t i, int strip) {
     return {&*model.parts[i].body.water,
             body.cells.data(),
             body.records.data(),
-            fixed_point ? body.integers.strip(strip) : nullptr,
+            fixed_point ? body.integers.part(strip) : nullptr,
             implicit ? body.implicit->patches() : nullptr,
-            implicit && fixed_point ? body.implicit->integers().strip(strip) : nullptr};
+            implicit && fixed_point ? body.implicit->integers().part(strip) : nullptr};
 }
 
 void Water::finish_sums() {

@@ -2,6 +2,8 @@
 #include "adapters/mpm/space/case/build.hpp"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -105,6 +107,28 @@ void add_tractions(const Case& plan, const Axes& axes, const std::shared_ptr<Clo
     }
 }
 
+// Corners that have the same place are one vertex.
+TriangleMesh mesh_of(const ClosedSurface& surface) {
+    TriangleMesh out;
+    std::map<std::array<double, 3>, std::ptrdiff_t> vertex;
+    for (const ClosedSurface::Triangle& t : surface.outward())
+        for (const Vector3& x : t) {
+            const auto [place, is_new] = vertex.insert({{x[0], x[1], x[2]}, out.vertices()});
+            if (is_new) out.position.insert(out.position.end(), x.c, x.c + 3);
+            out.facet.push_back(place->second);
+        }
+    return out;
+}
+
+SurfaceLaw surface_law_of(const Case& plan, const ContactPlan& contact) {
+    SurfaceLaw law = surface_law(contact.friction_coefficient);
+    law.a = plan.body(contact.stiff);
+    law.b = plan.body(contact.soft);
+    if (contact.surface_mesh) law.mesh_a = mesh_of(*contact.surface_mesh);
+    law.spacing = contact.pressure_spacing;
+    return law;
+}
+
 void hold_sides(const Case& plan, Simulation& simulation) {
     for (int side = 0; side < 6; ++side) {
         const Boundary boundary = plan.space->boundary[side];
@@ -130,9 +154,13 @@ std::unique_ptr<Simulation> build(const Case& plan, const std::shared_ptr<Clock>
     // Fixed nodes are known to a contact when it is made.
     hold_sides(plan, *out);
     for (const ContactPlan& contact : plan.contacts) {
-        if (contact.penalty || contact.at_surfaces)
+        if (contact.penalty)
             throw std::invalid_argument("contact of " + contact.stiff + " and " + contact.soft +
-                                        ": in space there are the laws geo and frictional alone");
+                                        ": penalty contact is not there in space");
+        if (contact.at_surfaces) {
+            out->add_contact(surface_law_of(plan, contact));
+            continue;
+        }
         const bool pushes = std::any_of(plan.bodies.begin(), plan.bodies.end(), [&](const auto& b) {
             return (b.name == contact.stiff || b.name == contact.soft) && b.rigid() &&
                    !b.prescribed();

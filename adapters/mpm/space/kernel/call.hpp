@@ -83,6 +83,9 @@ struct CellMean {
     double per_stress = 0.0;        // 1 / largest mean stress of the body [1/Pa]
 };
 
+using FixedRecords = FixedPointOf<record::size>;
+using FixedSlopes = FixedPointOf<slope::size>;
+
 struct ScatterCall {
     GridView grid;
     ParticleView particles;
@@ -91,6 +94,8 @@ struct ScatterCall {
     NodeSlope* slopes;   // added to; null: nobody asks for normals
     CellMean mean = {};  // with cells, of the mean stress
     Separation separation = {};
+    FixedRecords* fixed_records = nullptr;  // in place of nodes ...
+    FixedSlopes* fixed_slopes = nullptr;    // ... and of slopes
 };
 
 struct MeanStressCall {
@@ -117,7 +122,8 @@ struct GatherCall {
     double dt;   // [s]
     double pic;  // PIC share of this step [-]
     Separation separation = {};
-    CellMean mean = {};  // with cells, deformation stops there
+    CellMean mean = {};        // with cells, deformation stops there
+    bool fixed_point = false;  // of the sums
 };
 
 // The rest of deformation, where the mean is over cells.
@@ -130,9 +136,9 @@ struct DeformCall {
 };
 
 struct GatherSums {
-    double kept = 0.0;           // 1/2 m (S dv)^2: what FLIP keeps of the nodes' 1/2 m dv^2 [J]
-    double pic_loss = 0.0;       // kinetic energy that the PIC share takes [J]
-    double body_work = 0.0;      // of the body acceleration [J]
+    Total kept;                  // 1/2 m (S dv)^2: what FLIP keeps of the nodes' 1/2 m dv^2 [J]
+    Total pic_loss;              // kinetic energy that the PIC share takes [J]
+    Total body_work;             // of the body acceleration [J]
     double most_v2 = 0.0;        // largest v^2 [m2/s2]
     double farthest[2] = {};     // longest way along y and z [m]
     std::ptrdiff_t outside = 0;  // particles that are now outside of the grid

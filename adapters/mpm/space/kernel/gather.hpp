@@ -43,9 +43,9 @@ GRIT_INLINE void move_velocity(const GatherCall& call, const Gathered& g, std::p
         v2 += v * v;
         work += q[c::b_x + k][p] * (now + before);
     }
-    sums.kept += 0.5 * m * change2;
-    sums.pic_loss += 0.5 * m * (flip2 - v2);
-    sums.body_work += 0.5 * call.dt * m * work;
+    sums.kept.add(0.5 * m * change2, call.fixed_point);
+    sums.pic_loss.add(0.5 * m * (flip2 - v2), call.fixed_point);
+    sums.body_work.add(0.5 * call.dt * m * work, call.fixed_point);
     sums.most_v2 = v2 > sums.most_v2 ? v2 : sums.most_v2;
 }
 

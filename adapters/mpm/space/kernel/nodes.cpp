@@ -32,7 +32,9 @@ void advance_nodes(const NodeCall& call, NodeSums& sums) {
             double &now = v[motion::v_x + k], &before = v[motion::other_x + k];
             double& force = n[record::f_x + k];
             before = is_fixed(call, i, k) ? 0.0 : n[record::p_x + k] / m;
-            if (moved) sums.mapped_away += 0.5 * force * (call.dt_before * now - call.dt * before);
+            if (moved)
+                sums.mapped_away.add(0.5 * force * (call.dt_before * now - call.dt * before),
+                                     call.fixed_point);
             if (call.loads) force += call.loads[i][k];
             now = is_fixed(call, i, k) ? 0.0 : before + call.dt * (force / m + call.gravity[k]);
         }
@@ -48,10 +50,11 @@ void damp_nodes(const NodeCall& call, NodeSums& sums) {
         hold(call, i);
         const double undamped_z = v[motion::v_z];
         for (int k = 0; k < 3; ++k)
-            sums.damping_work +=
-                damp(v[motion::v_x + k], v[motion::other_x + k], m,
-                     call.dt * (n[record::f_x + k] + m * call.gravity[k]), call.damping);
-        sums.damping_z += m * (v[motion::v_z] - undamped_z);
+            sums.damping_work.add(damp(v[motion::v_x + k], v[motion::other_x + k], m,
+                                       call.dt * (n[record::f_x + k] + m * call.gravity[k]),
+                                       call.damping),
+                                  call.fixed_point);
+        sums.damping_z.add(m * (v[motion::v_z] - undamped_z), call.fixed_point);
     }
 }
 
@@ -63,8 +66,9 @@ void close_nodes(const NodeCall& call, NodeSums& sums) {
         hold(call, i);
         for (int k = 0; k < 3; ++k) {
             const double now = v[motion::v_x + k], before = v[motion::other_x + k];
-            sums.change += 0.5 * m * (now - before) * (now - before);
-            sums.gravity_work += 0.5 * call.dt * m * call.gravity[k] * (now + before);
+            sums.change.add(0.5 * m * (now - before) * (now - before), call.fixed_point);
+            sums.gravity_work.add(0.5 * call.dt * m * call.gravity[k] * (now + before),
+                                  call.fixed_point);
         }
     }
 }

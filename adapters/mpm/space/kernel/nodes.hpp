@@ -15,12 +15,12 @@ constexpr std::uint8_t along(int direction) { return static_cast<std::uint8_t>(1
 }  // namespace fixed
 
 struct NodeSums {
-    double damping_work = 0.0;  // taken by local damping [J]
-    double damping_z = 0.0;     // what it gave of the momentum along z [N s]
-    double gravity_work = 0.0;  // [J]
-    double change = 0.0;        // 1/2 m (v - v_old)^2 [J]
+    Total damping_work;  // taken by local damping [J]
+    Total damping_z;     // what it gave of the momentum along z [N s]
+    Total gravity_work;  // [J]
+    Total change;        // 1/2 m (v - v_old)^2 [J]
     // Work of the internal nodal forces, half a step's, on the velocities that mapping took away, see the plane's [J].
-    double mapped_away = 0.0;
+    Total mapped_away;
 };
 
 struct NodeCall {
@@ -34,6 +34,7 @@ struct NodeCall {
     double dt_before;   // of the step before [s]
     Vector3 gravity;    // [m/s2]
     double damping;     // local damping (Cundall), share of the force [-]
+    bool fixed_point;   // of the sums
 };
 
 // motions, still of the step before, become v = v_old + dt (f/m + g) and v_old = p/m, without the fixed components;

@@ -2,17 +2,24 @@
 // From particles to nodes in space: mass, momentum, forces (A4) and gradients, all in one pass.
 #pragma once
 
+#include "adapters/mpm/kernel/sums.hpp"
 #include "adapters/mpm/space/kernel/cell_mean.hpp"
 #include "adapters/mpm/space/kernel/stencil.hpp"
 
 GRIT_KERNEL_BEGIN_OF(mpm::space)
 
-template <Shape shape, bool with_slopes> GRIT_INLINE void scatter_by(const ScatterCall& call) {
+using mpm::GRIT_TARGET::add_in_fixed_point;
+
+template <class Vec> struct DoubleSums {
+    Vec* nodes;
+    GRIT_INLINE void add(std::ptrdiff_t node, const Vec& x) { nodes[node] += x; }
+};
+
+template <Shape shape, bool with_slopes, class Records, class Slopes>
+GRIT_INLINE void scatter_by(const ScatterCall& call, Records& records, Slopes& slopes) {
     using Stencil = typename StencilOf<shape>::type;
     namespace c = column;
     const ParticleView q = call.particles;
-    auto* nodes = reinterpret_cast<Vec8*>(call.nodes);
-    auto* slopes = reinterpret_cast<Vec4*>(call.slopes);
     for (std::ptrdiff_t p = call.begin; p < call.end; ++p) {
         const Place place = place_of(call.grid, q, p);
         const Stencil w(call.grid, place);
@@ -35,7 +42,7 @@ template <Shape shape, bool with_slopes> GRIT_INLINE void scatter_by(const Scatt
         const Vec8 by_z{0.0, 0.0, 0.0, 0.0, xz, yz, zz, 0.0};
         for (int k = 0; k < Stencil::points; ++k) {
             const double G_x = w.G[0][k], G_y = w.G[1][k], G_z = w.G[2][k];
-            w.add(k, w.S(k) * by_S + G_x * by_x + G_y * by_y + G_z * by_z, nodes);  // (A4)
+            w.add(k, w.S(k) * by_S + G_x * by_x + G_y * by_y + G_z * by_z, records);  // (A4)
             if constexpr (with_slopes) {
                 const double size = std::fabs(G_x) + std::fabs(G_y) + std::fabs(G_z);
                 w.add(k, V * Vec4{G_x, G_y, G_z, size}, slopes);
@@ -44,8 +51,23 @@ template <Shape shape, bool with_slopes> GRIT_INLINE void scatter_by(const Scatt
     }
 }
 
+template <Shape shape> void scatter_in_doubles(const ScatterCall& call) {
+    DoubleSums<Vec8> records{reinterpret_cast<Vec8*>(call.nodes)};
+    DoubleSums<Vec4> slopes{reinterpret_cast<Vec4*>(call.slopes)};
+    call.slopes ? scatter_by<shape, true>(call, records, slopes)
+                : scatter_by<shape, false>(call, records, slopes);
+}
+
+template <Shape shape> void scatter_in_fixed_point(const ScatterCall& call) {
+    add_in_fixed_point(*call.fixed_records, [&](auto& records) {
+        if (!call.fixed_slopes) return scatter_by<shape, false>(call, records, records);
+        add_in_fixed_point(*call.fixed_slopes,
+                           [&](auto& slopes) { scatter_by<shape, true>(call, records, slopes); });
+    });
+}
+
 template <Shape shape> void scatter_parts(const ScatterCall& call) {
-    call.slopes ? scatter_by<shape, true>(call) : scatter_by<shape, false>(call);
+    call.fixed_records ? scatter_in_fixed_point<shape>(call) : scatter_in_doubles<shape>(call);
 }
 
 void scatter(Shape shape, const ScatterCall& call) {

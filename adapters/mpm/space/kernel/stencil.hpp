@@ -50,10 +50,9 @@ struct CornerStencil {
         for (int n = 0; n < 8; ++n)
             to[n] = (n & 1) + (n & 2 ? grid.step(1) : 0) + (n & 4 ? grid.step(2) : 0);
     }
-    // Adds P to the node of an array of records of size doubles.
-    template <class Vec> GRIT_INLINE void add(int c, const Vec& P, Vec* nodes) const {
-        Vec* first = nodes + corner[c];
-        for (int n = 0; n < 8; ++n) first[to[n]] += N[n][c] * P;
+    // Adds P to sums at nodes.
+    template <class Vec, class Sums> GRIT_INLINE void add(int c, const Vec& P, Sums& sums) const {
+        for (int n = 0; n < 8; ++n) sums.add(corner[c] + to[n], N[n][c] * P);
     }
     GRIT_INLINE Vec8 value(int c, const Vec8* nodes) const {
         const Vec8* first = nodes + corner[c];
@@ -108,8 +107,8 @@ template <bool domain> struct NodeStencil {
                     at[n] = node(0, x.first + i) + node(1, y.first + j) + node(2, z.first + k);
                 }
     }
-    template <class Vec> GRIT_INLINE void add(int k, const Vec& P, Vec* nodes) const {
-        nodes[at[k]] += P;
+    template <class Vec, class Sums> GRIT_INLINE void add(int k, const Vec& P, Sums& sums) const {
+        sums.add(at[k], P);
     }
     GRIT_INLINE Vec8 value(int k, const Vec8* nodes) const { return nodes[at[k]]; }
 };

@@ -24,11 +24,17 @@ std::string words_of(const Simulation& s) {
         << "bulk viscosity: linear " << settings.linear_viscosity << ", quadratic "
         << settings.quadratic_viscosity << '\n'
         << "volumetric strain: " << (settings.cell_mean ? "mean of the cell" : "own") << '\n'
+        << "sums: " << (settings.fixed_point ? "fixed point" : "floating point") << '\n'
         << "bodies: " << s.bodies() << '\n';
     for (std::size_t i = 0; i < s.bodies(); ++i) {
         const Body& body = s.body(i);
         out << "body " << i << ": "
             << word_of_body(body.name, body.rigid(), body.particles, column::mass) << '\n';
+        if (body.rigid()) {
+            out << "body " << i << ": free";
+            for (const bool is_free : body.motion->free()) out << (is_free ? " yes" : " no");
+            out << '\n';
+        }
         if (!body.material) continue;
         for (const std::string& word : body.material->words())
             out << "body " << i << ": " << word << '\n';
@@ -36,6 +42,16 @@ std::string words_of(const Simulation& s) {
     out << "tractions: " << s.traction_count() << '\n' << "contacts: " << s.contact_count() << '\n';
     for (std::size_t i = 0; i < s.contact_count(); ++i)
         out << "contact " << i << ": " << word_of_contact(s.contact(i).law()) << '\n';
+    out << "surface contacts: " << s.surface_contact_count() << '\n';
+    for (std::size_t i = 0; i < s.surface_contact_count(); ++i) {
+        const SurfaceLaw& law = s.surface_contact(i).law();
+        const std::vector<double>& mesh = law.mesh_a.position;
+        out << "surface contact " << i << ": bodies " << law.a << " and " << law.b
+            << ", friction coefficient " << law.options.friction_coefficient << ", pressures "
+            << law.spacing << " cells apart, mesh of " << law.mesh_a.facets()
+            << " triangles, checksum " << checksum(mesh.data(), mesh.size() * sizeof(double))
+            << '\n';
+    }
     return out.str();
 }
 

@@ -38,6 +38,9 @@ class SpaceSubject : public Subject {
     }
 
   private:
+    // Of a contact: forces on its body b, whose sign is 1, and the impulse on the body.
+    static void add(Forces& to, const ContactPair::Measured& forces, const Twist& impulse,
+                    double sign);
     double base_reaction() const;
 
     Simulation& simulation;
@@ -65,50 +68,66 @@ Subject::Bodies SpaceSubject::measure(double gravity, std::size_t driven) {
 double SpaceSubject::level(std::size_t body, DepthOf what) {
     Particles& particles = simulation.body(body).particles;
     const ParticleView q = particles.view();
-    double lowest = INFINITY, mass = 0.0, moment = 0.0;
+    const bool fixed_point = simulation.current_settings().fixed_point;
+    double lowest = INFINITY;
+    Total mass, moment;
     for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
         double reach = 0.0;
         for (int k = 0; k < 3; ++k) reach += std::fabs(q.F(2, k, p)) * q[column::l_x + k][p];
         lowest = std::min(lowest, q[column::z][p] - reach);
-        mass += q[column::mass][p];
-        moment += q[column::mass][p] * q[column::z][p];
+        mass.add(q[column::mass][p], fixed_point);
+        moment.add(q[column::mass][p] * q[column::z][p], fixed_point);
     }
-    return what == DepthOf::lowest_point ? lowest : moment / mass;
+    return what == DepthOf::lowest_point ? lowest : moment.value() / mass.value();
 }
 
 double SpaceSubject::velocity_z(std::size_t body) {
     Body& of = simulation.body(body);
     if (of.rigid()) return of.motion->velocity().along[2];
     const ParticleView q = of.particles.view();
-    double mass = 0.0, momentum = 0.0;
+    const bool fixed_point = simulation.current_settings().fixed_point;
+    Total mass, momentum;
     for (std::ptrdiff_t p = 0; p < of.particles.size(); ++p) {
-        mass += q[column::mass][p];
-        momentum += q[column::mass][p] * q[column::v_z][p];
+        mass.add(q[column::mass][p], fixed_point);
+        momentum.add(q[column::mass][p] * q[column::v_z][p], fixed_point);
     }
-    return momentum / mass;
+    return momentum.value() / mass.value();
 }
 
 double SpaceSubject::stored_energy(std::size_t body) {
     Body& of = simulation.body(body);
-    double sum = 0.0;
+    Total sum;
     for (std::ptrdiff_t p = 0; p < of.particles.size() && !of.rigid(); ++p)
-        sum += of.material->energy(of.particles.view(), p);
-    return sum;
+        sum.add(of.material->energy(of.particles.view(), p),
+                simulation.current_settings().fixed_point);
+    return sum.value();
 }
 
 // What keeps the nodes of the bottom from moving down, weight and all.
 double SpaceSubject::base_reaction() const {
     const auto count = static_cast<std::size_t>(simulation.axis(0).nodes()) *
                        static_cast<std::size_t>(simulation.axis(1).nodes());
-    double sum = 0.0;
+    Total sum;
     for (std::size_t body = 0; body < simulation.bodies(); ++body) {
         if (simulation.body(body).rigid()) continue;
         const std::vector<NodeRecord>& nodes = simulation.records(body);
         for (std::size_t i = 0; i < count; ++i)
             if (simulation.constraints()[i] & fixed::along(2))
-                sum -= nodes[i][record::f_z] + simulation.gravity()[2] * nodes[i][record::m];
+                sum.add(-(nodes[i][record::f_z] + simulation.gravity()[2] * nodes[i][record::m]),
+                        simulation.current_settings().fixed_point);
     }
-    return sum;
+    return sum.value();
+}
+
+void SpaceSubject::add(Forces& to, const ContactPair::Measured& forces, const Twist& impulse,
+                       double sign) {
+    to.tip += sign * forces.along_z[2];
+    to.shaft += sign * forces.sideways[2];
+    to.largest_gap = std::fmax(to.largest_gap, forces.largest_gap);
+    for (int k = 0; k < 3; ++k) {
+        to.contact_impulse[static_cast<std::size_t>(k)] += impulse.along[k];
+        to.contact_impulse[static_cast<std::size_t>(k) + 3] += impulse.about[k];
+    }
 }
 
 Subject::Forces SpaceSubject::forces(std::size_t body) {
@@ -117,15 +136,14 @@ Subject::Forces SpaceSubject::forces(std::size_t body) {
     for (std::size_t i = 0; i < simulation.contact_count(); ++i) {
         const ContactPair& pair = simulation.contact(i);
         if (pair.law().a != body && pair.law().b != body) continue;
-        const double sign = pair.law().b == body ? 1.0 : -1.0;
-        out.tip += sign * pair.measured().along_z[2];
-        out.shaft += sign * pair.measured().sideways[2];
-        out.largest_gap = std::fmax(out.largest_gap, pair.measured().largest_gap);
-        const Twist impulse = pair.impulse_on(body, {0.0, 0.0, 0.0});
-        for (int k = 0; k < 3; ++k) {
-            out.contact_impulse[static_cast<std::size_t>(k)] += impulse.along[k];
-            out.contact_impulse[static_cast<std::size_t>(k) + 3] += impulse.about[k];
-        }
+        add(out, pair.measured(), pair.impulse_on(body, {0.0, 0.0, 0.0}),
+            pair.law().b == body ? 1.0 : -1.0);
+    }
+    for (std::size_t i = 0; i < simulation.surface_contact_count(); ++i) {
+        const SurfacePair& pair = simulation.surface_contact(i);
+        if (pair.law().a == body || pair.law().b == body)
+            add(out, pair.measured(), pair.impulse_on(body, {0.0, 0.0, 0.0}),
+                pair.law().b == body ? 1.0 : -1.0);
     }
     out.traction = simulation.traction_force(body)[2];
     out.base = base_reaction();

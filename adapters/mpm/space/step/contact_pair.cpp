@@ -110,7 +110,8 @@ class FreeMeeting {
 }  // namespace
 
 ContactPair::ContactPair(const ContactLaw& law, const Model& model)
-    : pair_law(law), place_of(model.nodes(), -1), touched(model.nodes()), near(model.cells()) {
+    : pair_law(law), place_of(model.nodes(), -1), touched(model.nodes()), near(model.cells()),
+      fixed_point(model.settings.fixed_point) {
     pair_law.options.components = 3;
     step_totals.struct_size = sizeof step_totals;
     step_measured.largest_gap = NAN;
@@ -118,39 +119,10 @@ ContactPair::ContactPair(const ContactLaw& law, const Model& model)
 
 bool ContactPair::find_active(const Model& model) {
     for (const std::ptrdiff_t node : active) place_of[static_cast<std::size_t>(node)] = -1;
-    active.clear();
-    const std::vector<NodeRecord>& a = model.parts[pair_law.a].records;
-    const std::vector<NodeRecord>& b = model.parts[pair_law.b].records;
-    for (std::size_t node = 0; node < a.size(); ++node) {
-        if (!(a[node][record::m] > 0.0 && b[node][record::m] > 0.0)) continue;
-        place_of[node] = static_cast<int>(active.size());
-        active.push_back(static_cast<std::ptrdiff_t>(node));
-    }
+    find_shared_nodes(model.parts[pair_law.a], model.parts[pair_law.b], active);
+    for (std::size_t i = 0; i < active.size(); ++i)
+        place_of[static_cast<std::size_t>(active[i])] = static_cast<int>(i);
     return !active.empty();
-}
-
-// A domain reaches into the neighbouring cells and to their nodes.
-void ContactPair::find_near(const GridView& grid) {
-    for (const std::ptrdiff_t cell : near_cells) near[static_cast<std::size_t>(cell)] = 0;
-    near_cells.clear();
-    for (const std::ptrdiff_t node : active) {
-        int first[3], last[3];
-        std::ptrdiff_t rest = node;
-        for (int d = 0; d < 3; ++d) {
-            const auto i = static_cast<int>(rest % grid.nodes(d));
-            rest /= grid.nodes(d);
-            first[d] = std::max(i - 2, 0);
-            last[d] = std::min(i + 1, grid.axis[d].cells - 1);
-        }
-        for (int k = first[2]; k <= last[2]; ++k)
-            for (int j = first[1]; j <= last[1]; ++j)
-                for (int i = first[0]; i <= last[0]; ++i) {
-                    char& is = near[static_cast<std::size_t>(grid.cell(i, j, k))];
-                    if (is) continue;
-                    is = 1;
-                    near_cells.push_back(grid.cell(i, j, k));
-                }
-    }
 }
 
 void ContactPair::copy_nodes(const Model& model) {
@@ -301,7 +273,7 @@ void ContactPair::find_reaching(Model& model) {
         Particles& particles = model.parts[which == 0 ? pair_law.a : pair_law.b].body.particles;
         const ParticleView q = particles.view();
         for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
-            if (!near[static_cast<std::size_t>(grid.cell_of(q.position(p)))]) continue;
+            if (!near.has(grid.cell_of(q.position(p)))) continue;
             const auto place = baseline::place_of(grid, q, p);
             Reaching to;
             to.x = place.at;
@@ -458,7 +430,7 @@ void ContactPair::correct(Model& model) {
         find_normals();
         const bool geo = pair_law.options.law == GRIT_CONTACT_GEO;
         if (geo || pair_law.gated) {
-            find_near(model.grid());
+            near.find(model.grid(), active);
             find_reaching(model);
             find_surfaces();
             grit_error error;
@@ -575,14 +547,17 @@ void ContactPair::apply(const Model& model) {
                                  reports.data(), &sums, &error),
             error, "contact");
     require(grit_contact_sums_read(&sums, &step_totals), error, "contact");
+    Total sums_of[6];
     for (std::size_t i = 0; i < active.size(); ++i) {
         const Vector3 n = at(normal, i);
-        const double* f = reports[i].force;
-        Vector3& sum = std::fabs(n[2]) > std::hypot(n[0], n[1]) ? step_measured.along_z
-                                                                : step_measured.sideways;
-        sum = sum + Vector3{f[0], f[1], f[2]};
+        const int first = std::fabs(n[2]) > std::hypot(n[0], n[1]) ? 3 : 0;
+        for (int k = 0; k < 3; ++k) sums_of[first + k].add(reports[i].force[k], fixed_point);
         if ((geo || pair_law.gated) && std::isfinite(gap[i]))
             step_measured.largest_gap = std::fmax(step_measured.largest_gap, gap[i]);
+    }
+    for (int k = 0; k < 3; ++k) {
+        step_measured.sideways[k] = sums_of[k].value();
+        step_measured.along_z[k] = sums_of[k + 3].value();
     }
 }
 

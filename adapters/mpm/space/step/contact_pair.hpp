@@ -9,7 +9,7 @@
 #include <grit/contact_distance.h>
 #include <grit/contact_normals.h>
 
-#include "adapters/mpm/space/step/model.hpp"
+#include "adapters/mpm/space/step/near_cells.hpp"
 #include "adapters/mpm/step/contact_pair.hpp"
 
 namespace grit::mpm::space {
@@ -51,7 +51,6 @@ class ContactPair {
         int count;
     };
     bool find_active(const Model& model);
-    void find_near(const GridView& grid);
     void copy_nodes(const Model& model);
     void find_normals();
     void find_normals(int source, const std::vector<std::ptrdiff_t>& nodes,
@@ -90,8 +89,8 @@ class ContactPair {
     // ... but these: by node, or by cell.
     std::vector<int> place_of;  // -1: not in contact
     std::vector<char> touched;  // pressed in the step before
-    std::vector<char> near;     // cells from which a domain may reach a node in contact
-    std::vector<std::ptrdiff_t> near_cells;
+    NearCells near;             // from which a domain may reach a node in contact
+    bool fixed_point;           // of sums of forces
     Twist found;
     double step_size = 0.0;  // [s]
     grit_contact_totals step_totals{};

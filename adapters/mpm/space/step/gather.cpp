@@ -15,7 +15,7 @@ void Gather::operator()() {
     for (std::vector<OfPencil>& body : bodies)
         for (OfPencil& pencil : body) {
             pencil.sums = {};
-            pencil.viscous_loss = 0.0;
+            pencil.viscous_loss = {};
         }
     const auto work = [this](std::size_t body, int pencil) { gather(body, pencil); };
     if (!means.wanted()) return model.for_pencils(work);
@@ -43,7 +43,8 @@ void Gather::gather(std::size_t body, int pencil) {
                                   model.dt,
                                   std::min(settings.pic_rate * model.dt, 1.0),
                                   part.separation,
-                                  means.of(body)};
+                                  means.of(body),
+                                  settings.fixed_point};
             kernels().gather(settings.shape, call, increments, sums.sums);
             if (updates)
                 fastest = std::max(fastest, update(body, sums, {q, begin, stop}, increments));
@@ -132,7 +133,8 @@ double Gather::update_viscosity(OfPencil& sums, const Increments& d, const Range
                                                      settings.quadratic_viscosity * l * rate / c
                                                : 0.0;
         const double viscous = density * l * c * x * rate;
-        sums.viscous_loss -= 0.5 * (q[column::q][p] + viscous) * strain * volume;
+        sums.viscous_loss.add(-0.5 * (q[column::q][p] + viscous) * strain * volume,
+                              settings.fixed_point);
         q[column::q][p] = viscous;
         const double speed = c * (x + std::sqrt(1.0 + x * x));
         fastest = std::max(fastest, speed * speed);

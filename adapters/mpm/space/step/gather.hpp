@@ -22,7 +22,7 @@ class Gather {
     struct alignas(128) OfPencil {
         GatherSums sums = {};
         double speed = 0.0;             // largest wave speed, viscosity included [m/s]
-        double viscous_loss = 0.0;      // in this step [J]
+        Total viscous_loss;             // in this step [J]
         double material_seconds = 0.0;  // since it was built
     };
     const std::vector<OfPencil>& pencils(std::size_t body) const { return bodies[body]; }

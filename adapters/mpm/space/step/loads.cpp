@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/mpm/space/step/loads.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "adapters/mpm/space/kernel/place.hpp"
@@ -43,18 +45,32 @@ void Loads::find() {
     if (tractions.empty()) return;
     for (std::vector<Vector3>& of_body : nodes)
         std::fill(of_body.begin(), of_body.end(), Vector3{0.0, 0.0, 0.0});
+    for (std::size_t i = 0; i < tractions.size(); ++i) faces[i] = forces_of(tractions[i]);
+    const double quantum = model.settings.fixed_point ? find_quantum() : 0.0;
+    const auto rounded = [quantum](double x) {
+        return quantum > 0.0 ? std::nearbyint(x / quantum) * quantum : x;
+    };
     for (std::size_t i = 0; i < tractions.size(); ++i) {
-        faces[i] = forces_of(tractions[i]);
         Vector3* to = nodes[tractions[i].body].data();
         for (const Vector3& corner : faces[i].corner) {
             const GridPoint at = grid_point(model.grid(), corner);
-            for (int n = 0; n < 8; ++n) to[at.node[n]] = to[at.node[n]] + at.N[n] * faces[i].each;
+            for (int n = 0; n < 8; ++n)
+                for (int k = 0; k < 3; ++k)
+                    to[at.node[n]][k] += rounded(at.N[n] * faces[i].each[k]);
         }
     }
 }
 
+// Of the bits of a double, 46 are left to the largest force, six to sums of many: no order changes them.
+double Loads::find_quantum() const {
+    double largest = 0.0;
+    for (const FaceForces& face : faces)
+        for (int k = 0; k < 3; ++k) largest = std::max(largest, std::fabs(face.each[k]));
+    return largest > 0.0 ? std::ldexp(1.0, std::ilogb(largest) - 46) : 0.0;
+}
+
 void Loads::find_work() {
-    done = 0.0;
+    done = {};
     for (std::size_t i = 0; i < tractions.size(); ++i) {
         const NodeMotion* motions = model.parts[tractions[i].body].motions.data();
         for (const Vector3& corner : faces[i].corner) {
@@ -62,18 +78,20 @@ void Loads::find_work() {
             for (int n = 0; n < 8; ++n)
                 for (int k = 0; k < 3; ++k) {
                     const NodeMotion& v = motions[at.node[n]];
-                    done += 0.5 * model.dt * at.N[n] * faces[i].each[k] *
-                            (v[motion::v_x + k] + v[motion::other_x + k]);
+                    done.add(0.5 * model.dt * at.N[n] * faces[i].each[k] *
+                                 (v[motion::v_x + k] + v[motion::other_x + k]),
+                             model.settings.fixed_point);
                 }
         }
     }
 }
 
 Vector3 Loads::force(std::size_t body) const {
-    Vector3 sum{0.0, 0.0, 0.0};
+    Total sum[3];
     for (std::size_t i = 0; i < tractions.size(); ++i)
-        if (tractions[i].body == body) sum = sum + 4.0 * faces[i].each;
-    return sum;
+        for (int k = 0; k < 3 && tractions[i].body == body; ++k)
+            sum[k].add(4.0 * faces[i].each[k], model.settings.fixed_point);
+    return {sum[0].value(), sum[1].value(), sum[2].value()};
 }
 
 }  // namespace grit::mpm::space

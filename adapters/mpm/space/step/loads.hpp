@@ -36,7 +36,7 @@ class Loads {
     }
     // Work in this step, on velocities after contact.
     void find_work();
-    double work() const { return done; }
+    double work() const { return done.value(); }
     // Of all tractions on a body in the last step [N].
     Vector3 force(std::size_t body) const;
     std::size_t count() const { return tractions.size(); }
@@ -53,12 +53,13 @@ class Loads {
         Vector3 each;       // [N]
     };
     FaceForces forces_of(const Traction& traction);
+    double find_quantum() const;
 
     Model& model;
     std::vector<Traction> tractions;
     std::vector<FaceForces> faces;            // of each
     std::vector<std::vector<Vector3>> nodes;  // of each body that has any [N]
-    double done = 0.0;                        // [J]
+    Total done;                               // [J]
 };
 
 }  // namespace grit::mpm::space

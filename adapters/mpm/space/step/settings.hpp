@@ -22,7 +22,6 @@ inline NotThere not_there(const Settings& settings) {
     if (settings.shape == Shape::cpdi_published)
         return {"shape_function", "the shape function cpdi_published"};
     if (settings.scheme != Scheme::usl) return {"scheme", "another scheme than usl"};
-    if (settings.fixed_point) return {"fixed_point", "fixed point"};
     if (settings.reduced_domains) return {"reduced_domains", "the reduction of domains"};
     return {};
 }

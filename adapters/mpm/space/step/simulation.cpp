@@ -43,29 +43,6 @@ void Simulation::start() {
     energies.stored_0 = energies.stored;
 }
 
-void Simulation::scatter() {
-    if (means.wanted()) means.find_stresses();
-    model.for_nodes([this](std::size_t body, std::size_t, std::size_t begin, std::size_t end) {
-        Part& part = model.parts[body];
-        std::fill(part.records.data() + begin, part.records.data() + end, NodeRecord{});
-        if (!part.slopes.empty())
-            std::fill(part.slopes.data() + begin, part.slopes.data() + end, NodeSlope{});
-    });
-    model.for_pencils_apart([this](std::size_t body, int pencil) {
-        Part& part = model.parts[body];
-        const ScatterCall call{model.grid(),
-                               part.body.particles.view(),
-                               part.pencils.begin(pencil),
-                               part.pencils.begin(pencil + 1),
-                               part.records.data(),
-                               part.slopes.empty() ? nullptr : part.slopes.data(),
-                               means.of(body),
-                               part.separation};
-        if (body_force) body_force(call.particles, call.begin, call.end, model.t);
-        kernels().scatter(model.settings.shape, call);
-    });
-}
-
 NodeCall Simulation::node_call(std::size_t body, std::size_t begin, std::size_t end) {
     Part& part = model.parts[body];
     return {part.records.data(),
@@ -78,7 +55,8 @@ NodeCall Simulation::node_call(std::size_t body, std::size_t begin, std::size_t 
             model.dt,
             model.dt_before,
             model.gravity,
-            model.settings.local_damping};
+            model.settings.local_damping,
+            model.settings.fixed_point};
 }
 
 // v = v_old + dt (f/m + g); rigid bodies have the velocity of the end of the step.
@@ -114,7 +92,17 @@ void Simulation::correct_contacts() {
         const grit_contact_totals& totals = pair.totals();
         energies.contact += totals.dissipation_normal + totals.dissipation_tangential;
         for (const std::size_t which : {pair.law().a, pair.law().b})
-            if (model.parts[which].body.rigid()) push_rigid(which, pair);
+            if (const Body& body = model.parts[which].body; body.rigid())
+                push_rigid(which, pair.impulse_on(which, body.motion->centre()),
+                           pair.velocity_found());
+    }
+    for (SurfacePair& pair : surfaces) {
+        pair.correct(model);
+        energies.contact += pair.totals().dissipation;
+        for (const std::size_t which : {pair.law().a, pair.law().b})
+            if (const Body& body = model.parts[which].body; body.rigid())
+                push_rigid(which, pair.impulse_on(which, body.motion->centre()),
+                           body.motion->velocity());
     }
     for (std::size_t body = 0; body < model.parts.size(); ++body)
         if (model.parts[body].body.rigid()) finish_rigid(body);
@@ -122,10 +110,9 @@ void Simulation::correct_contacts() {
 
 // What moves a rigid body works against the force that the body feels; where that moves it, contact took what it has
 // for the velocity that it was found with, and the body ends with another one.
-void Simulation::push_rigid(std::size_t body, const ContactPair& pair) {
+void Simulation::push_rigid(std::size_t body, const Twist& impulse, const Twist& found) {
     RigidMotion& motion = *model.parts[body].body.motion;
-    const Twist impulse = pair.impulse_on(body, motion.centre());
-    const Twist found = pair.velocity_found(), trial = motion.velocity();
+    const Twist trial = motion.velocity();
     motion.push(impulse);
     for (int k = 0; k < 3; ++k) {
         const auto i = static_cast<std::size_t>(k);
@@ -174,25 +161,31 @@ void Simulation::finish() {
 // In the order of pencils and chunks, which no number of threads changes.
 void Simulation::add_up() {
     std::ptrdiff_t lost = 0;
+    Total external_work, damping, viscosity, pic, transfer;
     for (std::size_t body = 0; body < model.parts.size(); ++body) {
         for (const Gather::OfPencil& pencil : gather.pencils(body)) {
             const GatherSums& g = pencil.sums;
             lost += g.outside;
-            energies.external_work += g.body_work;
-            energies.viscosity += pencil.viscous_loss;
-            energies.pic += g.pic_loss;
-            energies.transfer += g.pic_loss - g.kept;
+            external_work += g.body_work;
+            viscosity += pencil.viscous_loss;
+            pic += g.pic_loss;
+            (transfer += g.pic_loss) -= g.kept;
         }
         for (const NodeSums& n : node_sums[body]) {
-            energies.external_work += n.gravity_work;
-            energies.damping += n.damping_work;
-            energies.transfer += n.change + n.mapped_away;
+            external_work += n.gravity_work;
+            damping += n.damping_work;
+            (transfer += n.change) += n.mapped_away;
         }
     }
-    energies.external_work += loads.work();
+    energies.external_work += external_work.value() + loads.work();
     energies.traction_work += loads.work();
+    energies.damping += damping.value();
+    energies.viscosity += viscosity.value();
+    energies.pic += pic.value();
+    energies.transfer += transfer.value();
     if (lost > 0) report_lost(lost);
-    energies.check_finite(model.t);
+    // Sums in fixed point have an end, beyond which they are no numbers.
+    if (!model.settings.fixed_point) energies.check_finite(model.t);
 }
 
 void Simulation::report_lost(std::ptrdiff_t count) const {
@@ -263,19 +256,22 @@ void Simulation::decide_step() {
 }
 
 void Simulation::measure_energy() {
-    energies.kinetic = energies.stored = 0.0;
+    const bool fixed_point = model.settings.fixed_point;
+    Total kinetic, stored;
     for (Part& part : model.parts) {
         if (part.body.rigid()) {
-            energies.kinetic += part.body.motion->kinetic_energy();
+            kinetic.add(part.body.motion->kinetic_energy(), fixed_point);
             continue;
         }
         const ParticleView q = part.body.particles.view();
         for (std::ptrdiff_t p = 0; p < part.body.particles.size(); ++p) {
             const Vector3 v = q.vector(column::v_x, p);
-            energies.kinetic += 0.5 * q[column::mass][p] * dot(v, v);
-            energies.stored += part.body.material->energy(q, p);
+            kinetic.add(0.5 * q[column::mass][p] * dot(v, v), fixed_point);
+            stored.add(part.body.material->energy(q, p), fixed_point);
         }
     }
+    energies.kinetic = kinetic.value();
+    energies.stored = stored.value();
 }
 
 Energy Simulation::energy() {
@@ -287,6 +283,7 @@ Energy Simulation::energy() {
 std::size_t Simulation::add_body(Body body) {
     model.add_body(std::move(body));
     means.add_body();
+    scatter.add_body();
     gather.add_body();
     loads.add_body();
     node_sums.emplace_back(model.chunks());
@@ -294,8 +291,16 @@ std::size_t Simulation::add_body(Body body) {
 }
 
 void Simulation::add_contact(const ContactLaw& law) {
-    for (const std::size_t body : {law.a, law.b}) model.parts[body].slopes.resize(model.nodes());
+    for (const std::size_t body : {law.a, law.b}) scatter.add_slopes(body);
     contacts.emplace_back(law, model);
+}
+
+void Simulation::add_contact(const SurfaceLaw& law) {
+    for (const std::size_t body : {law.a, law.b})
+        if (const Body& of = model.parts[body].body; of.rigid() && of.motion->any_free())
+            throw std::invalid_argument("body " + of.name +
+                                        ": what moves freely has no surface contact in space");
+    surfaces.emplace_back(law, model);
 }
 
 void Simulation::fix(int direction, Hold hold, const std::function<bool(double)>& where) {
@@ -329,9 +334,9 @@ void Simulation::set_cfl(double cfl) {
 }
 
 double Simulation::damping_impulse(std::size_t body) const {
-    double sum = 0.0;
+    Total sum;
     for (const NodeSums& n : node_sums[body]) sum += n.damping_z;
-    return sum;
+    return sum.value();
 }
 
 Seconds Simulation::seconds() const {

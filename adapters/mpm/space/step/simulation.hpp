@@ -10,15 +10,13 @@
 #include "adapters/mpm/space/step/contact_pair.hpp"
 #include "adapters/mpm/space/step/gather.hpp"
 #include "adapters/mpm/space/step/loads.hpp"
+#include "adapters/mpm/space/step/scatter.hpp"
+#include "adapters/mpm/space/step/surface_pair.hpp"
 #include "adapters/mpm/step/stopwatch.hpp"
 
 namespace grit::mpm::space {
 
 enum class Hold { across, all };
-
-// Fills the columns b_x, b_y, b_z, an acceleration besides gravity, for time t.
-using BodyForce =
-    std::function<void(ParticleView, std::ptrdiff_t begin, std::ptrdiff_t end, double t)>;
 
 class Simulation {
   public:
@@ -31,10 +29,11 @@ class Simulation {
     void add_traction(Traction traction) { loads.add(std::move(traction)); }
     // After what fixes nodes.
     void add_contact(const ContactLaw& law);
+    void add_contact(const SurfaceLaw& law);
     // No velocity across nodes at x, y or z = at, and beyond; or none at all.
     void fix_below(int direction, double at, Hold hold = Hold::across);
     void fix_above(int direction, double at, Hold hold = Hold::across);
-    void set_body_force(BodyForce force) { body_force = std::move(force); }
+    void set_body_force(BodyForce force) { scatter.set_body_force(std::move(force)); }
 
     // Between steps, from the next one on.
     void set_gravity(const Vector3& gravity) { model.gravity = gravity; }
@@ -63,6 +62,8 @@ class Simulation {
     const std::vector<std::uint8_t>& constraints() const { return model.fixed_nodes; }
     const ContactPair& contact(std::size_t i) const { return contacts[i]; }
     std::size_t contact_count() const { return contacts.size(); }
+    const SurfacePair& surface_contact(std::size_t i) const { return surfaces[i]; }
+    std::size_t surface_contact_count() const { return surfaces.size(); }
     std::size_t traction_count() const { return loads.count(); }
     // Of all tractions on a body in the last step [N].
     Vector3 traction_force(std::size_t body) const { return loads.force(body); }
@@ -83,8 +84,10 @@ class Simulation {
     template <class Self, class Archive> static void visit(Self& simulation, Archive& archive) {
         Model::visit(simulation.model, archive);
         archive.value(simulation.started);
+        Scatter::visit(simulation.scatter, archive);
         Loads::visit(simulation.loads, archive);
         for (auto& contact : simulation.contacts) ContactPair::visit(contact, archive);
+        for (auto& contact : simulation.surfaces) SurfacePair::visit(contact, archive);
         archive.value(simulation.largest_speed);
         archive.value(simulation.energies);
     }
@@ -93,7 +96,6 @@ class Simulation {
 
   private:
     void start();
-    void scatter();
     void advance();
     void correct_contacts();
     void damp_and_close();
@@ -103,7 +105,8 @@ class Simulation {
     void decide_step();
     double fastest_rigid(double at) const;
     void begin_rigid(std::size_t body);
-    void push_rigid(std::size_t body, const ContactPair& pair);
+    // found: the velocity that contact took it for.
+    void push_rigid(std::size_t body, const Twist& impulse, const Twist& found);
     void finish_rigid(std::size_t body);
     void measure_energy();
     [[noreturn]] void report_lost(std::ptrdiff_t count) const;
@@ -112,11 +115,12 @@ class Simulation {
 
     Model model;
     CellMeans means{model};
+    Scatter scatter{model, means};
     Gather gather{model, means};
     Loads loads{model};
     std::vector<ContactPair> contacts;
+    std::vector<SurfacePair> surfaces;
     std::vector<std::vector<NodeSums>> node_sums;  // of each body's chunks
-    BodyForce body_force;
     Energy energies;
     double largest_speed = 0.0;  // v + c [m/s]
     bool started = false;

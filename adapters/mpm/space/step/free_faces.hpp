@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The faces of domains in space that no neighbour covers, (V6), as triangles.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "adapters/mpm/space/kernel/call.hpp"
+
+namespace grit::mpm::space {
+
+struct TriangleMesh {
+    std::vector<double> position;       // [vertices][3] [m]
+    std::vector<std::ptrdiff_t> facet;  // [facets][3] vertices, counter-clockwise from outside
+    // [...][4] of the last vertices: each lies in the middle of four others, and moves as their mean.
+    std::vector<std::ptrdiff_t> middle;
+
+    std::ptrdiff_t vertices() const { return static_cast<std::ptrdiff_t>(position.size() / 3); }
+    std::ptrdiff_t facets() const { return static_cast<std::ptrdiff_t>(facet.size() / 3); }
+    Vector3 vertex(std::ptrdiff_t v) const {
+        const auto i = 3 * static_cast<std::size_t>(v);
+        return {position[i], position[i + 1], position[i + 2]};
+    }
+    Vector3 corner(std::ptrdiff_t f, int k) const {
+        return vertex(facet[3 * static_cast<std::size_t>(f) + static_cast<std::size_t>(k)]);
+    }
+    void clear() {
+        position.clear();
+        facet.clear();
+        middle.clear();
+    }
+};
+
+// A parallelepiped x +- r_1 +- r_2 +- r_3.
+struct NearDomain {
+    Vector3 x, r[3];
+};
+
+class FreeFaces {
+  public:
+    // cells: of the grid.
+    explicit FreeFaces(std::size_t cells) : first_in(cells, -1) {}
+
+    // Faces of which neighbours cover less than a half, a quarter of a width outside; corners that are near become one
+    // vertex, at their mean. A face is four triangles around its middle, so that a pressure on it has a quarter of its force
+    // at each corner, as the stress of the domain has. Depends on the order of the domains.
+    void find(const GridView& grid, const std::vector<NearDomain>& domains, TriangleMesh& out);
+
+  private:
+    // A domain as others ask whether a place is in it.
+    struct Covering {
+        Vector3 x, a[3];  // a_k . r_j = 1 where k = j, else 0
+        Vector3 extent;   // of its box, from x
+        double near;      // corners within this are the same vertex [m]
+        bool has(const Vector3& at) const {
+            const Vector3 from = at - x;
+            bool in = true;
+            for (const Vector3& along : a) in = in && std::fabs(dot(along, from)) <= 1.0 + 1e-9;
+            return in;
+        }
+    };
+    struct Corner {
+        Vector3 x;
+        std::ptrdiff_t domain, root;
+        double place;  // along a direction in which few corners are alike
+    };
+    void list(const GridView& grid, const std::vector<NearDomain>& domains);
+    void find_neighbours(const GridView& grid, std::ptrdiff_t i);
+    bool is_free(const NearDomain& q, int direction, double side) const;
+    void add_face(const NearDomain& q, std::ptrdiff_t i, int direction, double side,
+                  TriangleMesh& out);
+    std::ptrdiff_t root(std::ptrdiff_t corner);
+    void join(TriangleMesh& out);
+
+    std::vector<std::ptrdiff_t> first_in;       // cell: a domain, -1: none
+    std::vector<std::ptrdiff_t> next, cell_of;  // of domains
+    std::vector<Covering> covering;
+    Vector3 largest{0.0, 0.0, 0.0};
+    std::vector<std::ptrdiff_t> neighbours;     // of the domain that is looked at
+    std::array<std::ptrdiff_t, 8> corner_of{};  // ... its corners in corners; -1: not there yet
+    std::vector<Corner> corners;
+    std::vector<std::ptrdiff_t> order;
+};
+
+}  // namespace grit::mpm::space

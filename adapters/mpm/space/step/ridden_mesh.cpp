@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/mpm/space/step/ridden_mesh.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace grit::mpm::space {
+namespace {
+
+// Edges that are too long are halved, for both of their triangles, until there is none.
+void divide(TriangleMesh& mesh, double longest) {
+    for (bool again = true; again;) {
+        std::map<std::pair<std::ptrdiff_t, std::ptrdiff_t>, std::ptrdiff_t> middle;
+        const auto middle_of = [&](std::ptrdiff_t a, std::ptrdiff_t b) -> std::ptrdiff_t {
+            const Vector3 x = mesh.vertex(a), y = mesh.vertex(b);
+            if (!(norm(y - x) > longest * (1.0 + 1e-9))) return -1;
+            const auto [place, is_new] =
+                middle.insert({{std::min(a, b), std::max(a, b)}, mesh.vertices()});
+            if (is_new)
+                for (int k = 0; k < 3; ++k) mesh.position.push_back(0.5 * (x[k] + y[k]));
+            return place->second;
+        };
+        std::vector<std::ptrdiff_t> finer;
+        const auto add = [&finer](std::ptrdiff_t a, std::ptrdiff_t b, std::ptrdiff_t c) {
+            finer.insert(finer.end(), {a, b, c});
+        };
+        for (std::size_t f = 0; f < mesh.facet.size(); f += 3) {
+            std::ptrdiff_t v[3] = {mesh.facet[f], mesh.facet[f + 1], mesh.facet[f + 2]}, m[3];
+            int count = 0;
+            for (int k = 0; k < 3; ++k) {
+                m[k] = middle_of(v[k], v[(k + 1) % 3]);
+                count += m[k] >= 0;
+            }
+            // Turned until the first edge is halved, and the last one is not unless all are.
+            for (int turn = 0; turn < 2 && count > 0 && count < 3 && (m[0] < 0 || m[2] >= 0);
+                 ++turn) {
+                std::rotate(v, v + 1, v + 3);
+                std::rotate(m, m + 1, m + 3);
+            }
+            if (count == 0) {
+                add(v[0], v[1], v[2]);
+            } else if (count == 1) {
+                add(v[0], m[0], v[2]);
+                add(m[0], v[1], v[2]);
+            } else if (count == 2) {
+                add(m[0], v[1], m[1]);
+                add(v[0], m[0], m[1]);
+                add(v[0], m[1], v[2]);
+            } else {
+                add(v[0], m[0], m[2]);
+                add(m[0], v[1], m[1]);
+                add(m[2], m[1], v[2]);
+                add(m[0], m[1], m[2]);
+            }
+        }
+        again = !middle.empty();
+        mesh.facet = std::move(finer);
+    }
+}
+
+}  // namespace
+
+RiddenMesh::RiddenMesh(const TriangleMesh& mesh, double longest, const ParticleView& particles,
+                       std::ptrdiff_t count, const int* ids) {
+    TriangleMesh divided = mesh;
+    divide(divided, longest);
+    for (std::ptrdiff_t v = 0; v < divided.vertices(); ++v) {
+        const Vector3 x = divided.vertex(v);
+        std::ptrdiff_t nearest = -1;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::ptrdiff_t p = 0; p < count; ++p) {
+            const double away = norm(particles.position(p) - x);
+            const bool is_first = away == least && ids[p] < ids[nearest];
+            if (!(away < least) && !is_first) continue;
+            least = away;
+            nearest = p;
+        }
+        if (nearest < 0) return;  // a body of nothing
+        riders.push_back({ids[nearest], x - particles.position(nearest)});
+    }
+    for (const std::ptrdiff_t v : divided.facet) facet.push_back(static_cast<std::size_t>(v));
+}
+
+}  // namespace grit::mpm::space

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "adapters/mpm/space/step/scatter.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace grit::mpm::space {
+namespace {
+
+const char* name_of_record(int component) {
+    return component == record::m ? "mass" : component < record::f_x ? "momentum" : "force";
+}
+
+[[noreturn]] void fail(const Body& body, const char* of_what, double t) {
+    std::vector<std::string> names(std::begin(column::names), std::end(column::names));
+    if (body.material)
+        for (const char* name : body.material->own_column_names()) names.emplace_back(name);
+    fail_share(body.name, body.particles, names, of_what, t);
+}
+
+}  // namespace
+
+void Scatter::add_body() {
+    integers.emplace_back();
+    if (model.settings.fixed_point) integers.back().records.resize(model.nodes(), model.pencils());
+}
+
+void Scatter::add_slopes(std::size_t body) {
+    model.parts[body].slopes.resize(model.nodes());
+    if (model.settings.fixed_point) integers[body].slopes.resize(model.nodes(), model.pencils());
+}
+
+void Scatter::operator()() {
+    if (means.wanted()) means.find_stresses();
+    model.for_nodes([this](std::size_t body, std::size_t, std::size_t begin, std::size_t end) {
+        Part& part = model.parts[body];
+        std::fill(part.records.data() + begin, part.records.data() + end, NodeRecord{});
+        if (!part.slopes.empty())
+            std::fill(part.slopes.data() + begin, part.slopes.data() + end, NodeSlope{});
+    });
+    if (!model.settings.fixed_point) return add();
+    do {
+        begin_fixed();
+        add();
+    } while (must_be_done_again());
+    take_fixed();
+}
+
+void Scatter::add() {
+    const bool fixed_point = model.settings.fixed_point;
+    model.for_pencils_apart([this, fixed_point](std::size_t body, int pencil) {
+        Part& part = model.parts[body];
+        const bool with_slopes = !part.slopes.empty();
+        const ScatterCall call{model.grid(),
+                               part.body.particles.view(),
+                               part.pencils.begin(pencil),
+                               part.pencils.begin(pencil + 1),
+                               part.records.data(),
+                               with_slopes ? part.slopes.data() : nullptr,
+                               means.of(body),
+                               part.separation,
+                               fixed_point ? integers[body].records.part(pencil) : nullptr,
+                               fixed_point && with_slopes ? integers[body].slopes.part(pencil)
+                                                          : nullptr};
+        if (body_force) body_force(call.particles, call.begin, call.end, model.t);
+        kernels().scatter(model.settings.shape, call);
+    });
+}
+
+void Scatter::begin_fixed() {
+    for (std::size_t i = 0; i < integers.size(); ++i) {
+        integers[i].records.begin_parts();
+        integers[i].slopes.begin_parts();
+    }
+    model.for_nodes([this](std::size_t body, std::size_t, std::size_t begin, std::size_t end) {
+        integers[body].records.clear(begin, end);
+        if (!model.parts[body].slopes.empty()) integers[body].slopes.clear(begin, end);
+    });
+}
+
+// Throws where a contribution is infinite or no number.
+bool Scatter::must_be_done_again() {
+    constexpr unsigned records = (1u << (record::f_z + 1)) - 1, slopes = (1u << slope::size) - 1;
+    bool again = false;
+    for (std::size_t i = 0; i < integers.size(); ++i) {
+        const Body& body = model.parts[i].body;
+        const auto found = integers[i].records.check(records, alone);
+        if (found.failed >= 0) fail(body, name_of_record(found.failed), model.t);
+        again = again || found.again;
+        if (model.parts[i].slopes.empty()) continue;
+        const auto of_slopes = integers[i].slopes.check(slopes, alone);
+        if (of_slopes.failed >= 0) fail(body, "gradient of its mass", model.t);
+        again = again || of_slopes.again;
+    }
+    return again;
+}
+
+void Scatter::take_fixed() {
+    model.for_nodes([this](std::size_t body, std::size_t, std::size_t begin, std::size_t end) {
+        Part& part = model.parts[body];
+        integers[body].records.add_to(reinterpret_cast<double*>(part.records.data()), begin, end);
+        if (!part.slopes.empty())
+            integers[body].slopes.add_to(reinterpret_cast<double*>(part.slopes.data()), begin, end);
+    });
+}
+
+}  // namespace grit::mpm::space

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Contact of two bodies in space at their true surfaces, the free faces of their particles' domains, through the library.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <grit/contact_surface.h>
+
+#include "adapters/mpm/space/step/contact_pair.hpp"
+#include "adapters/mpm/space/step/near_cells.hpp"
+#include "adapters/mpm/space/step/ridden_mesh.hpp"
+
+namespace grit::mpm::space {
+
+struct SurfaceLaw {
+    std::size_t a = 0, b = 1;  // bodies; a's surface gives the normals and carries the pressure
+    grit_surface_options options{};
+    TriangleMesh mesh_a = {};  // at the start, in the place of a's free faces; no facets: these
+    double spacing = 2.0;      // of what carries the pressure [cells]
+};
+
+SurfaceLaw surface_law(double friction_coefficient);
+
+class SurfacePair {
+  public:
+    SurfacePair(const SurfaceLaw& law, Model& model);
+    // Velocities after the momentum update become those after contact.
+    void correct(Model& model);
+    const SurfaceLaw& law() const { return pair_law; }
+
+    // Of the last step, on b: impulse and its moment about the origin [N s], [N m s]; what contact takes [J].
+    struct Totals {
+        Twist impulse = {};
+        double dissipation = 0.0;
+    };
+    const Totals& totals() const { return step_totals; }
+    // Forces on b by where a's surface points; what bears, its pressure along z, does so wherever it acts.
+    const ContactPair::Measured& measured() const { return step_measured; }
+    // On a body of the pair, about a place.
+    Twist impulse_on(std::size_t body, const Vector3& about) const;
+
+    template <class Self, class Archive> static void visit(Self& pair, Archive& archive) {
+        archive.value(pair.step_totals);
+        archive.value(pair.step_measured);
+    }
+
+  private:
+    // Of a body where the other one is near: its surface, and the nodes that move it.
+    struct Skin {
+        TriangleMesh mesh;
+        std::vector<double> weight, velocity;
+        std::vector<std::ptrdiff_t> node;
+        std::vector<char> is_lost;           // vertices that no node moves
+        std::vector<std::ptrdiff_t> places;  // nodes of the grid, ascending
+        std::vector<double> numbers;         // of these: mass, velocities now and before
+        std::vector<int> fixed;
+    };
+    static bool holds(const Model& model, int direction, bool last);
+    void leave_out_planes_of_symmetry(TriangleMesh& mesh, const GridView& grid) const;
+    void forget();
+    void find_mesh(int which, Part& part, const GridView& grid);
+    void find_nodes(Skin& skin, const Part& part, const Model& model);
+    static void keep_facets(Skin& skin);
+    void find_spacing(const GridView& grid);
+    grit_surface surface(int which, bool rigid);
+    void solve(const grit_surface& a, const grit_surface& b);
+    void write_back(Model& model) const;
+    void add_up(const grit_surface_totals& totals);
+
+    SurfaceLaw pair_law;
+    RiddenMesh mesh_a;
+    bool is_held[6] = {};  // sides of the grid: no velocity across
+    std::vector<std::ptrdiff_t> shared;
+    NearCells near;
+    FreeFaces faces;
+    std::vector<std::ptrdiff_t> near_particles;
+    std::vector<NearDomain> domains;
+    Skin skins[2];
+    std::vector<double> spacing;  // [facets of a] of what carries the pressure [m]
+    std::vector<std::uint64_t> workspace;
+    std::vector<grit_surface_report> reports;
+    Totals step_totals;
+    ContactPair::Measured step_measured{};
+};
+
+}  // namespace grit::mpm::space
