@@ -529,6 +529,19 @@ TEST(SurfaceContact, TakesTheSmallestAndTheLargestMass) {
     }
 }
 
+// Per radian: areas are integrals of r, also where r is small.
+TEST(SurfaceContact, InAxisymmetryHasTheAreaOfARadianBesideTheAxisToo) {
+    for (const double R : {0.02, 1.0, 50.0}) {
+        FreeBody floor(2, {0, 0, R, 0}, {1, 0}, 1e6), block(2, {0, 0, R, 0}, {0, 1}, 1.0);
+        block.move(-1.0);
+        SurfaceCall call = call_of(2, R, 0.1 * R);
+        call.options.axisymmetric = 1;
+        ASSERT_EQ(call(floor, block), GRIT_OK) << call.error.message;
+        EXPECT_NEAR(call.totals.area, 0.5 * R * R, 1e-12 * R * R);
+        EXPECT_NEAR(block.v[3], 0.0, 1e-5);
+    }
+}
+
 TEST(SurfaceContact, MeetsASmallFacetOnALargeOne) {
     FreeBody floor(3, {-100, -100, 0, 100, -100, 0, 0, 100, 0}, {0, 1, 2}, 10.0);
     FreeBody small(3, {0, 0, 0, 0.003, 0, 0, 0, 0.003, 0}, {0, 2, 1}, 1.0);

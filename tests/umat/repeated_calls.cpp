@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What an update returns as done is a point that the next one accepts, at every limit of what is accepted.
+#include "../samples.hpp"
 #include "support/batch.hpp"
+#include "support/random_sand.hpp"
 
 namespace {
 
@@ -146,6 +148,28 @@ TEST(RepeatedCalls, AreAcceptedWhereverTheCallBeforeWasDone) {
     }
     EXPECT_GT(done, 10000);
     EXPECT_GT(refused, 1000);
+}
+
+// Whatever a step of the integrator left of it.
+TEST(RepeatedCalls, NeverLeaveAMemoryBeyondItsRadius) {
+    Random random(2313);
+    int done = 0;
+    for (std::size_t i = 0; i < samples(2000); ++i) {
+        const Sand sand = random_sand(random);
+        Case c = case_of(sand, random, i % 3 == 0 ? 1 : 11);
+        c.options.intergranular_off = 0;
+        c.rotations.clear();  // whose matrices stretch by 1e-9
+        const Case before = c;
+        c.update(sand);
+        const double R = sand.p.elastic_strain_radius;
+        for (std::size_t k = 0; k < c.batch.size(); ++k) {
+            if (c.batch.reports[k].status != GRIT_OK) continue;
+            if (memory_length(before.batch.points[k]) > R) continue;
+            EXPECT_LE(memory_length(c.batch.points[k]), R * (1.0 + 2e-12));
+            ++done;
+        }
+    }
+    EXPECT_GT(done, static_cast<int>(samples(500)));
 }
 
 // Where h comes back shorter than by its own evolution, the report says why.
