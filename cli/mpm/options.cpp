@@ -2,7 +2,8 @@
 #include "cli/mpm/options.hpp"
 
 #include <memory>
-#include <ranges>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -19,13 +20,14 @@ void add_mpm_command(CLI::App& app, Command& asked) {
         app.add_subcommand("mpm", "Run a material-point case, see docs/material-points.md");
     const auto request = std::make_shared<MpmRequest>();
     constexpr grit::mpm::Interval threads = grit::mpm::case_word("numerics", "threads").range;
-    const auto tables = std::views::keys(printed_tables());
+    std::vector<std::string> tables;
+    for (const auto& table : printed_tables()) tables.push_back(table.first);
     mpm->add_option("CASE", request->file, "TOML file");
     mpm->add_option(
            "--keys", request->keys,
            "Print the keys of case files, the words of fix grit/mpm, the variables of fields "
            "or the columns of the history, as in docs/")
-        ->check(one_of({tables.begin(), tables.end()}));
+        ->check(one_of(tables));
     mpm->add_option("--out", request->out, "Folder for data and pictures, made if missing [.]");
     mpm->add_option(
         "--sand", request->sand,
