@@ -54,9 +54,9 @@ void FreeFaces::find_neighbours(const GridView& grid, std::ptrdiff_t i) {
     int first[3], last[3];
     for (int d = 0; d < 3; ++d) {
         const AxisView& axis = grid.axis[d];
-        const double far = about[d] + largest[d];
-        first[d] = axis.cell_of(std::max(own.x[d] - far, axis.node[0]));
-        last[d] = axis.cell_of(std::min(own.x[d] + far, axis.node[axis.cells]));
+        const double reach = about[d] + largest[d];
+        first[d] = axis.cell_of(std::max(own.x[d] - reach, axis.node[0]));
+        last[d] = axis.cell_of(std::min(own.x[d] + reach, axis.node[axis.cells]));
     }
     for (int k = first[2]; k <= last[2]; ++k)
         for (int j = first[1]; j <= last[1]; ++j)
