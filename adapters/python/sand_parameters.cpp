@@ -8,6 +8,7 @@
 #include "adapters/python/errors.hpp"
 #include "adapters/python/parts.hpp"
 #include "element/nearest.hpp"
+#include "element/sand_names.hpp"
 
 namespace grit_python {
 namespace {
@@ -26,13 +27,6 @@ transverse_stiffness m_T, elastic_strain_radius R, evolution_exponent beta_r,
 stiffness_interpolation_exponent chi. Any consistent units: stresses take the unit of h_s.
 Raises BadParameter with name, value, limit and unit. sands() lists the names.)";
 
-std::vector<std::string> names_of_sands() {
-    std::vector<std::string> out;
-    for (int i = 0; i < grit_sand_record_count(); ++i)
-        out.emplace_back(grit_sand_record_at(i)->name);
-    return out;
-}
-
 std::vector<std::string> names_of_parameters() {
     std::vector<std::string> out;
     for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i)
@@ -48,7 +42,7 @@ Sand make(const py::object& name, double stress_scale, const py::kwargs& given) 
         const int record = grit_sand_record_find(key.c_str());
         if (record < 0)
             refuse("there is no sand \"%s\"%s", key.c_str(),
-                   element::suggestion(key, names_of_sands()).c_str());
+                   element::suggestion(key, element::sand_names()).c_str());
         if (!(stress_scale > 0.0) || !std::isfinite(stress_scale))
             refuse("stress_scale must be > 0, got %g", stress_scale);
         check(grit_sand_record_parameters(record, stress_scale, &parameters), key.c_str());

@@ -10,6 +10,7 @@
 #include "cli/sand/sand_file.hpp"
 #include "element/errors.hpp"
 #include "element/nearest.hpp"
+#include "element/sand_names.hpp"
 
 namespace cli {
 namespace {
@@ -49,8 +50,9 @@ NamedSand read_sand_parameters(TomlTable& table) {
     if (const std::optional<std::string> name = table.string_if("name")) {
         const int record = grit_sand_record_find(name->c_str());
         if (record < 0)
-            table.fail("name", fmt::format("{}: no sand is called \"{}\"{}", table.full("name"),
-                                           *name, element::suggestion(*name, sand_names())));
+            table.fail("name",
+                       fmt::format("{}: no sand is called \"{}\"{}", table.full("name"), *name,
+                                   element::suggestion(*name, element::sand_names())));
         grit_sand_record_parameters(record, 1.0, &out.parameters);
         out.name = *name;
     }

@@ -6,7 +6,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <grit/grit.h>
+
+#include "element/sand_names.hpp"
 
 namespace cli {
 namespace {
@@ -19,13 +20,6 @@ std::vector<std::string> choices_of(const CLI::Option& option) {
     if (open == std::string::npos || close == std::string::npos) return out;
     std::istringstream words(type.substr(open + 1, close - open - 1));
     for (std::string word; std::getline(words, word, ',');) out.push_back(word);
-    return out;
-}
-
-std::vector<std::string> sand_names() {
-    std::vector<std::string> out;
-    for (int i = 0; i < grit_sand_record_count(); ++i)
-        out.emplace_back(grit_sand_record_at(i)->name);
     return out;
 }
 
@@ -47,7 +41,7 @@ void walk(const CLI::App& app, CommandWords& out) {
     for (const CLI::Option* each : app.get_options())
         (each->get_positional() ? out.positionals : out.options).push_back(option_words(*each));
     const auto take_sands = [](OptionWords& words) {
-        words.choices = sand_names();
+        words.choices = element::sand_names();
         words.or_file = true;
     };
     if (out.name() == "grit sand show") take_sands(out.positionals.front());

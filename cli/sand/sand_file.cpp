@@ -10,6 +10,7 @@
 #include "cli/sand/parameter_units.hpp"
 #include "element/atomic_file.hpp"
 #include "element/nearest.hpp"
+#include "element/sand_names.hpp"
 
 namespace cli {
 
@@ -28,20 +29,13 @@ void read_sand_parameter(TomlTable& table, int index, grit_sand_parameters& para
     grit_sand_parameter_set(&parameters, index, *value * unit.size);
 }
 
-std::vector<std::string> sand_names() {
-    std::vector<std::string> names;
-    for (int i = 0; i < grit_sand_record_count(); ++i)
-        names.emplace_back(grit_sand_record_at(i)->name);
-    return names;
-}
-
 grit_sand_parameters sand_of(const std::filesystem::path& name_or_file) {
     const std::string name = name_or_file.string();
     const int record = grit_sand_record_find(name.c_str());
     if (record < 0 && std::filesystem::exists(name_or_file)) return read_sand_file(name_or_file);
     if (record < 0)
         throw BadInput(fmt::format("there is no file {0}, and no sand is called \"{0}\"{1}", name,
-                                   element::suggestion(name, sand_names())));
+                                   element::suggestion(name, element::sand_names())));
     grit_sand_parameters out;
     grit_sand_parameters_init(&out, sizeof out);
     grit_sand_record_parameters(record, 1.0, &out);

@@ -19,9 +19,6 @@ void read_sand_parameter(TomlTable& table, int index, grit_sand_parameters& para
 // A sand of the catalogue by its name, or a file of one's own. Throws BadInput.
 grit_sand_parameters sand_of(const std::filesystem::path& name_or_file);
 
-// Names of the catalogue.
-std::vector<std::string> sand_names();
-
 // [sand] with all parameters, stresses in kPa. Throws BadInput.
 grit_sand_parameters read_sand_file(const std::filesystem::path& path);
 
