@@ -88,7 +88,8 @@ std::vector<std::string> history_comments(const grit::mpm::Runner& runner,
         "down from the "
         "work done; energy_residual = kinetic (less that of the start) + stored + contact + "
         "damping + viscosity + absorbed + transfer + pore water + drag + "
-        "implicit pressure - external - rigid, without half a step's work of the pore pressures "
+        "implicit pressure + carried by water - external - rigid, without half a step's work of "
+        "the pore pressures "
         "of the end; "
         "transfer includes pic; "
         "residual_share: "
@@ -96,7 +97,9 @@ std::vector<std::string> history_comments(const grit::mpm::Runner& runner,
         "unbalanced_share: largest |m dv/dt| at a node / largest nodal force of its body; "
         "largest_gap: nan where no distance is measured; pore_water_work: that the compression "
         "of pore water took, drag_loss: that the grains took from water that flows, "
-        "implicit_pressure_loss: that an implicit pressure took of waves; pore "
+        "implicit_pressure_loss: that an implicit pressure took of waves, carried_by_water: "
+        "kinetic "
+        "energy of water that left pores, less of what came into them; pore "
         "pressures: nan where no body has water; water_mass: of water that flows, nan where none "
         "does",
         "how the run ended stands below the last row"};

@@ -107,6 +107,29 @@ TEST(WaterMass, IsKeptOverADrive) {
     }
 }
 
+// Of what is turned over, with steps a quarter as long as usual: at 10 m/s each of those strains sand by percents. What water takes
+// along where sand loses pores is two to six times the limit.
+TEST(WaterEnergy, BalancesOverADrive) {
+    for (const bool implicit : {false, true})
+        for (const bool at_surfaces : {false, true}) {
+            SCOPED_TRACE(testing::Message() << implicit << at_surfaces);
+            PressedSand problem;
+            problem.settings.local_damping = 0.0;
+            problem.settings.cfl = 0.1;
+            problem.ring = false;
+            problem.hyperelastic = true;
+            problem.at_surfaces = at_surfaces;
+            problem.water = PoreWater{.flows = true, .implicit = implicit, .conductivity = 1e-4};
+            if (!implicit) problem.water->bulk_modulus = 2.2e7;
+            const auto simulation = problem.build();
+            while (simulation->time() < 0.02) simulation->step();
+            const Energy energy = simulation->energy();
+            EXPECT_GT(energy.drag, 0.02 * energy.kinetic_0);
+            EXPECT_GT(std::fabs(energy.carried), 1.5e-3 * energy.kinetic_0);
+            EXPECT_NEAR(energy.residual(), 0.0, 1e-3 * energy.kinetic_0);
+        }
+}
+
 // Through a column, from a side to a surface.
 TEST(WaterMass, IsKeptWhereItComesInAndLeaves) {
     for (const bool implicit : {false, true}) {

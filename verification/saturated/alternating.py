@@ -5,9 +5,13 @@ from cell to cell, with contact at nodes and at surfaces: the cases blows_*.toml
 docs/saturated.md; a picture of the cells (gnuplot).
 
 Means of cells, their excess over the pressure at rest; within three radii of the axis, three below the tip and six above it.
-Fourth differences along r and along z over 16, of two neighbours with different signs the smaller one. What has ended
+"Checkerboard": fourth differences along r and along z over 256, as in the table of blocks; by what the pile presses with, the
+largest force on its tip over its section. "Bears": of it where no particle of the 25 cells cavitates, for beside those that do the
+pressure itself jumps. "One way": fourth differences along r or along z over 16, of two neighbours with different signs the smaller one.
+What has ended
 in DIR (results/saturated) is not run again."""
 import argparse
+import math
 import pathlib
 import sys
 
@@ -18,57 +22,84 @@ from results import Frame, History  # noqa: E402
 from piles import EMBEDMENT, RADIUS, frames, has_ended, run  # noqa: E402
 
 CELL_R, CELL_Z, FAR = 0.06825, 0.09, 100.0  # of the grid near the pile; below all of it [m]
+CAVITATES = 99.0  # a particle whose pressure is below that [kPa], of 100 in the cases
 SHOWN = 1.05  # [s]
 
 
+WEIGHTS = (1, -4, 6, -4, 1)
+
+
 def cells(frame):
-    """Mean excess pore pressure [kPa] by the numbers of a cell."""
+    """Mean excess pore pressure [kPa] by the numbers of a cell, and its least pore pressure [kPa]."""
     sums = {}
     for (r, z), area, p in zip(frame.centres(), frame.areas(), frame["pore_pressure"]):
-        of = sums.setdefault((int(r / CELL_R), int((z + FAR) / CELL_Z)), [0.0, 0.0])
+        of = sums.setdefault((int(r / CELL_R), int((z + FAR) / CELL_Z)), [0.0, 0.0, p])
         of[0] += area * (p - 9.81 * max(0.0, -z))
         of[1] += area
-    return {cell: p / area for cell, (p, area) in sums.items()}
+        of[2] = min(of[2], p)
+    return {cell: p / area for cell, (p, area, _) in sums.items()}, {cell: of[2] for cell, of in sums.items()}
 
 
 def fourth(values, cell, direction):
     near = [values.get((cell[0] + i * direction[0], cell[1] + i * direction[1])) for i in range(-2, 3)]
-    if None in near:
-        return None
-    return (near[0] - 4 * near[1] + 6 * near[2] - 4 * near[3] + near[4]) / 16
+    return None if None in near else sum(w * p for w, p in zip(WEIGHTS, near)) / 16
 
 
-def alternating(values, tip):
-    out = []
+def around(values, cell):
+    """The 25 cells around one, row by row; None: some are not there."""
+    near = [values.get((cell[0] + i, cell[1] + j)) for j in range(-2, 3) for i in range(-2, 3)]
+    return None if None in near else near
+
+
+def near_the_tip(values, tip):
     for cell in values:
         r, z = (cell[0] + 0.5) * CELL_R, (cell[1] + 0.5) * CELL_Z - FAR
-        if not (r < 3 * RADIUS and tip - 3 * RADIUS < z < min(tip + 6 * RADIUS, -0.2)):
-            continue
+        if r < 3 * RADIUS and tip - 3 * RADIUS < z < min(tip + 6 * RADIUS, -0.2):
+            yield cell
+
+
+def one_way(values, tip):
+    for cell in near_the_tip(values, tip):
         for direction in ((1, 0), (0, 1)):
             a = fourth(values, cell, direction)
             b = fourth(values, (cell[0] + direction[0], cell[1] + direction[1]), direction)
             if a is not None and b is not None:
-                out.append(min(abs(a), abs(b)) if a * b < 0 else 0.0)
-    return out
+                yield min(abs(a), abs(b)) if a * b < 0 else 0.0
+
+
+def checkerboards(values, least, tip):
+    """(part, whether all 25 cells bear)."""
+    for cell in near_the_tip(values, tip):
+        near = around(values, cell)
+        if near is None:
+            continue
+        part = sum(WEIGHTS[n // 5] * WEIGHTS[n % 5] * p for n, p in enumerate(near)) / 256
+        yield abs(part), min(around(least, cell)) > -CAVITATES
+
+
+def most(parts):
+    return max(parts, default=float("nan"))
 
 
 def row(out, case):
     history = History(out / f"{case}.csv")
     drive, t, depth = history.drive(), history["t"], history["depth"]
-    all_parts, largest = [], 0.0
+    along, boards = [], []
     for time, file in frames(out, case):
         if time < t[drive]:
             continue
         at = min(range(len(history)), key=lambda i: abs(t[i] - time))
-        values = cells(Frame(file))
-        all_parts += alternating(values, -EMBEDMENT - depth[at])
-    largest = max(all_parts)
-    rms = (sum(x * x for x in all_parts) / len(all_parts)) ** 0.5
+        values, least = cells(Frame(file))
+        along += one_way(values, -EMBEDMENT - depth[at])
+        boards += checkerboards(values, least, -EMBEDMENT - depth[at])
+    parts, bears = [part for part, _ in boards], [part for part, bears in boards if bears]
+    pressed = max(history["tip_force"][drive:]) / (math.pi * RADIUS**2)
     driven = ", ".join(f"{1e3 * (depth[last] - depth[drive]):.0f}" for _, last in history.blows())
     kind = f"k = 1e-{case.removeprefix('blows_flow_1e')[0]} m/s"
     law = "surface" if case.endswith("_surface") else "geo"
-    return (f"| {kind} | {law} | {1e3 * depth[drive]:.0f} | {driven} | {largest:.0f} | {rms:.1f} | "
-            f"{max(history['residual_share']):.0e} |")
+    return (f"| {kind} | {law} | {1e3 * depth[drive]:.0f} | {driven} | {pressed:.0f} | {most(parts):.1f}, "
+            f"{100 * most(parts) / pressed:.2f} % | {math.hypot(*parts) / len(parts) ** 0.5:.1f} | {most(bears):.1f}, "
+            f"{100 * most(bears) / pressed:.2f} % | {most(along):.0f} | {max(history['residual_share']):.0e} |")
 
 
 def draw(out, cases, target):
@@ -79,7 +110,7 @@ def draw(out, cases, target):
         at = min(range(len(history)), key=lambda i: abs(history["t"][i] - time))
         tip = -EMBEDMENT - history["depth"][at]
         data += f"${case} << EOD\n" + "".join(
-            f"{(i + 0.5) * CELL_R:.4f} {(j + 0.5) * CELL_Z - FAR:.4f} {p:.2f}\n" for (i, j), p in cells(Frame(file)).items()
+            f"{(i + 0.5) * CELL_R:.4f} {(j + 0.5) * CELL_Z - FAR:.4f} {p:.2f}\n" for (i, j), p in cells(Frame(file))[0].items()
             if i < 10) + "EOD\n"
         name = case.removeprefix("blows_flow_").replace("1e", "k = 1e-").replace("_surface", ", surface")
         script += (f"set object 1 rectangle from 0,{tip} to {RADIUS},0 fillcolor rgb '#b8b8b8' fillstyle solid noborder behind\n"
@@ -102,8 +133,8 @@ def main():
     for case in cases:
         if not has_ended(args.out, case):
             run(args.grit, case, args.out)
-    print("| k | contact | by its weight [mm] | by each blow [mm] | alternating, most [kPa] | RMS [kPa] | energy residual, most |\n"
-          + "|---" * 7 + "|")
+    print("| k | contact | by its weight [mm] | by each blow [mm] | presses with [kPa] | checkerboard, most [kPa] | RMS [kPa] "
+          "| where water bears | one way, most [kPa] | energy residual, most |\n" + "|---" * 10 + "|")
     for case in cases:
         print(row(args.out, case), flush=True)
     if args.picture:

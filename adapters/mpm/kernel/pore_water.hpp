@@ -93,10 +93,13 @@ struct PoreWater {
     }
     // Of water that flows; that of the grains is not in it [J].
     double kinetic_energy(const ParticleView& q, std::ptrdiff_t p) const {
-        if (!flows) return 0.0;
+        return flows ? 0.5 * mass(q, p) * speed_squared(q, p) : 0.0;
+    }
+    // The square of the velocity of water that flows [m2/s2].
+    double speed_squared(const ParticleView& q, std::ptrdiff_t p) const {
         const double v_r = q[column::v_r][p] + q[velocity_column()][p];
         const double v_z = q[column::v_z][p] + q[velocity_column() + 1][p];
-        return 0.5 * mass(q, p) * (v_r * v_r + v_z * v_z);
+        return v_r * v_r + v_z * v_z;
     }
     // What it adds to M/rho, the square of the speed of waves of a skeleton whose particle has this mass by
     // volume (W3): an upper bound, c_1^2 + c_2^2, of water that flows; nothing where its pressure is implicit.
@@ -152,6 +155,7 @@ struct WaterSums {
     Total half;          // of that, by the pressure of the end in half a step [J]
     Total drag;          // taken by drag, at nodes and within particles [J]
     Total between;       // ... by what flows between cells and no node shows [J]
+    Total carried;       // kinetic energy of water that left pores, less of what came into them [J]
     Total gravity_work;  // [J]
     Total side_work;     // of sides that water comes in by [J]
     Total change;        // as those of NodeSums and GatherSums, of water that flows, and ...

@@ -39,6 +39,7 @@ constexpr HistoryColumn columns[] = {
     {"largest_pore_pressure", "Pa", [](const HistoryRow& r) { return r.largest_pore_pressure; }},
     {"implicit_pressure_loss", "J", [](const HistoryRow& r) { return r.energy.implicit; }},
     {"water_mass", "kg", [](const HistoryRow& r) { return r.water_mass; }},
+    {"carried_by_water", "J", [](const HistoryRow& r) { return r.energy.carried; }},
     {"contact_force_x", "N", [](const HistoryRow& r) { return r.contact[0]; }},
     {"contact_force_y", "N", [](const HistoryRow& r) { return r.contact[1]; }},
     {"contact_force_z", "N", [](const HistoryRow& r) { return r.contact[2]; }},

@@ -164,7 +164,7 @@ Energy times(const Energy& e, double factor) {
             factor * e.rigid_work, factor * e.contact,       factor * e.damping,
             factor * e.viscosity,  factor * e.absorbed,      factor * e.transfer,
             factor * e.pic,        factor * e.pore_water,    factor * e.half,
-            factor * e.drag,       factor * e.implicit};
+            factor * e.drag,       factor * e.implicit,      factor * e.carried};
 }
 
 double turned_over(const Energy& e, double least) {
@@ -172,7 +172,7 @@ double turned_over(const Energy& e, double least) {
                      std::abs(e.external_work), std::abs(e.rigid_work), std::abs(e.contact),
                      std::abs(e.damping), std::abs(e.viscosity), std::abs(e.absorbed),
                      std::abs(e.transfer), std::abs(e.pore_water), std::abs(e.drag),
-                     std::abs(e.implicit)});
+                     std::abs(e.implicit), std::abs(e.carried)});
 }
 
 // Positive conditions, so that NaN fails them.

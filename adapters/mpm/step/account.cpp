@@ -46,6 +46,7 @@ void Account::add_step(const Gather& gather, const Momentum& momentum, const Loa
         on_walls,
         rigid_walls,
         implicit,
+        carried,
         count
     };
     const bool fixed_point = model.settings.fixed_point;
@@ -71,6 +72,7 @@ void Account::add_step(const Gather& gather, const Momentum& momentum, const Loa
             step[half] += w.half;
             step[drag] += w.drag;
             step[implicit] += w.between;
+            step[carried] += w.carried;
         }
     step[on_walls] += water.taken().contact;
     step[rigid_walls] += water.taken().rigid_work;
@@ -93,6 +95,7 @@ void Account::add_step(const Gather& gather, const Momentum& momentum, const Loa
     energies.contact += step[on_walls].value();
     energies.rigid_work += step[rigid_walls].value();
     energies.implicit += step[implicit].value();
+    energies.carried += step[carried].value();
     const double count_lost = step[lost].value();
     if (count_lost > 0.0) report_lost(static_cast<long>(count_lost));
     // Sums in fixed point have an end, beyond which they are no numbers.

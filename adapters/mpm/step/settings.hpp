@@ -64,6 +64,7 @@ struct Energy {
     double half = 0.0;      // ... by pressures that velocities, half a step behind, do not know yet
     double drag = 0.0;      // of pore water against grains
     double implicit = 0.0;  // what an implicit pore pressure takes, of waves and of checkerboards
+    double carried = 0.0;   // kinetic energy that water takes along where it leaves pores
 
     // The first term that is infinite or no number any more; null: none.
     const char* not_finite() const {
@@ -80,6 +81,7 @@ struct Energy {
                      {"pore water", pore_water},
                      {"drag", drag},
                      {"implicit pressure", implicit},
+                     {"carried by pore water", carried},
                      {"external work", external_work},
                      {"rigid work", rigid_work}};
         for (const auto& term : terms)
@@ -95,7 +97,8 @@ struct Energy {
     }
     double residual() const {
         return kinetic - kinetic_0 + stored - stored_0 + contact + damping + viscosity + absorbed +
-               transfer + pore_water - half + drag + implicit - external_work - rigid_work;
+               transfer + pore_water - half + drag + implicit + carried - external_work -
+               rigid_work;
     }
 };
 

@@ -16,6 +16,7 @@ struct PressedSand {
     Settings settings{.pic_rate = 20.0, .local_damping = 0.02, .gravity_z = -9.81};
     int cells_z = 24;
     bool ring = true;
+    bool hyperelastic = false;  // the block, whose energy the linear law keeps to its strains alone
     double block_density = 2500.0, block_velocity = -10.0;
 
     double relaxation_time = 0.0, stiffness = 0.0;  // of the contact [s], [Pa/m]
@@ -45,8 +46,11 @@ struct PressedSand {
                                       const std::function<void(Body&)>& keep) const {
         auto out = std::make_unique<Simulation>(axis(0).part(begin[0], end[0]),
                                                 axis(1).part(begin[1], end[1]), settings, exchange);
-        Body block = make_box({0.0, 0.2, 0.51, 0.71, 8, 8, block_density}, true,
-                              std::make_unique<LinearElastic>(1e7, 0.2));
+        std::unique_ptr<Material> elastic;
+        if (hyperelastic) elastic = std::make_unique<NeoHooke>(1e7, 0.2);
+        else elastic = std::make_unique<LinearElastic>(1e7, 0.2);
+        Body block =
+            make_box({0.0, 0.2, 0.51, 0.71, 8, 8, block_density}, true, std::move(elastic));
         block.name = "block";
         const ParticleView v = block.particles.view();
         for (std::ptrdiff_t p = 0; p < block.particles.size(); ++p)
