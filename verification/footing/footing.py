@@ -6,11 +6,8 @@ status 1: a load is above the capacity, or an edge carries less or jumps are lar
 
 CASE: files of this folder without .toml; default: all. What has ended in DIR (results/footing) is not run again. FILE of
 --elements: footing_large.csv that script/calculix leaves."""
-import argparse
-import concurrent.futures
 import csv
 import math
-import os
 import pathlib
 import subprocess
 import sys
@@ -19,6 +16,7 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "pile"))
 from results import Frame, History  # noqa: E402
+from studies import chosen, command_line, run_all  # noqa: E402
 
 HALF, WIDTH = 0.5, 1.0  # of the strip [m]
 SETTLEMENTS = (0.02, 0.05, 0.1, 0.15)  # [m]
@@ -31,12 +29,6 @@ SANDS = {False: (0.60, 1.6, 20.0), True: (0.55, 1.71, 0.0)}  # free: e, density 
 
 def is_free(case):
     return case.startswith("free")
-
-
-def run(grit, case, out):
-    with (out / f"{case}.log").open("w") as file:
-        subprocess.run([grit, "mpm", str(HERE / f"{case}.toml"), "--out", str(out), "--no-plot"],
-                       stdout=file, stderr=subprocess.STDOUT, check=True)
 
 
 def has_ended(file):
@@ -196,26 +188,15 @@ def write_pictures(out, cases, histories, below, of_elements):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--grit", default=str(HERE.parents[1] / "build/run/cli/grit"))
-    parser.add_argument("--out", type=pathlib.Path, default=HERE.parents[1] / "results/footing")
+    parser = command_line(__doc__, "footing")
     parser.add_argument("--again", action="store_true", help="run what has ended too")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--elements", type=pathlib.Path)
     parser.add_argument("--least-edge", type=float, default=-math.inf)
     parser.add_argument("--most-jump", type=float, default=math.inf)
     parser.add_argument("cases", nargs="*", metavar="CASE")
     args = parser.parse_args()
-    cases = args.cases or sorted((file.stem for file in HERE.glob("*.toml")), key=lambda c: (is_free(c), c))
-    for case in cases:
-        if not (HERE / f"{case}.toml").exists():
-            sys.exit(f"footing.py: no case {case} in {HERE}")
-    if not os.access(args.grit, os.X_OK):
-        sys.exit(f"footing.py: no program {args.grit}: script/run builds it")
-    args.out.mkdir(parents=True, exist_ok=True)
-    due = [case for case in cases if args.again or not has_ended(args.out / f"{case}.csv")]
-    with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
-        list(pool.map(lambda case: run(args.grit, case, args.out), due))
+    cases = chosen(args.cases, sorted((file.stem for file in HERE.glob("*.toml")), key=lambda c: (is_free(c), c)))
+    run_all(args, [HERE / f"{case}.toml" for case in cases if args.again or not has_ended(args.out / f"{case}.csv")])
     histories = {case: History(args.out / f"{case}.csv") for case in cases}
     below = {(case, s): Below(args.out, case, s) for case in cases for s in PROFILES}
     of_elements = elements(args.elements) if args.elements else None

@@ -9,16 +9,12 @@ again.
 LAW: published; rate (a relaxation time of 15 us, half the step at CFL 0.4), spring (that, and 0.1 M/h); rate_30us (the whole
 step), dashpot_30us (implicit, without a spring worth the name), spring_{3,10,30}_30us (that, and percents of M/h),
 spring_10_60us; frictional; surface. With _musl behind it: stresses by velocities mapped back (numerics.scheme). Default: all."""
-import argparse
-import concurrent.futures
 import math
-import os
 import pathlib
 import statistics
-import subprocess
-import sys
 
 from results import History
+from studies import chosen, command_line, run_all
 
 HERE = pathlib.Path(__file__).resolve().parent
 END = 0.5  # [s]
@@ -51,18 +47,13 @@ def name_of(law, cells, cfl, member):
     return f"{law}{grid}_cfl{1000 * cfl:.0f}_{member}"
 
 
-def run(grit, law, cells, cfl, member, out):
-    name = name_of(law, cells, cfl, member)
-    if has_ended(out / f"{name}.csv"):
-        return
+def write_case(law, cells, cfl, member, out):
     keys = ALL | LAWS[law] | {"numerics.cfl": cfl, "body.pile.density_kg_per_m3": 8000 * (1 + member * 1e-9),
                               "grid.r.1.cells": cells[0], "grid.z.2.cells": cells[1]}
-    case = out / f"{name}.toml"
+    case = out / f"{name_of(law, cells, cfl, member)}.toml"
     case.write_text(f'base = "{HERE / "two_blows.toml"}"\n[override]\n' +
                     "".join(f'"{key}" = {value!r}\n'.replace("'", "") for key, value in keys.items()))
-    with (out / f"{name}.log").open("w") as log:
-        subprocess.run([grit, "mpm", str(case), "--out", str(out), "--no-plot"], stdout=log, stderr=subprocess.STDOUT,
-                       check=True)
+    return case
 
 
 def depth(out, law, cells, cfl, member):
@@ -72,26 +63,20 @@ def depth(out, law, cells, cfl, member):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--grit", default=str(HERE.parents[1] / "build/run/cli/grit"))
-    parser.add_argument("--out", type=pathlib.Path, default=HERE.parents[1] / "results/self_weight")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser = command_line(__doc__, "self_weight")
     parser.add_argument("--runs", type=int, default=5)
     parser.add_argument("--cfl", type=float, nargs="+", default=[0.4, 0.2, 0.1])
     parser.add_argument("--cells", type=int, nargs=2, default=CELLS, metavar=("R", "Z"))
-    parser.add_argument("laws", nargs="*", metavar="LAW", default=list(LAWS))
+    parser.add_argument("laws", nargs="*", metavar="LAW")
     args = parser.parse_args()
-    for law in args.laws:
-        if law not in LAWS:
-            sys.exit(f"self_weight.py: no law {law}: one of {', '.join(LAWS)}")
+    laws = chosen(args.laws, list(LAWS), "law")
     cells = tuple(args.cells)
     args.out.mkdir(parents=True, exist_ok=True)
-    with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
-        list(pool.map(lambda job: run(args.grit, *job, args.out),
-                      [(law, cells, cfl, m) for m in range(args.runs) for law in args.laws for cfl in args.cfl]))
+    files = [write_case(law, cells, cfl, m, args.out) for m in range(args.runs) for law in laws for cfl in args.cfl]
+    run_all(args, [file for file in files if not has_ended(file.with_suffix(".csv"))])
     print("| depth after 0.5 s [mm], CFL | " + " | ".join(f"{cfl:g}" for cfl in args.cfl) + " |")
     print("|---|" + "---|" * len(args.cfl))
-    for law in args.laws:
+    for law in laws:
         row = []
         for cfl in args.cfl:
             found = [depth(args.out, law, cells, cfl, m) for m in range(args.runs)]

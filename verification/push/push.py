@@ -5,19 +5,16 @@
 CASE: files of this folder without .toml; default: all. What has ended in DIR (results/push) is not run again.
 --members: N runs of each case that differ by choices that are none, in DIR/members, and the table of their means ± standard
 deviations; stresses beside the shaft are means over the frames of the last 0.1 m as well."""
-import argparse
-import concurrent.futures
 import math
-import os
 import pathlib
 import statistics
-import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "pile"))
 from results import K0, Frame, History  # noqa: E402
 from results import rings as beside_shaft  # noqa: E402
+from studies import chosen, command_line, run_all  # noqa: E402
 
 RADIUS = 0.15  # [m]
 DEPTHS = (0.1, 0.2, 0.3, 0.5)  # of the push [m]
@@ -26,12 +23,6 @@ NEUTRAL = ({"body.soil.grain_density_kg_per_m3": 2650 * (1 + 1e-9)}, {"numerics.
            {"body.soil.grain_density_kg_per_m3": 2650 * (1 - 1e-9)}, {"body.soil.grain_density_kg_per_m3": 2650 * (1 + 2e-9)})
 LAST = 0.1  # of the push, whose frames count for members [m]
 FRAME = 0.02  # a frame of members each [m]
-
-
-def run(grit, file, out):
-    with (out / f"{file.stem}.log").open("w") as log:
-        subprocess.run([grit, "mpm", str(file), "--out", str(out), "--no-plot"],
-                       stdout=log, stderr=subprocess.STDOUT, check=True)
 
 
 def speed_of(case):
@@ -129,28 +120,19 @@ def print_members(cases, out):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--grit", default=str(HERE.parents[1] / "build/run/cli/grit"))
-    parser.add_argument("--out", type=pathlib.Path, default=HERE.parents[1] / "results/push")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser = command_line(__doc__, "push")
     parser.add_argument("--members", type=int, default=0, choices=range(len(NEUTRAL) + 1), metavar="N")
     parser.add_argument("cases", nargs="*", metavar="CASE")
     args = parser.parse_args()
-    cases = args.cases or sorted(file.stem for file in HERE.glob("*.toml"))
-    for case in cases:
-        if not (HERE / f"{case}.toml").exists():
-            sys.exit(f"push.py: no case {case} in {HERE}")
-    if not os.access(args.grit, os.X_OK):
-        sys.exit(f"push.py: no program {args.grit}: script/run builds it")
-    out = args.out / "members" if args.members else args.out
-    out.mkdir(parents=True, exist_ok=True)
+    cases = chosen(args.cases, sorted(file.stem for file in HERE.glob("*.toml")))
+    if args.members:
+        args.out /= "members"
+        args.out.mkdir(parents=True, exist_ok=True)
     files = [HERE / f"{case}.toml" for case in cases]
     if args.members:  # the first members of all cases come first
-        files = [file for same in zip(*(write_members(case, args.members, out) for case in cases)) for file in same]
-    due = [file for file in files if not (out / f"{file.stem}.csv").exists()]
-    with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
-        list(pool.map(lambda file: run(args.grit, file, out), due))
-    (print_members if args.members else print_cases)(cases, out)
+        files = [file for same in zip(*(write_members(case, args.members, args.out) for case in cases)) for file in same]
+    run_all(args, [file for file in files if not (args.out / f"{file.stem}.csv").exists()])
+    (print_members if args.members else print_cases)(cases, args.out)
 
 
 if __name__ == "__main__":

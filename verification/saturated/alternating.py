@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""alternating.py [--grit FILE] [--out DIR] [--picture FILE]: what of the pore pressures around a driven pile changes sign
+"""alternating.py [--grit FILE] [--out DIR] [--jobs N] [--picture FILE]: what of the pore pressures around a driven pile changes sign
 from cell to cell, with contact at nodes and at surfaces: the cases blows_*.toml of this folder and the table of
 docs/saturated.md; a picture of the cells (gnuplot).
 
@@ -10,7 +10,6 @@ largest force on its tip over its section. "Bears": of it where no particle of t
 pressure itself jumps. "One way": fourth differences along r or along z over 16, of two neighbours with different signs the smaller one.
 What has ended
 in DIR (results/saturated) is not run again."""
-import argparse
 import math
 import pathlib
 import sys
@@ -19,7 +18,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "pile"))
 from figures import gnuplot  # noqa: E402
 from results import Frame, History  # noqa: E402
-from piles import EMBEDMENT, RADIUS, frames, has_ended, run  # noqa: E402
+from studies import command_line  # noqa: E402
+from piles import EMBEDMENT, RADIUS, frames, run_due  # noqa: E402
 
 CELL_R, CELL_Z, FAR = 0.06825, 0.09, 100.0  # of the grid near the pile; below all of it [m]
 CAVITATES = 99.0  # a particle whose pressure is below that [kPa], of 100 in the cases
@@ -123,16 +123,11 @@ def draw(out, cases, target):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--grit", default=str(HERE.parents[1] / "build/run/cli/grit"))
-    parser.add_argument("--out", type=pathlib.Path, default=HERE.parents[1] / "results/saturated")
+    parser = command_line(__doc__, "saturated")
     parser.add_argument("--picture", type=pathlib.Path)
     args = parser.parse_args()
-    args.out.mkdir(parents=True, exist_ok=True)
     cases = sorted(p.stem for p in HERE.glob("blows_*.toml"))
-    for case in cases:
-        if not has_ended(args.out, case):
-            run(args.grit, case, args.out)
+    run_due(args, cases)
     print("| k | contact | by its weight [mm] | by each blow [mm] | presses with [kPa] | checkerboard, most [kPa] | RMS [kPa] "
           "| where water bears | one way, most [kPa] | energy residual, most |\n" + "|---" * 10 + "|")
     for case in cases:

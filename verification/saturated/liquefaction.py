@@ -3,7 +3,6 @@
 """liquefaction.py [--grit FILE] [--out DIR] [--to DIR] [--undrained]: runs liquefying_column.toml, the same undrained and its
 levels as element tests; prints the tables of docs/saturated.md and draws its picture (gnuplot). --undrained leaves the
 column that drains out, and fails where the other one is not what element tests say."""
-import argparse
 import csv
 import pathlib
 import subprocess
@@ -13,6 +12,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "pile"))
 from piles import frames  # noqa: E402
 from results import Frame  # noqa: E402
+from studies import command_line  # noqa: E402
 
 COLUMN, UNDRAINED, POINTS = "liquefying_column", "liquefying_column_undrained", "liquefying_levels"
 LEVELS = {0.35: "z035", 1.05: "z105", 1.75: "z175"}  # [m]: samples of the element tests
@@ -116,9 +116,7 @@ unset multiplot
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--grit", default=str(HERE.parents[1] / "build/run/cli/grit"))
-    parser.add_argument("--out", type=pathlib.Path, default=HERE.parents[1] / "results/saturated")
+    parser = command_line(__doc__, "saturated", jobs=False)
     parser.add_argument("--to", type=pathlib.Path, help="folder of the picture")
     parser.add_argument("--undrained", action="store_true")
     args = parser.parse_args()

@@ -4,36 +4,24 @@
 pile_*.toml of this folder, and the table of docs/saturated.md.
 
 What has ended in DIR (results/saturated) is not run again."""
-import argparse
-import concurrent.futures
-import os
 import pathlib
 import re
-import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "pile"))
 from results import Frame, History  # noqa: E402
+from studies import chosen, command_line, run_all  # noqa: E402
 
 RADIUS, EMBEDMENT = 0.15, 0.5  # [m]
 COUNTS, SHOWN = (5, 10, 20), 10  # blows that penetrations are told after, and whose peak the others are of
 
 
-def run(grit, case, out):
-    with (out / f"{case}.log").open("w") as log:
-        child = subprocess.Popen([grit, "mpm", str(HERE / f"{case}.toml"), "--out", str(out), "--no-plot", "--threads",
-                                  "1"], stdout=log, stderr=subprocess.STDOUT)
-        _, status, used = os.wait4(child.pid, 0)
-        log.seek(0, os.SEEK_END)
-        log.write(f"processor's time {used.ru_utime + used.ru_stime:.0f} s\n")
-    if status:
-        print(f"piles.py: {case} failed: {out / case}.log", file=sys.stderr)
-
-
-def has_ended(out, case):
-    log = out / f"{case}.log"
-    return log.exists() and "stage drive ended" in log.read_text()
+def run_due(args, cases):
+    """Those that have not ended, with one thread each."""
+    logs = {case: args.out / f"{case}.log" for case in cases}
+    due = [case for case, log in logs.items() if not (log.exists() and "stage drive ended" in log.read_text())]
+    run_all(args, [HERE / f"{case}.toml" for case in due], "--threads", "1")
 
 
 def frames(out, case):
@@ -80,20 +68,11 @@ def row(out, case):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--grit", default=str(HERE.parents[1] / "build/run/cli/grit"))
-    parser.add_argument("--out", type=pathlib.Path, default=HERE.parents[1] / "results/saturated")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser = command_line(__doc__, "saturated")
     parser.add_argument("cases", nargs="*", metavar="CASE")
     args = parser.parse_args()
-    known = sorted(p.stem for p in HERE.glob("pile_*.toml"))
-    for case in args.cases:
-        if case not in known:
-            sys.exit(f"piles.py: no case {case}: one of {', '.join(known)}")
-    cases = args.cases or known
-    args.out.mkdir(parents=True, exist_ok=True)
-    with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
-        list(pool.map(lambda case: run(args.grit, case, args.out), [c for c in cases if not has_ended(args.out, c)]))
+    cases = chosen(args.cases, sorted(p.stem for p in HERE.glob("pile_*.toml")))
+    run_due(args, cases)
     print("| case | by its weight [mm] | " + " | ".join(f"by {n} blows [mm]" for n in COUNTS) + f" | blows | excess pore pressure at "
           f"the peak of blow {SHOWN}, below the tip [kPa] | beside it [kPa] | tip, most of that blow [kN] | energy residual, most | "
           "processor [min] |\n" + "|---" * (8 + len(COUNTS)) + "|")
