@@ -4,6 +4,7 @@ import argparse
 import concurrent.futures
 import os
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -40,8 +41,13 @@ def run(grit, file, out, *options):
                                  stderr=subprocess.STDOUT)
         _, status, used = os.wait4(child.pid, 0)
         log.seek(0, os.SEEK_END)
-        log.write(f"processor's time {used.ru_utime + used.ru_stime:.0f} s\n")
+        log.write(f"processor's time {used.ru_utime + used.ru_stime:.1f} s\n")
     return status == 0
+
+
+def processor_seconds(out, case):
+    """Of a run that has ended."""
+    return float(re.findall(r"processor's time ([\d.]+) s", (out / f"{case}.log").read_text())[-1])
 
 
 def run_all(args, files, *options):

@@ -11,7 +11,7 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "pile"))
 from results import Frame, History  # noqa: E402
-from studies import chosen, command_line, run_all  # noqa: E402
+from studies import chosen, command_line, processor_seconds, run_all  # noqa: E402
 
 RADIUS, EMBEDMENT = 0.15, 0.5  # [m]
 COUNTS, SHOWN = (5, 10, 20), 10  # blows that penetrations are told after, and whose peak the others are of
@@ -61,9 +61,8 @@ def row(out, case):
         cells += [f"{below:.0f}", f"{beside:.0f}"]
     else:
         cells += ["–", "–"]
-    used = re.search(r"processor's time (\d+) s", (out / f"{case}.log").read_text())
     cells += [f"{max(history['tip_force'][first:last]):.0f}", f"{max(history['residual_share']):.0e}",
-              f"{int(used[1]) / 60:.1f}"]
+              f"{processor_seconds(out, case) / 60:.1f}"]
     return "| " + " | ".join(cells) + " |"
 
 
