@@ -148,8 +148,8 @@ Geostatic read_stress_at_rest(TomlTable table) {
     return out;
 }
 
-WaterPlan read_water(TomlTable table, const Case& plan, const MaterialPlan& material) {
-    WaterPlan out;
+void read_water(TomlTable table, const Case& plan, BodyPlan& body) {
+    WaterPlan& out = body.water.emplace();
     if (const auto drainage = choice_if(table, case_word("body.water", "drainage")))
         out.drainage = static_cast<Drainage>(*drainage);
     out.implicit = choice_if(table, case_word("body.water", "pressure")).value_or(0) != 0;
@@ -162,11 +162,11 @@ WaterPlan read_water(TomlTable table, const Case& plan, const MaterialPlan& mate
         number_if(table, case_word("body.water", "conductivity_m_per_s")).value_or(0.0);
     out.kozeny_carman =
         choice_if(table, case_word("body.water", "conductivity_law")).value_or(0) != 0;
-    refuse(table, objection_to(plan, material, out, [&table](std::string_view key) {
+    refuse(table, objection_to(plan, body.material, out, [&table](std::string_view key) {
                return table.has(std::string(key));
            }));
+    refuse(table, objection_to_water_table(body));
     table.finish();
-    return out;
 }
 
 void read_material(TomlTable& table, BodyPlan& body, const std::filesystem::path& sand,
@@ -245,8 +245,7 @@ BodyPlan read_body(TomlTable table, Case& plan, const std::filesystem::path& san
     else read_outlines(table, plan, out);
     read_material(table, out, sand, plan.space.has_value());
     if (plan.space && table.has("water")) refuse_in_space(table, "water");
-    if (auto water = table.table_if("water"))
-        out.water = read_water(std::move(*water), plan, out.material);
+    if (auto water = table.table_if("water")) read_water(std::move(*water), plan, out);
     read_density(table, out);
     if (auto rest = table.table_if("stress_at_rest"))
         out.geostatic = read_stress_at_rest(std::move(*rest));

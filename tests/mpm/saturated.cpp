@@ -249,7 +249,6 @@ TEST(ImplicitPressure, ConsolidatesAsTerzaghiSays) {
     }
 }
 
-// Damping comes before the pressure, or it would take the volume's balance away again.
 // In a block that stands still there is nothing to be found: what is left is judged by the pressures that are there.
 TEST(ImplicitPressure, IsNotSoughtInRoundoff) {
     constexpr int cells = 64, steps = 20;
@@ -264,6 +263,7 @@ TEST(ImplicitPressure, IsNotSoughtInRoundoff) {
     EXPECT_LT(built.simulation->pore_water().iterations(0), 20 * steps);
 }
 
+// Damping comes before the pressure, or it would take the volume's balance away again.
 TEST(ImplicitPressure, IsStableWithLocalDamping) {
     constexpr double load = 1e4;
     for (const double k : {0.0, 1e-5, 1e-3})

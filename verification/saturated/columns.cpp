@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Prints what columns of saturated sand do and what is known of it: the tables of docs/saturated.md.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <grit/sand_catalogue.h>
 #include <tests/mpm/support/mandel_slab.hpp>
@@ -40,22 +43,44 @@ void waves() {
     }
 }
 
+// An error and its order against that of half as many cells, if there was one.
+std::string with_order(double error, double of_half, const char* format) {
+    char text[64], order[32] = "";
+    std::snprintf(text, sizeof text, format, error);
+    if (of_half > 0.0)
+        std::snprintf(order, sizeof order, ", %.1f", observed_order(of_half, std::fabs(error)));
+    return text + std::string(order);
+}
+
+// In water so slow that its mass delays nothing: with k = 1e-3 m/s T is 3e-4 behind, which is the error of 32 cells.
 void terzaghi(bool implicit) {
     std::printf(
-        "\n| cells | T | p/p_0, lowest cell | exact | error | U | exact | error | alternating "
-        "p/p_0 | energy residual |\n|---|---|---|---|---|---|---|---|---|---|\n");
-    for (const int cells : {8, 16, 32})
-        for (const Consolidation& c :
-             consolidate({.cells = cells, .conductivity = 1e-3, .implicit = implicit},
-                         {0.1, 0.2, 0.5, 1.0})) {
-            std::printf("| %d | %.1f | %.4f | %.4f | %+.2f %% | %.4f | %.4f | %+.2f %% | %.0e | "
-                        "%+.1e |\n",
-                        cells, c.T, c.pressure, c.exact_pressure,
-                        100.0 * (c.pressure / c.exact_pressure - 1.0), c.settlement,
-                        c.exact_settlement, 100.0 * (c.settlement / c.exact_settlement - 1.0),
-                        c.alternating, c.residual);
-            std::fflush(stdout);
+        "\n| cells | T | p/p_0, lowest cell | exact | error | U | exact | error, order | all "
+        "cells, RMS of p/p_0, order "
+        "| alternating p/p_0 | energy residual |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
+    std::vector<Consolidation> before;
+    for (const int cells : {8, 16, 32}) {
+        const std::vector<Consolidation> all = consolidate(
+            {.cells = cells, .conductivity = 1e-4, .implicit = implicit}, {0.1, 0.2, 0.5, 1.0});
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const Consolidation& c = all[i];
+            const auto of_settlement = [](const Consolidation& x) {
+                return 100.0 * (x.settlement / x.exact_settlement - 1.0);
+            };
+            std::printf(
+                "| %d | %.1f | %.4f | %.4f | %+.2f %% | %.4f | %.4f | %s | %s | %.0e | %+.1e |\n",
+                cells, c.T, c.pressure, c.exact_pressure,
+                100.0 * (c.pressure / c.exact_pressure - 1.0), c.settlement, c.exact_settlement,
+                with_order(of_settlement(c),
+                           before.empty() ? 0.0 : std::fabs(of_settlement(before[i])), "%+.3f %%")
+                    .c_str(),
+                with_order(c.profile_error, before.empty() ? 0.0 : before[i].profile_error, "%.1e")
+                    .c_str(),
+                c.alternating, c.residual);
         }
+        std::fflush(stdout);
+        before = all;
+    }
 }
 
 void disk() {
@@ -72,19 +97,29 @@ void disk() {
 
 // The implicit pressure in slower water, beside whose flow nothing swings.
 void mandel() {
-    std::printf("\n| pressure | k [m/s] | cells | T | p/p_0 in the middle | exact | error | energy "
-                "residual |\n|---|---|---|---|---|---|---|---|\n");
-    for (const bool implicit : {false, true})
+    std::printf("\n| pressure | k [m/s] | cells | T | p/p_0 in the middle | exact | error | all "
+                "cells, RMS of p/p_0, order "
+                "| energy residual |\n|---|---|---|---|---|---|---|---|---|\n");
+    for (const bool implicit : {false, true}) {
+        std::vector<MandelSlab::Result> before;
         for (const int cells : {8, 16, 32}) {
             const MandelSlab slab{
                 .cells = cells, .conductivity = implicit ? 2e-5 : 1e-4, .implicit = implicit};
-            for (const MandelSlab::Result& r : slab.run({0.1, 0.2, 0.5, 1.0})) {
-                std::printf("| %s | %.0e | %d | %.1f | %.4f | %.4f | %+.2f %% | %+.1e |\n",
+            const std::vector<MandelSlab::Result> all = slab.run({0.1, 0.2, 0.5, 1.0});
+            for (std::size_t i = 0; i < all.size(); ++i) {
+                const MandelSlab::Result& r = all[i];
+                std::printf("| %s | %.0e | %d | %.1f | %.4f | %.4f | %+.2f %% | %s | %+.1e |\n",
                             implicit ? "implicit" : "explicit", slab.conductivity, cells, r.T,
-                            r.pressure, r.exact, 100.0 * (r.pressure / r.exact - 1.0), r.residual);
-                std::fflush(stdout);
+                            r.pressure, r.exact, 100.0 * (r.pressure / r.exact - 1.0),
+                            with_order(r.profile_error,
+                                       before.empty() ? 0.0 : before[i].profile_error, "%.1e")
+                                .c_str(),
+                            r.residual);
             }
+            std::fflush(stdout);
+            before = all;
         }
+    }
 }
 
 // Of a column under a load that comes within 20 ms: after 30 ms.
@@ -101,6 +136,19 @@ void conductivities(bool implicit) {
                     now.largest_pressure / Column::p_0(load),
                     now.settlement / (load * column.height / column.E),
                     now.alternating / Column::p_0(load), now.residual);
+        std::fflush(stdout);
+    }
+}
+
+// The other limit: two seconds after that load, when water that flows bears nothing any more.
+void drained(bool implicit) {
+    std::printf("\n| k [m/s] | largest p/p_0 | settlement / load·L/E |\n|---|---|---|\n");
+    constexpr double load = 1e3;
+    for (const double k : {1e-3, 1e-2, 1e-1}) {
+        const Column column{.conductivity = k, .implicit = implicit, .load = load, .ramp = 0.02};
+        const Loaded now = after_a_load(column, 2.0);
+        std::printf("| %.0e | %.4f | %.4f |\n", k, now.largest_pressure / Column::p_0(load),
+                    now.settlement / (load * column.height / column.E));
         std::fflush(stdout);
     }
 }
@@ -246,6 +294,7 @@ int main(int argc, char** argv) {
         if (wanted("column")) {
             terzaghi(implicit);
             conductivities(implicit);
+            drained(implicit);
         }
         if (wanted("block")) block(implicit);
     }

@@ -52,7 +52,9 @@ namespace words {
 
 inline constexpr Interval anything;
 inline constexpr Interval above_zero{0.0, infinite, true};
-inline constexpr Interval damping_range{0.0, 0.95}, pic_range{0.0, 1e5}, cfl_range{1e-3, 1.0},
+inline constexpr Interval density_range{1e-3, 1e9};  // [kg/m3]
+// Of cfl: above 1/sqrt(2) waves along both directions at once grow.
+inline constexpr Interval damping_range{0.0, 0.95}, pic_range{0.0, 1e5}, cfl_range{1e-3, 0.7},
     share_range{0.0, 1.0}, many{1, 1000000}, time_range{0.0, 1e9}, per_cell{1, 16};
 
 // A unit of keys, in SI units.
@@ -165,8 +167,9 @@ inline constexpr CaseWord all[] = {
     integer("body", "particles_per_cell_z", per_cell, "", "2"),
     integer("body", "particles_per_cell_x", per_cell, "in space", "2"),
     integer("body", "particles_per_cell_y", per_cell, "in space", "2"),
-    number("body", "density_kg_per_m3", above_zero, kg_per_m3, "", "needed but for rigid bodies"),
-    number("body", "grain_density_kg_per_m3", above_zero, kg_per_m3,
+    number("body", "density_kg_per_m3", density_range, kg_per_m3, "",
+           "needed but for rigid bodies"),
+    number("body", "grain_density_kg_per_m3", density_range, kg_per_m3,
            "dry sand with a constant void_ratio, and all bodies with water",
            "by `density_kg_per_m3`"),
     numbers("body", "velocity_m_per_s", metre_per_second,
@@ -250,8 +253,8 @@ inline constexpr CaseWord all[] = {
     choice("body.water", "drainage", drainages, "", "`undrained`"),
     choice("body.water", "pressure", pore_pressures, "", "`explicit`"),
     number("body.water", "porosity", {0.01, 0.99}, none, "at the start", "needed but for sand"),
-    number("body.water", "bulk_modulus_kPa", above_zero, kilopascal, "K_w", "2200000"),
-    number("body.water", "density_kg_per_m3", above_zero, kg_per_m3, "", "1000"),
+    number("body.water", "bulk_modulus_kPa", {1e-3, 1e9}, kilopascal, "K_w", "2200000"),
+    number("body.water", "density_kg_per_m3", density_range, kg_per_m3, "", "1000"),
     number("body.water", "cavitation_kPa", {0.0, 1e6}, kilopascal, "largest tension", "100"),
     number("body.water", "water_table_m", anything, metre,
            "level of no pore pressure at the start, hydrostatic below and above",

@@ -3,6 +3,7 @@
 // together, drained at its sides. Half of it, and above its middle.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -45,6 +46,7 @@ struct MandelSlab {
 
     struct Result {
         double T, pressure, exact;  // of the middle by p_0
+        double profile_error;       // of all cells of the lowest row, RMS, by p_0
         double residual;            // of the energy, by the work of the load
     };
 
@@ -79,14 +81,23 @@ struct MandelSlab {
             while (simulation.time() < T * unit) simulation.step();
             Body& sand = simulation.body(0);
             const ParticleView q = sand.particles.view();
-            double sum = 0.0;
-            int count = 0;
-            for (std::ptrdiff_t p = 0; p < sand.particles.size(); ++p)
-                if (q[column::r][p] < h) sum += sand.water->pressure(q, p), ++count;
+            std::vector<double> sum(static_cast<std::size_t>(cells)), count(sum.size());
+            for (std::ptrdiff_t p = 0; p < sand.particles.size(); ++p) {
+                const auto cell = static_cast<std::size_t>(
+                    std::min(static_cast<int>(q[column::r][p] / h), cells - 1));
+                sum[cell] += sand.water->pressure(q, p) / (load * p_0());
+                count[cell] += 1.0;
+            }
+            double squares = 0.0;
+            for (std::size_t i = 0; i < sum.size(); ++i) {
+                sum[i] /= count[i];
+                const double x = (static_cast<double>(i) + 0.5) * h;
+                const double error = sum[i] - exact(x, simulation.time() / unit, ramp);
+                squares += error * error;
+            }
             const Energy energy = simulation.energy();
-            out.push_back({T, sum / count / (load * p_0()),
-                           exact(0.5 * h, simulation.time() / unit, ramp),
-                           energy.residual() / energy.external_work});
+            out.push_back({T, sum[0], exact(0.5 * h, simulation.time() / unit, ramp),
+                           std::sqrt(squares / cells), energy.residual() / energy.external_work});
         }
         return out;
     }
