@@ -35,6 +35,7 @@ struct Part {
     template <class Self, class Archive> static void visit(Self& part, Archive& archive) {
         Particles::visit(part.body.particles, archive);
         Pencils::visit(part.pencils, archive);
+        archive.nodes(part.records);
         archive.nodes(part.motions);
         if (part.body.rigid()) RigidMotion::visit(*part.body.motion, archive);
     }

@@ -82,6 +82,19 @@ RigidMotion::RigidMotion(const RigidCourse& of, const ParticleView& q, std::ptrd
     spin_momentum = times(inertia(), now.about);
 }
 
+namespace {
+
+Exchange& nobody() {
+    static Exchange alone;
+    return alone;
+}
+
+}  // namespace
+
+RigidMotion::RigidMotion(const RigidCourse& of, const ParticleView& q, std::ptrdiff_t count,
+                         bool fixed_point)
+    : RigidMotion(of, q, count, fixed_point, nobody()) {}
+
 void RigidMotion::check_centre() const {
     if (any_free() && off_mass > 1e-9 * reach)
         throw std::invalid_argument(

@@ -53,6 +53,9 @@ class RigidMotion {
     // Mass and inertia are those of the particles of all processes, as bricks.
     RigidMotion(const RigidCourse& plan, const ParticleView& particles, std::ptrdiff_t count,
                 bool fixed_point, Exchange& exchange);
+    // ... of one process.
+    RigidMotion(const RigidCourse& plan, const ParticleView& particles, std::ptrdiff_t count,
+                bool fixed_point = false);
     // At the start. Throws std::invalid_argument where something is free and the centre is not that of mass.
     void check_centre() const;
 

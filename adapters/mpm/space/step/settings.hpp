@@ -38,8 +38,7 @@ struct Body {
     }
     // ... of one process, at the start.
     void make_rigid(const RigidCourse& course, bool fixed_point = false) {
-        Exchange nobody;
-        make_rigid(course, fixed_point, nobody);
+        motion.emplace(course, particles.view(), particles.size(), fixed_point);
         motion->check_centre();
     }
 };
