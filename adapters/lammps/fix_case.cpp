@@ -13,6 +13,7 @@
 #include "adapters/lammps/words.hpp"
 #include "adapters/mpm/case/case_words.hpp"
 #include "adapters/mpm/io/checksum.hpp"
+#include "adapters/mpm/space/step/settings.hpp"
 #include "adapters/mpm/step/contact_pair.hpp"
 
 namespace grit::lammps {
@@ -39,10 +40,26 @@ std::string name_of_body(std::string_view key) {
     return key == "stiff" ? "the stiffer one" : ": the softer body";
 }
 
+constexpr mpm::Spelling axes[] = {mpm::spelling("r", 0, ""), mpm::spelling("z", 1, "")};
+constexpr mpm::Spelling axes_in_space[] = {mpm::spelling("x", 0, ""), mpm::spelling("y", 1, ""),
+                                           mpm::spelling("z", 2, "")};
+
+mpm::Spellings axes_of(const Case& plan) {
+    return plan.space ? mpm::Spellings(axes_in_space) : mpm::Spellings(axes);
+}
+
+mpm::AxisPlan& axis_of(Case& plan, int direction) {
+    if (plan.space) return plan.space->axis[direction];
+    return direction == 0 ? plan.r : plan.z;
+}
+
+void refuse_in_space(const Case& plan, const char* what) {
+    if (plan.space) throw std::invalid_argument(std::string(what) + " is not there in space");
+}
+
 void read_segment(Words& words, Case& plan) {
-    static constexpr mpm::Spelling axes[] = {mpm::spelling("r", 0, ""), mpm::spelling("z", 1, "")};
-    const int direction = words.choice("the direction of a grid segment", axes);
-    mpm::AxisPlan& axis = direction == 0 ? plan.r : plan.z;
+    mpm::AxisPlan& axis =
+        axis_of(plan, words.choice("the direction of a grid segment", axes_of(plan)));
     mpm::AxisSegment segment{};
     segment.to = words.number("the end of a grid segment");
     segment.cells = words.integer("the number of its cells", case_word("grid.r", "cells").range);
@@ -53,6 +70,12 @@ void read_segment(Words& words, Case& plan) {
 }
 
 void read_boundary(Words& words, Case& plan) {
+    if (plan.space) {
+        const int of_six = words.choice("a side of the grid", mpm::words::sides_in_space);
+        plan.space->boundary[of_six] = static_cast<mpm::Boundary>(
+            words.choice("the boundary of a side", mpm::words::boundaries));
+        return;
+    }
     const int side = words.choice("a side of the grid", mpm::words::sides);
     plan.boundary[side] =
         static_cast<mpm::Boundary>(words.choice("the boundary of a side", mpm::words::boundaries));
@@ -63,12 +86,29 @@ void read_traction(Words& words, FixCase& out) {
     mpm::TractionPlan traction;
     traction.body = words.word("the body of a traction");
     out.traction_groups.push_back(words.word("the group of a traction"));
-    traction.edge =
-        static_cast<mpm::Edge>(words.choice("the edge of a traction", mpm::words::edges));
-    traction.direction[0] = words.number("the direction of a traction along r");
-    traction.direction[1] = words.number("... and along z");
-    if (traction.direction[0] == 0.0 && traction.direction[1] == 0.0)
-        throw std::invalid_argument("the direction of a traction must not be 0");
+    const bool in_space = out.plan.space.has_value();
+    const int edge =
+        words.choice("the edge of a traction", in_space ? mpm::Spellings(mpm::words::sides_in_space)
+                                                        : mpm::Spellings(mpm::words::edges));
+    double direction[3] = {};
+    bool is_none = true;
+    for (int k = 0; k < out.dimensions(); ++k) {
+        direction[k] =
+            words.number("the direction of a traction along " +
+                         std::string(axes_of(out.plan)[static_cast<std::size_t>(k)].word));
+        is_none = is_none && direction[k] == 0.0;
+    }
+    if (is_none) throw std::invalid_argument("the direction of a traction must not be 0");
+    if (in_space) {
+        mpm::FacePlan face;
+        face.across = edge / 2;
+        face.upper = edge % 2 == 1;
+        face.direction = {direction[0], direction[1], direction[2]};
+        out.plan.space->faces.push_back(face);
+    } else {
+        traction.edge = static_cast<mpm::Edge>(edge);
+        traction.direction = {direction[0], direction[1]};
+    }
     Function function = read_function(words, "the stress of a traction");
     traction.stress = std::move(function.time);
     out.traction_variables.push_back(std::move(function.variable));
@@ -82,6 +122,10 @@ void read_contact(Words& words, Case& plan) {
     contact.stiff = words.word("the stiffer body of a contact");
     contact.soft = words.word("the softer body of a contact");
     mpm::words::set_law(contact, words.choice("the law of a contact", mpm::words::contact_laws));
+    if (plan.space && contact.at_surfaces)
+        throw std::invalid_argument("contact " + contact.stiff + ' ' + contact.soft +
+                                    ": the law surface knows no other processes in space yet, "
+                                    "geo and frictional do");
     contact.friction_coefficient =
         words.number("a friction coefficient", case_word("contact", "friction_coefficient"));
     std::set<std::string> given;
@@ -107,9 +151,14 @@ const std::map<std::string, Reader>& readers() {
         {"grid", [](Words& w, FixCase& c) { read_segment(w, c.plan); }},
         {"boundary", [](Words& w, FixCase& c) { read_boundary(w, c.plan); }},
         {"body", read_body},
-        {"water", read_water},
+        {"water",
+         [](Words& w, FixCase& c) {
+             refuse_in_space(c.plan, "pore water");
+             read_water(w, c);
+         }},
         {"drained",
          [](Words& w, FixCase& c) {
+             refuse_in_space(c.plan, "a drained side");
              c.plan.drained[w.choice("a drained side of the grid", mpm::words::sides)] = true;
          }},
         {"motion", read_motion},
@@ -142,13 +191,12 @@ bool read_numerics(const std::string& keyword, Words& words, Case& plan) {
     return count > 0;
 }
 
-void check_grid(const mpm::AxisPlan& axis, double end, const char* name) {
-    if (axis.segments.empty())
-        throw std::invalid_argument(std::string("grid ") + name + " is missing");
+void check_grid(const mpm::AxisPlan& axis, double end, std::string_view name) {
+    const std::string grid = "grid " + std::string(name);
+    if (axis.segments.empty()) throw std::invalid_argument(grid + " is missing");
     if (axis.to() != end)
-        throw std::invalid_argument(std::string("grid ") + name + " ends at " +
-                                    std::to_string(axis.to()) + " m, the box at " +
-                                    std::to_string(end) + " m");
+        throw std::invalid_argument(grid + " ends at " + std::to_string(axis.to()) +
+                                    " m, the box at " + std::to_string(end) + " m");
 }
 
 void check_water(const Case& plan, const mpm::BodyPlan& body) {
@@ -193,14 +241,19 @@ void check_names(const Case& plan) {
 
 }  // namespace
 
-FixCase read_fix(const std::vector<std::string>& given, const double (&box)[2][2]) {
+bool is_in_space(const std::string& geometry) {
+    return geometry == mpm::word_of(mpm::words::geometries, mpm::words::Geometry::space);
+}
+
+FixCase read_fix(const std::vector<std::string>& given, const Box& box) {
     FixCase out;
     Words words(given);
     Case& plan = out.plan;
+    if (is_in_space(words.peek())) plan.space.emplace();
     plan.settings.axisymmetric = words.choice("the geometry", mpm::words::geometries) ==
                                  static_cast<int>(mpm::words::Geometry::axisymmetric);
-    plan.r.from = box[0][0];
-    plan.z.from = box[1][0];
+    for (int d = 0; d < out.dimensions(); ++d)
+        axis_of(plan, d).from = box[static_cast<std::size_t>(d)][0];
     std::string matters = words.taken_since(0);
     while (!words.done()) {
         const std::size_t first = words.taken();
@@ -212,8 +265,12 @@ FixCase read_fix(const std::vector<std::string>& given, const double (&box)[2][2
         if (keyword != "points" && keyword != "threads") matters += words.taken_since(first);
     }
     out.fingerprint = mpm::checksum(matters.data(), matters.size());
-    check_grid(plan.r, box[0][1], "r");
-    check_grid(plan.z, box[1][1], "z");
+    for (const mpm::Spelling& axis : axes_of(plan))
+        check_grid(axis_of(plan, axis.value), box[static_cast<std::size_t>(axis.value)][1],
+                   axis.word);
+    if (plan.space)
+        if (const auto found = mpm::space::not_there(plan.settings); found.key)
+            throw std::invalid_argument(std::string(found.what) + " is not there in space");
     if (plan.history.body.empty() && !plan.bodies.empty()) plan.history.body = plan.bodies[0].name;
     if (plan.stages.empty()) plan.stages.emplace_back().name = "run";
     for (mpm::StagePlan& stage : plan.stages) stage = plan.plain_stage(stage.name);

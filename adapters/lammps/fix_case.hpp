@@ -2,6 +2,7 @@
 // What the words of a fix command describe: a case of the driver, and what LAMMPS has for it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -11,9 +12,10 @@
 
 namespace grit::lammps {
 
-// Equal-style variables, by name, in the place of functions of time; empty: none.
+// Equal-style variables, by name, in the place of functions of time; empty: none. Velocities along x, which is r, y
+// and z, and about these.
 struct MotionVariables {
-    std::string r, z;
+    std::string along[3], about[3];
 };
 
 // The atoms of a body.
@@ -23,18 +25,22 @@ struct Members {
 };
 
 struct FixCase {
-    mpm::Case plan;                               // bodies without outlines
-    std::vector<Members> members;                 // of each body
-    std::vector<std::string> points;              // files, of each body; empty: none
-    std::vector<MotionVariables> motion;          // of each body
+    mpm::Case plan;                       // bodies without outlines
+    std::vector<Members> members;         // of each body
+    std::vector<std::string> points;      // files, of each body; empty: none
+    std::vector<MotionVariables> motion;  // of each body
+    int dimensions() const { return plan.space ? 3 : 2; }
     std::vector<std::string> traction_groups;     // of each traction
     std::vector<std::string> traction_variables;  // ... or empty
     std::uint64_t fingerprint = 0;                // of all words but names of files and threads
 };
 
-// The words after the style's name. box: where the grid begins and ends along r and z.
-// Throws std::invalid_argument.
-FixCase read_fix(const std::vector<std::string>& words, const double (&box)[2][2]);
+// What the box of LAMMPS is to the grid: where it begins and ends along r and z, or x, y and z.
+using Box = std::array<std::array<double, 2>, 3>;
+// The words after the style's name. Throws std::invalid_argument.
+FixCase read_fix(const std::vector<std::string>& words, const Box& box);
+// Of a first word that is one of them; others are refused by read_fix.
+bool is_in_space(const std::string& geometry);
 
 // A stage of a case as fix_modify describes it; what it does not name is as before.
 mpm::StagePlan read_stage(const std::vector<std::string>& words, const mpm::StagePlan& before,

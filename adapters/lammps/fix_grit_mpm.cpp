@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <fstream>
 #include <iterator>
@@ -46,6 +47,12 @@ void show_pores(const mpm::PoreWater* water, const mpm::ParticleView& q, std::pt
     for (int k = 0; k < 3; ++k) to[k + 1] = q[mpm::column::S_rr + k][p] - p_w;
 }
 
+mpm::words::Geometry geometry_of(const mpm::Case& plan) {
+    using mpm::words::Geometry;
+    if (plan.space) return Geometry::space;
+    return plan.settings.axisymmetric ? Geometry::axisymmetric : Geometry::plane_strain;
+}
+
 // A row among doubles: their count with this one, the body, the columns.
 constexpr std::size_t before_columns = 2;
 
@@ -62,6 +69,8 @@ PointRow unpack(const double* from) {
     return {static_cast<std::size_t>(from[1]),
             {from + before_columns, from + static_cast<std::ptrdiff_t>(from[0])}};
 }
+
+static_assert(sizeof(double) == sizeof(std::uint64_t));
 
 }  // namespace
 
@@ -86,10 +95,11 @@ template <class Work> void FixGritMpm::guarded_here(const Work& work) {
 
 FixGritMpm::FixGritMpm(LAMMPS* host, int count, char** words) : Fix(host, count, words) {
     if (count < 4) error->all(FLERR, std::string("Illegal fix grit/mpm command: no geometry"));
+    dimensions = is_in_space(words[3]) ? 3 : 2;
     check_host();
     guarded([&] {
-        const double box[2][2] = {{domain->boxlo[0], domain->boxhi[0]},
-                                  {domain->boxlo[1], domain->boxhi[1]}};
+        Box box;
+        for (std::size_t d = 0; d < box.size(); ++d) box[d] = {domain->boxlo[d], domain->boxhi[d]};
         run = std::make_unique<LocalRun>(
             read_fix({words + 3, words + count}, box),
             [this](const std::string& name, double t) { return variable_at(name, t); });
@@ -118,7 +128,7 @@ FixGritMpm::FixGritMpm(LAMMPS* host, int count, char** words) : Fix(host, count,
     restart_peratom = 1;
     time_depend = 1;
     vector_flag = 1;
-    size_vector = static_cast<int>(mpm::history_columns().size());
+    size_vector = static_cast<int>(mpm::history_columns(run->in_space()).size());
     global_freq = 1;
     extvector = 0;
     peratom_flag = 1;
@@ -147,12 +157,14 @@ void FixGritMpm::check_host() const {
     const auto refuse = [this](const char* why) {
         error->all(FLERR, std::string("Fix grit/mpm requires ") + why);
     };
-    if (domain->dimension != 2) refuse("dimension 2");
+    const bool in_space = dimensions == 3;
+    if (domain->dimension != dimensions) refuse(in_space ? "dimension 3" : "dimension 2");
     if (domain->triclinic) refuse("an orthogonal box");
-    for (int d = 0; d < 2; ++d)
+    for (int d = 0; d < dimensions; ++d)
         for (int side = 0; side < 2; ++side)
             if (domain->boundary[d][side] != 1)
-                refuse("fixed boundaries along x and y: boundary f f p");
+                refuse(in_space ? "fixed boundaries along x, y and z: boundary f f f"
+                                : "fixed boundaries along x and y: boundary f f p");
     if (!atom->tag_enable || atom->map_style == 0)
         refuse("atom IDs and a map: atom_modify map yes");
     check_bricks();
@@ -188,14 +200,19 @@ void FixGritMpm::init() {
 
 // The sub-domains, as Domain::set_local_box cuts them.
 Cuts FixGritMpm::cuts() const {
-    Cuts out{world, {}, {comm->myloc[0], comm->myloc[1]}, {}};
-    const double* splits[] = {comm->xsplit, comm->ysplit};
-    for (std::size_t d = 0; d < 2; ++d) {
+    Cuts out{world, dimensions, {}, {}, {}, {}};
+    const double* splits[] = {comm->xsplit, comm->ysplit, comm->zsplit};
+    for (std::size_t d = 0; d < static_cast<std::size_t>(dimensions); ++d) {
+        out.here[d] = comm->myloc[d];
         for (int i = 0; i < comm->procgrid[d]; ++i)
             out.at[d].push_back(domain->boxlo[d] + domain->prd[d] * splits[d][i]);
         out.at[d].push_back(domain->boxhi[d]);
         for (int side = 0; side < 2; ++side) out.neighbour[d][side] = comm->procneigh[d][side];
     }
+    for (int k = 0; k < comm->procgrid[2]; ++k)
+        for (int j = 0; j < comm->procgrid[1]; ++j)
+            for (int i = 0; i < comm->procgrid[0]; ++i)
+                out.rank.push_back(comm->grid2proc[i][j][k]);
     return out;
 }
 
@@ -236,7 +253,7 @@ void FixGritMpm::setup_pre_neighbor() {
         error->all(FLERR, std::string("Fix grit/mpm: all stages have ended"));
     way = 0.0;
     ask_variables(&LocalRun::ask_for_motion_now);
-    update->dt = run->simulation().next_step() > 0.0 ? run->simulation().next_step() : update->dt;
+    if (run->next_step() > 0.0) update->dt = run->next_step();
     traffic_before = run->halo().traffic();
     run_began = MPI_Wtime();
     first_step = update->ntimestep;
@@ -280,10 +297,9 @@ void FixGritMpm::initial_integrate(int) {
         if (is_looked_at()) show_columns();
         if (run->run().state().stage != stage) timer->force_timeout();
     });
-    const mpm::Simulation& simulation = run->simulation();
-    update->atime = simulation.time();
+    update->atime = run->time();
     update->atimestep = update->ntimestep;
-    update->dt = simulation.next_step();
+    update->dt = run->next_step();
     // The driver's sort has the same measure: one more step moves less than the other half.
     run->halo().max(&way, 1);
     if (way > 0.5 * run->slack()) next_reneighbor = update->ntimestep;
@@ -340,7 +356,7 @@ void FixGritMpm::read_points(std::size_t body) {
                 if (!points) {
                     const mpm::Case& plan = run->description().plan;
                     points = std::make_unique<PointsFile>(
-                        run->column_names(body), line, plan.settings.axisymmetric,
+                        run->column_names(body), line, geometry_of(plan),
                         std::vector<PointsFile::Otherwise>{
                             {"p_w",
                              [&plan, body](std::vector<double>& of) {
@@ -360,7 +376,8 @@ void FixGritMpm::read_points(std::size_t body) {
                                                 run->description().plan.bodies[body].name);
                 if (!seen.insert(tag).second)
                     throw std::invalid_argument("atom " + std::to_string(tag) + " is there twice");
-                PointRow out{body, {atom->x[i][0], atom->x[i][1], atom->v[i][0], atom->v[i][1]}};
+                PointRow out{body, {atom->x[i], atom->x[i] + dimensions}};
+                out.columns.insert(out.columns.end(), atom->v[i], atom->v[i] + dimensions);
                 points->read(line.c_str(), out.columns);
                 put(i, std::move(out));
             } catch (const std::exception& wrong) {
@@ -407,7 +424,8 @@ std::vector<std::vector<int>> FixGritMpm::traction_ids() {
 void FixGritMpm::check_variables() const {
     std::vector<std::string> names = run->description().traction_variables;
     for (const MotionVariables& motion : run->description().motion)
-        names.insert(names.end(), {motion.r, motion.z});
+        for (const auto* of : {&motion.along, &motion.about})
+            names.insert(names.end(), std::begin(*of), std::end(*of));
     for (const std::string& name : names) {
         if (name.empty()) continue;
         const int number = input->variable->find(name.c_str());
@@ -466,17 +484,47 @@ int FixGritMpm::pack_restart(int i, double* to) {
     }
     int size = 0;
     guarded_here([&] { size = pack(run->row(atom->tag[i]), to); });
+    const Riders riders = riders_of(i);
+    if (riders.count > 0) std::memcpy(to + size, riders.words, riders.count * sizeof(double));
+    size += static_cast<int>(riders.count);
+    to[0] = size;
     return size;
+}
+
+// What nodes leave for the next step goes with the atoms of a restart file, so that no process ever has all of it.
+void FixGritMpm::take_nodes_along(const NodeItems& nodes) {
+    std::size_t mine = 0;
+    seat.clear();
+    for (int i = 0; i < atom->nlocal; ++i) {
+        seat.push_back(mine);
+        mine += is_mine(i) ? 1 : 0;
+    }
+    riding = spread(nodes, mine, world);
+}
+
+FixGritMpm::Riders FixGritMpm::riders_of(int i) const {
+    const NodeItems& items = riding.items;
+    const std::size_t at = static_cast<std::size_t>(i) < seat.size()
+                               ? seat[static_cast<std::size_t>(i)] * riding.for_each_place
+                               : items.size();
+    if (at >= items.size()) return {};
+    return {items.words.data() + at * items.each(),
+            std::min(riding.for_each_place, items.size() - at) * items.each()};
 }
 
 int FixGritMpm::size_restart(int i) {
     int size = 1;
     if (is_mine(i))
-        guarded_here([&] { size = packed_size(run->row(atom->tag[i]).columns.size()); });
+        guarded_here([&] {
+            size = packed_size(run->row(atom->tag[i]).columns.size() + riders_of(i).count);
+        });
     return size;
 }
 
-int FixGritMpm::maxsize_restart() { return packed_size(most_columns); }
+// Asked for after the fix has written what is not of atoms.
+int FixGritMpm::maxsize_restart() {
+    return packed_size(most_columns + riding.for_each_place * riding.items.each());
+}
 
 // The rows of fixes follow one another, each with its size in front.
 void FixGritMpm::unpack_restart(int i, int which) {
@@ -485,18 +533,28 @@ void FixGritMpm::unpack_restart(int i, int which) {
     if (from[0] <= 1.0) return;
     PointRow of_atom = unpack(from);
     const std::size_t bodies = run->description().plan.bodies.size();
-    if (of_atom.body >= bodies || of_atom.columns.size() != run->column_names(of_atom.body).size())
+    const std::size_t columns = of_atom.body < bodies ? run->column_names(of_atom.body).size() : 0;
+    const bool is_known = columns > 0 && of_atom.columns.size() >= columns;
+    if (!is_known || (of_atom.columns.size() - columns) % run->words_of_a_node() != 0)
         error->one(FLERR, "Fix grit/mpm: atom " + std::to_string(atom->tag[i]) +
                               " of the restart file is of another material");
+    std::vector<std::uint64_t> riders(of_atom.columns.size() - columns);
+    if (!riders.empty())
+        std::memcpy(riders.data(), of_atom.columns.data() + columns,
+                    riders.size() * sizeof(double));
+    run->take_nodes(riders);
+    of_atom.columns.resize(columns);
     put(i, std::move(of_atom));
 }
 
 void FixGritMpm::write_restart(FILE* file) {
     std::string bytes;
     const std::uint64_t fingerprint = run->description().fingerprint;
+    riding = {};
     guarded([&] {
         if (!run->has_begun()) return void(bytes = to_bytes(nullptr, fingerprint));
         const StoredRun stored = run->store();
+        take_nodes_along(stored.nodes);
         bytes = to_bytes(&stored, fingerprint);
     });
     if (comm->me != 0) return;
@@ -522,22 +580,19 @@ int FixGritMpm::atom_of(int point) const {
 // Positions and velocities for all that looks at atoms.
 void FixGritMpm::show_atoms() {
     double farthest2 = 0.0;
-    for (std::size_t b = 0; b < run->simulation().bodies(); ++b) {
-        mpm::Particles& particles = run->simulation().body(b).particles;
-        const mpm::ParticleView q = particles.view();
-        const double *r = q[mpm::column::r], *z = q[mpm::column::z];
-        const double *v_r = q[mpm::column::v_r], *v_z = q[mpm::column::v_z];
-        for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
-            const int i = atom_of(particles.ids()[p]);
-            double* x = atom->x[i];
-            const double d_r = r[p] - x[0], d_z = z[p] - x[1];
-            farthest2 = std::max(farthest2, d_r * d_r + d_z * d_z);
-            x[0] = r[p];
-            x[1] = z[p];
-            atom->v[i][0] = v_r[p];
-            atom->v[i][1] = v_z[p];
+    run->each_body([&](std::size_t, const mpm::ParticleColumns& q) {
+        for (std::ptrdiff_t p = 0; p < q.size(); ++p) {
+            const int i = atom_of(q.ids()[p]);
+            double way2 = 0.0;
+            for (int d = 0; d < dimensions; ++d) {
+                const double x = q(d, p), moved = x - atom->x[i][d];
+                way2 += moved * moved;
+                atom->x[i][d] = x;
+                atom->v[i][d] = q(dimensions + d, p);
+            }
+            farthest2 = std::max(farthest2, way2);
         }
-    }
+    });
     way += std::sqrt(farthest2);
 }
 
@@ -556,15 +611,15 @@ bool FixGritMpm::is_looked_at() const {
 }
 
 void FixGritMpm::show_columns() {
-    for (std::size_t b = 0; b < run->simulation().bodies(); ++b) {
-        mpm::Particles& particles = run->simulation().body(b).particles;
-        const mpm::ParticleView q = particles.view();
-        for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
-            double* to = shown_rows[static_cast<std::size_t>(atom_of(particles.ids()[p]))];
-            for (int c = 0; c < particles.column_count(); ++c) to[c] = particles(c, p);
-            if (has_water) show_pores(run->water(b), q, p, to + most_columns);
+    run->each_body([&](std::size_t b, const mpm::ParticleColumns& q) {
+        for (std::ptrdiff_t p = 0; p < q.size(); ++p) {
+            double* to = shown_rows[static_cast<std::size_t>(atom_of(q.ids()[p]))];
+            for (int c = 0; c < q.column_count(); ++c) to[c] = q(c, p);
+            if (!has_water) continue;
+            mpm::Particles& particles = run->run().simulation().body(b).particles;
+            show_pores(run->water(b), particles.view(), p, to + most_columns);
         }
-    }
+    });
 }
 
 void FixGritMpm::show(int i, PointRow& given) {
@@ -601,12 +656,12 @@ void FixGritMpm::set_arrays(int i) {
 // What a variable of this fix asks for must not end the means of forces.
 double FixGritMpm::compute_vector(int i) {
     if (!run->started()) return 0.0;
-    const long now = run->simulation().steps();
+    const long now = run->steps();
     if (row_step != now || !(row_is_taken || is_asking)) {
         guarded_here([&] {
             const mpm::HistoryRow found = is_asking ? run->run().row_so_far() : run->run().row();
             row.clear();
-            for (const mpm::HistoryColumn& column : mpm::history_columns())
+            for (const mpm::HistoryColumn& column : mpm::history_columns(run->in_space()))
                 row.push_back(column.value(found));
         });
         row_step = now;

@@ -67,7 +67,15 @@ class FixGritMpm : public LAMMPS_NS::Fix {
     void show_columns();
     void report_traffic();
     bool is_mine(int atom) const;
+    void take_nodes_along(const NodeItems& nodes);
+    // Words of the nodes that ride on an atom.
+    struct Riders {
+        const std::uint64_t* words = nullptr;
+        std::size_t count = 0;
+    };
+    Riders riders_of(int atom) const;
 
+    int dimensions = 2;
     std::unique_ptr<LocalRun> run;
     std::vector<int> member_bits;                      // of bodies by group, 0: by type
     std::vector<std::vector<std::string>> stages_due;  // of fix_modify before the run is built
@@ -80,6 +88,8 @@ class FixGritMpm : public LAMMPS_NS::Fix {
     double way = 0.0;                                 // since the last migration, at most [m]
     std::size_t most_columns = 0, shown_columns = 0;  // of a particle; with those of pores
     bool has_water = false;                           // any body
+    SpreadItems riding;                               // of a restart file that is being written ...
+    std::vector<std::size_t> seat;                    // ... and the place of each atom among ours
     Halo::Traffic traffic_before;
     double run_began = 0.0;
     LAMMPS_NS::bigint first_step = 0;

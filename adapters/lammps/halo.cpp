@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "adapters/lammps/halo.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -25,37 +26,67 @@ class LifeTime {
 };
 
 // The first of those that have a node counts it.
-int first_counted(const std::vector<Slice>& of_all, int here) {
-    const auto i = static_cast<std::size_t>(here);
+int first_counted(const std::vector<Slice>& of_all, std::size_t i) {
     return i == 0 ? of_all[0].first_node : of_all[i - 1].last_node + 1;
 }
 
-int first_counted_cell(const std::vector<Slice>& of_all, int here) {
-    const auto i = static_cast<std::size_t>(here);
+int first_counted_cell(const std::vector<Slice>& of_all, std::size_t i) {
     return i == 0 ? of_all[0].first_cell : of_all[i - 1].last_cell + 1;
 }
+
+struct Sum {
+    double operator()(double a, double b) const { return a + b; }
+    // Sums that are too large wrap: as in the kernels, they have no sign here.
+    std::int64_t operator()(std::int64_t a, std::int64_t b) const {
+        return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) +
+                                         static_cast<std::uint64_t>(b));
+    }
+};
+
+// Of zeros the negative one, on both sides.
+struct Least {
+    double operator()(double a, double b) const {
+        return a < b || (a == b && std::signbit(a)) ? a : b;
+    }
+};
 
 }  // namespace
 
 Halo::Halo(HaloLayout given) : layout(std::move(given)) {
-    const Slice &r = slice(0), &z = slice(1);
-    whole_grid = {layout.grid, r.first_node, z.first_node};
-    const int first_r = first_counted(layout.slices[0], layout.here[0]);
-    const int first_z = first_counted(layout.slices[1], layout.here[1]);
-    for (int j = z.first_node; j <= z.axis_last; ++j)
-        for (int i = r.first_node; i <= r.axis_last; ++i)
-            counts.push_back(i >= first_r && i <= r.last_node && j >= first_z && j <= z.last_node);
-    const int cell_r = first_counted_cell(layout.slices[0], layout.here[0]);
-    const int cell_z = first_counted_cell(layout.slices[1], layout.here[1]);
-    for (int j = z.first_node; j < z.axis_last; ++j)
-        for (int i = r.first_node; i < r.axis_last; ++i)
-            cell_counts.push_back(i >= cell_r && i <= r.last_cell && j >= cell_z &&
-                                  j <= z.last_cell);
+    whole_grid = {layout.plane, slice(0).first_node, slice(1).first_node};
+    counts = counted_first(Of::nodes);
+    cell_counts = counted_first(Of::cells);
+}
+
+std::size_t Halo::lines(int direction, Of what) const {
+    const Slice& s = slice(direction);
+    return static_cast<std::size_t>(s.axis_last - s.first_node + (what == Of::nodes ? 1 : 0));
+}
+
+// Direction by direction: a line counts where all of its coordinates do.
+std::vector<std::uint8_t> Halo::counted_first(Of what) const {
+    std::vector<std::uint8_t> out{1};
+    for (int d = 0; d < dimensions(); ++d) {
+        const auto k = static_cast<std::size_t>(d);
+        const auto here = static_cast<std::size_t>(layout.cuts.here[k]);
+        const Slice& mine = slice(d);
+        const int first = what == Of::nodes ? first_counted(layout.slices[k], here)
+                                            : first_counted_cell(layout.slices[k], here);
+        const int last = what == Of::nodes ? mine.last_node : mine.last_cell;
+        std::vector<std::uint8_t> more;
+        for (std::size_t i = 0; i < lines(d, what); ++i) {
+            const int at = mine.first_node + static_cast<int>(i);
+            for (const std::uint8_t before : out)
+                more.push_back(before && at >= first && at <= last);
+        }
+        out.swap(more);
+    }
+    return out;
 }
 
 std::vector<Halo::Shared> Halo::shared(int direction, Of what) const {
     const auto d = static_cast<std::size_t>(direction);
-    const auto here = static_cast<std::size_t>(layout.here[d]);
+    const auto here = static_cast<std::size_t>(layout.cuts.here[d]);
     const std::vector<Slice>& all = layout.slices[d];
     const Slice& mine = all[here];
     std::vector<Shared> out;
@@ -64,120 +95,133 @@ std::vector<Halo::Shared> Halo::shared(int direction, Of what) const {
         const int last = what == Of::nodes ? before.last_node : before.last_cell;
         if (last >= first) out.push_back({rank, first - mine.first_node, last - first + 1});
     };
-    if (here > 0) add(all[here - 1], mine, layout.neighbour[direction][0]);
-    if (here + 1 < all.size()) add(mine, all[here + 1], layout.neighbour[direction][1]);
+    if (here > 0) add(all[here - 1], mine, layout.cuts.neighbour[d][0]);
+    if (here + 1 < all.size()) add(mine, all[here + 1], layout.cuts.neighbour[d][1]);
     return out;
 }
 
 template <class Number, class Combine>
-void Halo::exchange_along(int direction, Number* values, int per_place, Of what,
-                          const Combine& combine) {
+void Halo::swap(const std::vector<Shared>& with, const std::vector<Run> (&runs)[2], Number* values,
+                const Combine& combine) {
     static_assert(sizeof(Number) == sizeof(std::uint64_t));
-    const std::vector<Shared> with = shared(direction, what);
-    const int less = what == Of::nodes ? 0 : 1;
-    const int n_r = slice(0).axis_last - slice(0).first_node + 1 - less;
-    const int n_z = slice(1).axis_last - slice(1).first_node + 1 - less;
-    // Runs of numbers: a part of each row, or rows.
-    const int runs = direction == 0 ? n_z : 1;
-    const auto each = [&](const Shared& s) {
-        return static_cast<std::size_t>(s.count) *
-               static_cast<std::size_t>(direction == 0 ? 1 : n_r) *
-               static_cast<std::size_t>(per_place);
-    };
-    const auto at = [&](const Shared& s, int run) {
-        const std::ptrdiff_t place =
-            direction == 0 ? std::ptrdiff_t{run} * n_r + s.first : std::ptrdiff_t{s.first} * n_r;
-        return values + place * per_place;
-    };
     MPI_Request requests[4];
     int count = 0;
     for (std::size_t k = 0; k < with.size(); ++k) {
-        const std::size_t size = each(with[k]) * static_cast<std::size_t>(runs);
+        std::size_t size = 0;
+        for (const Run& run : runs[k]) size += run.count;
+        if (size == 0) continue;
+        if (size > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+            throw std::runtime_error("a message to a neighbour has " + std::to_string(size) +
+                                     " numbers, " +
+                                     std::to_string(std::numeric_limits<int>::max()) +
+                                     " is the limit: use more processors");
         outgoing[k].resize(size);
         incoming[k].resize(size);
         MPI_Irecv(incoming[k].data(), static_cast<int>(size), MPI_UINT64_T, with[k].rank, 0,
-                  layout.world, &requests[count++]);
-        for (int run = 0; run < runs; ++run)
-            std::memcpy(outgoing[k].data() + static_cast<std::size_t>(run) * each(with[k]),
-                        at(with[k], run), each(with[k]) * sizeof(Number));
+                  layout.cuts.world, &requests[count++]);
+        std::uint64_t* to = outgoing[k].data();
+        for (const Run& run : runs[k]) {
+            std::memcpy(to, values + run.first, run.count * sizeof(Number));
+            to += run.count;
+        }
         MPI_Isend(outgoing[k].data(), static_cast<int>(size), MPI_UINT64_T, with[k].rank, 0,
-                  layout.world, &requests[count++]);
+                  layout.cuts.world, &requests[count++]);
         ++sent.messages;
         sent.bytes += static_cast<std::int64_t>(size * sizeof(Number));
     }
     MPI_Waitall(count, requests, MPI_STATUSES_IGNORE);
-    for (std::size_t k = 0; k < with.size(); ++k)
-        for (int run = 0; run < runs; ++run) {
-            Number* mine = at(with[k], run);
-            const std::uint64_t* theirs =
-                incoming[k].data() + static_cast<std::size_t>(run) * each(with[k]);
-            for (std::size_t i = 0; i < each(with[k]); ++i) {
+    for (std::size_t k = 0; k < with.size(); ++k) {
+        const std::uint64_t* theirs = incoming[k].data();
+        for (const Run& run : runs[k])
+            for (std::size_t i = 0; i < run.count; ++i, ++theirs) {
                 Number value;
-                std::memcpy(&value, theirs + i, sizeof value);
-                mine[i] = combine(mine[i], value);
+                std::memcpy(&value, theirs, sizeof value);
+                Number& mine = values[run.first + i];
+                mine = combine(mine, value);
             }
-        }
+    }
 }
 
 template <class Number, class Combine>
 void Halo::exchange(Number* values, int per_place, Of what, const Combine& combine) {
     const LifeTime watch(sent.seconds);
-    for (const int direction : {0, 1}) exchange_along(direction, values, per_place, what, combine);
+    const auto each = static_cast<std::size_t>(per_place);
+    for (int direction = 0; direction < dimensions(); ++direction) {
+        const std::vector<Shared> with = shared(direction, what);
+        // What lies side by side along the directions before this one, and how often that is there behind it.
+        std::size_t inner = each, outer = 1;
+        for (int d = 0; d < direction; ++d) inner *= lines(d, what);
+        for (int d = direction + 1; d < dimensions(); ++d) outer *= lines(d, what);
+        for (std::size_t k = 0; k < with.size(); ++k) {
+            runs_with[k].clear();
+            for (std::size_t i = 0; i < outer; ++i)
+                runs_with[k].push_back(
+                    {(i * lines(direction, what) + static_cast<std::size_t>(with[k].first)) * inner,
+                     static_cast<std::size_t>(with[k].count) * inner});
+        }
+        swap(with, runs_with, values, combine);
+    }
 }
 
-void Halo::sum_nodes(mpm::NodeRecord* records, std::ptrdiff_t) {
-    exchange(records->value, mpm::record::size, Of::nodes,
-             [](double a, double b) { return a + b; });
+void Halo::sum_nodes(double* values, std::ptrdiff_t nodes, int each) {
+    if (nodes > 0) exchange(values, each, Of::nodes, Sum());
 }
 
-// Sums that are too large wrap: as in the kernels, they have no sign here.
-void Halo::sum_nodes(mpm::NodeIntegers* records, std::ptrdiff_t) {
-    exchange(reinterpret_cast<std::uint64_t*>(records->value), mpm::record::size, Of::nodes,
-             [](std::uint64_t a, std::uint64_t b) { return a + b; });
-}
-
-void Halo::sum_nodes(Vector2* forces, std::ptrdiff_t nodes) {
-    if (nodes > 0) exchange(forces->c, 2, Of::nodes, [](double a, double b) { return a + b; });
-}
-
-void Halo::sum_cells(mpm::CellIntegers* cells, std::ptrdiff_t count) {
-    if (count > 0)
-        exchange(&cells->volume, 2, Of::cells,
-                 [](std::int64_t a, std::int64_t b) { return a + b; });
-}
-
-void Halo::sum_cells(mpm::NodeIntegers* records, std::ptrdiff_t cells, int each) {
-    if (cells > 0)
-        exchange(reinterpret_cast<std::uint64_t*>(records->value), each * mpm::record::size,
-                 Of::cells, [](std::uint64_t a, std::uint64_t b) { return a + b; });
+void Halo::sum_nodes(std::int64_t* values, std::ptrdiff_t nodes, int each) {
+    if (nodes > 0) exchange(values, each, Of::nodes, Sum());
 }
 
 void Halo::sum_cells(double* values, std::ptrdiff_t cells, int each) {
-    if (cells > 0) exchange(values, each, Of::cells, [](double a, double b) { return a + b; });
+    if (cells > 0) exchange(values, each, Of::cells, Sum());
 }
 
-void Halo::min_nodes(double* values, std::ptrdiff_t, int per_node) {
-    exchange(values, per_node, Of::nodes, [](double a, double b) {
-        // Of zeros the negative one, on both sides.
-        return a < b || (a == b && std::signbit(a)) ? a : b;
-    });
+void Halo::sum_cells(std::int64_t* values, std::ptrdiff_t cells, int each) {
+    if (cells > 0) exchange(values, each, Of::cells, Sum());
+}
+
+void Halo::min_nodes(double* values, std::ptrdiff_t nodes, int each) {
+    if (nodes > 0) exchange(values, each, Of::nodes, Least());
+}
+
+// Both of two neighbours name the nodes that they share: nothing tells the other one which they are.
+void Halo::min_nodes(double* values, const std::vector<std::ptrdiff_t>& nodes, int per_node) {
+    const LifeTime watch(sent.seconds);
+    const auto each = static_cast<std::size_t>(per_node);
+    in_order.clear();
+    for (std::size_t i = 0; i < nodes.size(); ++i) in_order.emplace_back(nodes[i], i);
+    std::sort(in_order.begin(), in_order.end());
+    std::size_t step = 1;
+    for (int direction = 0; direction < dimensions(); ++direction) {
+        const std::size_t along = lines(direction, Of::nodes);
+        const std::vector<Shared> with = shared(direction, Of::nodes);
+        for (std::size_t k = 0; k < with.size(); ++k) {
+            runs_with[k].clear();
+            for (const auto& [node, place] : in_order) {
+                const auto at = static_cast<int>(static_cast<std::size_t>(node) / step % along);
+                if (at >= with[k].first && at < with[k].first + with[k].count)
+                    runs_with[k].push_back({place * each, each});
+            }
+        }
+        swap(with, runs_with, values, Least());
+        step *= along;
+    }
 }
 
 void Halo::max(double* values, int count) {
     const LifeTime watch(sent.seconds);
-    MPI_Allreduce(MPI_IN_PLACE, values, count, MPI_DOUBLE, MPI_MAX, layout.world);
+    MPI_Allreduce(MPI_IN_PLACE, values, count, MPI_DOUBLE, MPI_MAX, layout.cuts.world);
     ++sent.reductions;
 }
 
 void Halo::sum(double* values, int count) {
     const LifeTime watch(sent.seconds);
-    MPI_Allreduce(MPI_IN_PLACE, values, count, MPI_DOUBLE, MPI_SUM, layout.world);
+    MPI_Allreduce(MPI_IN_PLACE, values, count, MPI_DOUBLE, MPI_SUM, layout.cuts.world);
     ++sent.reductions;
 }
 
 void Halo::sum(std::int64_t* values, int count) {
     const LifeTime watch(sent.seconds);
-    MPI_Allreduce(MPI_IN_PLACE, values, count, MPI_UINT64_T, MPI_SUM, layout.world);
+    MPI_Allreduce(MPI_IN_PLACE, values, count, MPI_UINT64_T, MPI_SUM, layout.cuts.world);
     ++sent.reductions;
 }
 
@@ -186,11 +230,11 @@ void Halo::gather(std::vector<mpm::KeyedNumbers>& items) {
     const LifeTime watch(sent.seconds);
     constexpr int words = sizeof(mpm::KeyedNumbers) / sizeof(std::uint64_t);
     int processes = 0;
-    MPI_Comm_size(layout.world, &processes);
+    MPI_Comm_size(layout.cuts.world, &processes);
     words_of.resize(static_cast<std::size_t>(processes));
     first_word.resize(static_cast<std::size_t>(processes));
     const int mine = static_cast<int>(items.size()) * words;
-    MPI_Allgather(&mine, 1, MPI_INT, words_of.data(), 1, MPI_INT, layout.world);
+    MPI_Allgather(&mine, 1, MPI_INT, words_of.data(), 1, MPI_INT, layout.cuts.world);
     std::int64_t total = 0;
     for (std::size_t i = 0; i < words_of.size(); ++i) {
         first_word[i] = static_cast<int>(total);
@@ -203,7 +247,7 @@ void Halo::gather(std::vector<mpm::KeyedNumbers>& items) {
     own_items.swap(items);
     items.resize(static_cast<std::size_t>(total / words));
     MPI_Allgatherv(own_items.data(), mine, MPI_UINT64_T, items.data(), words_of.data(),
-                   first_word.data(), MPI_UINT64_T, layout.world);
+                   first_word.data(), MPI_UINT64_T, layout.cuts.world);
     ++sent.gathers;
     sent.gathered_bytes += total * static_cast<std::int64_t>(sizeof(std::uint64_t));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// The exchange of material points over a grid of processes: first along r, then along z. In each phase two
-// processes share a node, no more: a + b is b + a, and all that hold a node have the same bits of its sum.
+// The exchange of material points over a grid of processes: first along r, or x, then along the next directions. In
+// each phase two processes share a node, no more: a + b is b + a, and all that hold a node have the same bits of its sum.
 #pragma once
 
 #include <array>
@@ -14,12 +14,23 @@
 
 namespace grit::lammps {
 
-struct HaloLayout {
+inline constexpr int most_dimensions = 3;
+
+// How the grid is cut: along r and z, or x, y and z.
+struct Cuts {
     MPI_Comm world;
-    mpm::GridView grid;                        // of all; outlives the halo
-    std::array<std::vector<Slice>, 2> slices;  // of all processes along r and z
-    std::array<int, 2> here;                   // place of this one among them
-    int neighbour[2][2];                       // rank before and behind along r and z
+    int dimensions;
+    std::array<std::vector<double>, most_dimensions> at;  // with both ends [m]
+    std::array<int, most_dimensions> here;                // place of this process among all
+    int neighbour[most_dimensions][2];                    // rank before and behind
+    std::vector<int> rank;  // of all processes, those along the first direction one after the other
+};
+
+// Which lines of nodes each process has.
+struct HaloLayout {
+    Cuts cuts;
+    std::array<std::vector<Slice>, most_dimensions> slices = {};  // of all processes
+    mpm::GridView plane = {};  // of all, where it is one; outlives the halo
 };
 
 class Halo : public mpm::Exchange {
@@ -28,23 +39,24 @@ class Halo : public mpm::Exchange {
 
     const mpm::WholeGrid* whole() const override { return &whole_grid; }
     const std::uint8_t* counted() const override { return counts.data(); }
-    void sum_nodes(mpm::NodeRecord* records, std::ptrdiff_t nodes) override;
-    void sum_nodes(mpm::NodeIntegers* records, std::ptrdiff_t nodes) override;
-    void sum_nodes(Vector2* forces, std::ptrdiff_t nodes) override;
+    void sum_nodes(double* values, std::ptrdiff_t nodes, int each) override;
+    void sum_nodes(std::int64_t* values, std::ptrdiff_t nodes, int each) override;
     const std::uint8_t* counted_cells() const override { return cell_counts.data(); }
-    void sum_cells(mpm::CellIntegers* cells, std::ptrdiff_t count) override;
-    void sum_cells(mpm::NodeIntegers* records, std::ptrdiff_t cells, int each) override;
     void sum_cells(double* values, std::ptrdiff_t cells, int each) override;
-    void min_nodes(double* values, std::ptrdiff_t nodes, int per_node) override;
+    void sum_cells(std::int64_t* values, std::ptrdiff_t cells, int each) override;
+    void min_nodes(double* values, std::ptrdiff_t nodes, int each) override;
+    void min_nodes(double* values, const std::vector<std::ptrdiff_t>& nodes, int each) override;
     void max(double* values, int count) override;
     void sum(double* values, int count) override;
     void sum(std::int64_t* values, int count) override;
     void gather(std::vector<mpm::KeyedNumbers>& items) override;
 
+    int dimensions() const { return layout.cuts.dimensions; }
     const Slice& slice(int direction) const {
-        return layout.slices[static_cast<std::size_t>(direction)][static_cast<std::size_t>(
-            layout.here[static_cast<std::size_t>(direction)])];
+        const auto d = static_cast<std::size_t>(direction);
+        return layout.slices[d][static_cast<std::size_t>(layout.cuts.here[d])];
     }
+    const HaloLayout& of() const { return layout; }
 
     // What this process has sent to neighbours, what it and all others got by gathers, and the wall time of all
     // exchanges, since the start.
@@ -63,11 +75,18 @@ class Halo : public mpm::Exchange {
     };
     enum class Of { nodes, cells };
     std::vector<Shared> shared(int direction, Of what) const;
+    // Of nodes or cells that are held here.
+    std::size_t lines(int direction, Of what) const;
+    std::vector<std::uint8_t> counted_first(Of what) const;
+    // Runs of numbers one after the other, those that a neighbour has too: what it gives is combined with them.
+    struct Run {
+        std::size_t first, count;
+    };
+    template <class Number, class Combine>
+    void swap(const std::vector<Shared>& with, const std::vector<Run> (&runs)[2], Number* values,
+              const Combine& combine);
     template <class Number, class Combine>
     void exchange(Number* values, int per_place, Of what, const Combine& combine);
-    template <class Number, class Combine>
-    void exchange_along(int direction, Number* values, int per_place, Of what,
-                        const Combine& combine);
 
     HaloLayout layout;
     mpm::WholeGrid whole_grid;
@@ -75,6 +94,8 @@ class Halo : public mpm::Exchange {
     std::vector<mpm::KeyedNumbers> own_items;
     std::vector<int> words_of, first_word;  // of each process
     std::array<std::vector<std::uint64_t>, 2> outgoing, incoming;
+    std::vector<std::pair<std::ptrdiff_t, std::size_t>> in_order;  // nodes, and their places
+    std::vector<Run> runs_with[2];                                 // each neighbour
     Traffic sent;
 };
 

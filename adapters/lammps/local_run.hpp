@@ -11,6 +11,7 @@
 
 #include "adapters/lammps/fix_case.hpp"
 #include "adapters/lammps/halo.hpp"
+#include "adapters/lammps/node_items.hpp"
 #include "adapters/mpm/run/run.hpp"
 
 namespace grit::lammps {
@@ -21,27 +22,20 @@ struct PointRow {
     std::vector<double> columns;
 };
 
-// How the grid is cut.
-struct Cuts {
-    MPI_Comm world;
-    std::array<std::vector<double>, 2> at;  // along r and z, with both ends [m]
-    std::array<int, 2> here;
-    int neighbour[2][2];
-};
-
-// A run between two steps, but for its particles; independent of how the grid is cut.
+// A run between two steps, but for its particles; independent of how the grid is cut. The same for all processes, but
+// for nodes, of which each has some.
 struct StoredRun {
     mpm::RunState state;
     double energy_scale = 0.0;  // [J]
     std::vector<mpm::StagePlan> stages;
-    std::string common;                // see GridState
-    std::vector<std::uint64_t> nodes;  // of the whole grid
+    std::string common;  // see GridState
+    NodeItems nodes;     // those with some word that is not 0
 
     template <class Self, class Archive> static void visit(Self& run, Archive& archive) {
         mpm::RunState::visit(run.state, archive);
         archive.value(run.energy_scale);
         archive.list(run.common);
-        archive.list(run.nodes);
+        archive.value(run.nodes.words_each);
         archive.objects(run.stages);
     }
 };
@@ -71,10 +65,12 @@ class LocalRun {
     // Builds what a run needs, once more if the grid is cut in another way. traction_ids: particles of each.
     // Every process must call it. Throws what build_case throws.
     void start(const Cuts& cuts, const std::vector<std::vector<int>>& traction_ids);
-    // Of the step that the next start() begins with.
+    // Of the step that the next start() begins with, and more of its nodes, as in NodeItems.
     void go_on_from(StoredRun run) { stored = std::make_unique<StoredRun>(std::move(run)); }
-    // Every process must call it; particles may be on their way.
-    StoredRun store();
+    void take_nodes(const std::vector<std::uint64_t>& words);
+    std::size_t words_of_a_node() const { return stored ? stored->nodes.each() : 1; }
+    // Particles may be on their way.
+    StoredRun store() const;
     // There is something to store: it was started, or goes on from a stored run.
     bool has_begun() const { return runner || stored; }
     // The grid is not cut that way.
@@ -89,7 +85,17 @@ class LocalRun {
 
     bool started() const { return runner != nullptr; }
     mpm::Runner& run() { return *runner; }
-    mpm::Simulation& simulation() const { return runner->simulation(); }
+    bool in_space() const { return plan.plan.space.has_value(); }
+    double time() const { return runner->subject().time(); }
+    long steps() const { return runner->subject().steps(); }
+    double next_step() const;
+    // work(body, particles) of all bodies, their columns.
+    template <class Work> void each_body(const Work& work) const {
+        with([&](const auto& simulation) {
+            for (std::size_t b = 0; b < simulation.bodies(); ++b)
+                work(b, simulation.body(b).particles);
+        });
+    }
     Halo& halo() { return *exchange; }
     const FixCase& description() const { return plan; }
     // How far particles may get since they were last sent to where they belong [m].
@@ -102,14 +108,32 @@ class LocalRun {
     std::ptrdiff_t particles() const;
 
   private:
+    // work(simulation), in the plane or in space.
+    template <class Work> auto with(const Work& work) const {
+        return in_space() ? work(*runner->space()) : work(runner->simulation());
+    }
     bool is_cut(const Cuts& cuts) const;
     std::size_t asked_variable(const std::string& name, const std::string& stage, bool of_motion);
     void ask(AskedVariable& variable, double t);
     void take_particles_out();
-    mpm::BuiltCase build(const std::vector<std::vector<int>>& traction_ids);
-    void add_bodies(const mpm::BuiltCase& built);
+    using TractionIds = std::vector<std::vector<int>>;
+    mpm::BuiltCase build(const TractionIds& traction_ids);
+    void build_plane(const mpm::BuiltCase& built, const TractionIds& traction_ids);
+    void build_space(const mpm::BuiltCase& built, const TractionIds& traction_ids);
+    mpm::Axis axis_here(int direction) const;
+    // Of a body: those that wait to be here.
+    template <class Particles> Particles particles_of(std::size_t body, int first_own) const;
+    mpm::Body plane_body(std::size_t body);
+    mpm::space::Body space_body(std::size_t body);
+    std::function<Vector2(double)> velocity_of(std::size_t body);
+    std::function<Vector3(double)> with_variables(std::function<Vector3(double)> other,
+                                                  const std::string (&names)[3],
+                                                  const std::string& stage);
     std::size_t body_of(int id) const;
-    std::vector<std::uint64_t> nodes_here(const std::vector<std::uint64_t>& all) const;
+    std::vector<int> nodes_along() const;
+    template <class Work> void each_node(const Work& work) const;
+    NodeItems items() const;
+    std::vector<std::uint64_t> nodes_here(const NodeItems& all) const;
 
     FixCase plan;
     VariableAt variables;
@@ -117,7 +141,7 @@ class LocalRun {
     std::shared_ptr<mpm::Clock> clock;
     std::vector<std::vector<std::string>> names_of;     // columns of each body
     std::vector<std::optional<mpm::PoreWater>> waters;  // of each body
-    mpm::Axis axis_r, axis_z;                           // of the whole grid
+    std::vector<mpm::Axis> axes;                        // of the whole grid
     Cuts cut;
     std::unique_ptr<Halo> exchange;
     std::unique_ptr<mpm::Runner> runner;

@@ -9,14 +9,28 @@
 #include <utility>
 
 #include "adapters/mpm/kernel/particles.hpp"
+#include "adapters/mpm/space/kernel/particles.hpp"
 
 namespace grit::lammps {
 
-namespace c = mpm::column;
+using mpm::words::Geometry;
 
 PointsFile::PointsFile(std::vector<std::string> given, const std::string& first_line,
-                       bool is_axisymmetric, std::vector<Otherwise> otherwise)
-    : names(std::move(given)), axisymmetric(is_axisymmetric) {
+                       Geometry geometry, std::vector<Otherwise> otherwise)
+    : names(std::move(given)), axisymmetric(geometry == Geometry::axisymmetric) {
+    if (geometry == Geometry::space) {
+        namespace c = mpm::space::column;
+        sides = {c::l_x, c::l_y, c::l_z};
+        diagonal = {c::F_xx, c::F_yy, c::F_zz};
+        mass = c::mass;
+        volume = c::V0;
+    } else {
+        namespace c = mpm::column;
+        sides = {c::l_r, c::l_z};
+        diagonal = {c::F_rr, c::F_zz, c::F_tt};
+        mass = c::mass;
+        volume = c::V0;
+    }
     std::istringstream words(first_line.substr(0, first_line.find('#')));
     std::string word;
     if (!(words >> word) || word != "id")
@@ -32,10 +46,11 @@ PointsFile::PointsFile(std::vector<std::string> given, const std::string& first_
         seen[at] = true;
         column.push_back(density ? -1 : static_cast<int>(at));
     }
-    has_mass = seen[c::mass];
-    has_volume = seen[c::V0];
-    if (!seen[c::l_r] || !seen[c::l_z])
-        throw std::invalid_argument("columns l_r and l_z, the half sides, must be there");
+    has_mass = seen[mass];
+    has_volume = seen[volume];
+    for (const std::size_t side : sides)
+        if (!seen[side])
+            throw std::invalid_argument("column " + names[side] + ", a half side, must be there");
     if (has_mass == seen[names.size()])
         throw std::invalid_argument("column mass or column density must be there");
     const auto e = std::find(names.begin(), names.end(), "e");
@@ -54,7 +69,7 @@ int PointsFile::id_of(const char* line) { return static_cast<int>(std::strtol(li
 
 void PointsFile::read(const char* line, std::vector<double>& row) const {
     row.resize(names.size(), 0.0);
-    row[c::F_rr] = row[c::F_zz] = row[c::F_tt] = 1.0;
+    for (const std::size_t unit : diagonal) row[unit] = 1.0;
     char* at = nullptr;
     const long id = std::strtol(line, &at, 10);
     const auto fail = [id](const std::string& why) {
@@ -69,10 +84,15 @@ void PointsFile::read(const char* line, std::vector<double>& row) const {
     }
     while (*at == ' ' || *at == '\t' || *at == '\r') ++at;
     if (*at != '\0' && *at != '\n' && *at != '#') fail("more numbers than columns");
-    if (!has_volume)
-        row[c::V0] = 4.0 * row[c::l_r] * row[c::l_z] * (axisymmetric ? row[c::r] : 1.0);
-    if (!has_mass) row[c::mass] = density * row[c::V0];
-    if (!(row[c::l_r] > 0.0 && row[c::l_z] > 0.0 && row[c::mass] > 0.0 && row[c::V0] > 0.0))
+    double brick = 1.0;
+    bool is_positive = true;
+    for (const std::size_t side : sides) {
+        brick *= 2.0 * row[side];
+        is_positive = is_positive && row[side] > 0.0;
+    }
+    if (!has_volume) row[volume] = axisymmetric ? brick * row[mpm::column::r] : brick;
+    if (!has_mass) row[mass] = density * row[volume];
+    if (!(is_positive && row[mass] > 0.0 && row[volume] > 0.0))
         fail("half sides, mass and volume must be positive");
     for (std::size_t i = 0; i < left_out.size(); ++i)
         row[left_out_columns[i]] = left_out[i].value(row);

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "adapters/mpm/case/spellings.hpp"
+
 namespace grit::lammps {
 
 // A body's columns, and which of them the file must have, may have, or leaves to the atoms.
@@ -18,8 +20,8 @@ class PointsFile {
         std::function<double(std::vector<double>& row)> value;
     };
     // names: of all columns. first_line: of the file. Throws std::invalid_argument.
-    PointsFile(std::vector<std::string> names, const std::string& first_line, bool axisymmetric,
-               std::vector<Otherwise> otherwise);
+    PointsFile(std::vector<std::string> names, const std::string& first_line,
+               mpm::words::Geometry geometry, std::vector<Otherwise> otherwise);
 
     // The number in front of a line; 0: an empty line.
     static int id_of(const char* line);
@@ -30,6 +32,9 @@ class PointsFile {
   private:
     std::vector<std::string> names;
     std::vector<int> column;  // of each number in a line behind the first, -1: density
+    std::vector<std::size_t> sides,
+        diagonal;  // half sides; the components of F that a unit tensor has
+    std::size_t mass, volume;
     bool axisymmetric, has_mass, has_volume;
     std::vector<Otherwise> left_out;
     std::vector<std::size_t> left_out_columns;  // of these

@@ -70,6 +70,12 @@ mpm::SandPlan read_sand(Words& words) {
     return out;
 }
 
+Vector3 read_vector(Words& words, const std::string& what) {
+    Vector3 out;
+    for (int k = 0; k < 3; ++k) out[k] = words.number(what);
+    return out;
+}
+
 }  // namespace
 
 void read_body(Words& words, FixCase& out) {
@@ -87,6 +93,7 @@ void read_body(Words& words, FixCase& out) {
         default: body.material = read_sand(words);
     }
     out.plan.bodies.push_back(std::move(body));
+    if (out.plan.space) out.plan.space->bodies.emplace_back();
     out.members.push_back(members);
     out.points.emplace_back();
     out.motion.emplace_back();
@@ -106,8 +113,29 @@ void read_motion(Words& words, FixCase& out) {
         if (!given) throw std::invalid_argument(std::string(what) + " cannot be pulses");
         table = std::move(*given);
     };
-    component("the velocity along r", rigid->velocity_r, out.motion[body].r);
-    component("the velocity along z", rigid->velocity_z, out.motion[body].z);
+    MotionVariables& variables = out.motion[body];
+    const bool in_space = out.plan.space.has_value();
+    component(in_space ? "the velocity along x" : "the velocity along r", rigid->velocity_r,
+              variables.along[0]);
+    if (in_space) component("the velocity along y", rigid->velocity_y, variables.along[1]);
+    component("the velocity along z", rigid->velocity_z, variables.along[2]);
+    while (in_space) {
+        if (words.take("spin")) {
+            for (int k = 0; k < 3; ++k)
+                component("an angular velocity", rigid->spin[k], variables.about[k]);
+        } else if (words.take("centre")) {
+            rigid->centre = read_vector(words, "the centre of a motion");
+        } else if (words.take("free")) {
+            for (int n = words.integer("how many motions are free", {1, 6}); n > 0; --n)
+                rigid->free[static_cast<std::size_t>(
+                    words.choice("a motion that is free", mpm::words::degrees_of_freedom))] = true;
+        } else if (words.take("start")) {
+            out.plan.space->bodies[body].velocity =
+                read_vector(words, "the velocity that a free motion starts with");
+        } else {
+            break;
+        }
+    }
     if (words.take("from")) rigid->from_stage = words.word("the stage of a motion");
 }
 

@@ -11,7 +11,7 @@
 namespace grit::lammps {
 namespace {
 
-constexpr std::uint64_t format = 0x677269746d706d06;  // "gritmpm", 6
+constexpr std::uint64_t format = 0x677269746d706d07;  // "gritmpm", 7
 
 // In front: LAMMPS hands over no length, so that this one must be believed.
 struct Head {

@@ -67,13 +67,15 @@ void tell_cost(Runner& runner) {
 }
 
 ExitCode convert(const MpmRequest& request, const Case& plan) {
-    if (plan.space)
-        throw BadInput(
-            fmt::format("{}: a case in space cannot be written for LAMMPS", request.file.string()));
+    const auto refuse = [&request](const char* why) {
+        throw BadInput(fmt::format("{}: {}", request.file.string(), why));
+    };
     try {
         write_lammps_files(plan, request.to_lammps);
     } catch (const std::invalid_argument& error) {
-        throw BadInput(fmt::format("{}: {}", request.file.string(), error.what()));
+        refuse(error.what());
+    } catch (const BadInput& refused) {
+        refuse(refused.what());
     }
     if (!request.quiet)
         say("{}: grit-lmp -in {}.in in {}\n", plan.name, plan.name, request.to_lammps.string());

@@ -57,17 +57,36 @@ class FixWords {
     std::string out;
 };
 
+void add_segments(char direction, const AxisPlan& axis, FixWords& fix) {
+    for (const AxisSegment& segment : axis.segments)
+        fix.add("grid {} {} {} {}", direction, exact(segment.to), segment.cells,
+                exact(segment.growth));
+}
+
+void refuse_kind(Boundary kind) {
+    for (const Spelling& word : words::boundaries)
+        if (word.value == static_cast<int>(kind) && !word.in_fix)
+            throw BadInput(fmt::format("fix grit/mpm of LAMMPS has no {} sides", word.word));
+}
+
+void add_grid_in_space(const SpacePlan& space, FixWords& fix) {
+    for (const std::size_t d : {0, 1, 2}) add_segments("xyz"[d], space.axis[d], fix);
+    for (const Spelling& side : words::sides_in_space) {
+        const Boundary kind = space.boundary[side.value];
+        refuse_kind(kind);
+        if (kind != Boundary::free)
+            fix.add("boundary {} {}", side.word, word_of(words::boundaries, kind));
+    }
+}
+
 void add_grid(const Case& plan, FixWords& fix) {
-    for (const char direction : {'r', 'z'})
-        for (const AxisSegment& segment : (direction == 'r' ? plan.r : plan.z).segments)
-            fix.add("grid {} {} {} {}", direction, exact(segment.to), segment.cells,
-                    exact(segment.growth));
+    if (plan.space) return add_grid_in_space(*plan.space, fix);
+    add_segments('r', plan.r, fix);
+    add_segments('z', plan.z, fix);
     if (!plan.inflows.empty()) throw BadInput("fix grit/mpm of LAMMPS has no inflow across sides");
     for (const Spelling& side : words::sides) {
         const Boundary kind = plan.boundary[side.value];
-        for (const Spelling& word : words::boundaries)
-            if (word.value == static_cast<int>(kind) && !word.in_fix)
-                throw BadInput(fmt::format("fix grit/mpm of LAMMPS has no {} sides", word.word));
+        refuse_kind(kind);
         if (kind != Boundary::free)
             fix.add("boundary {} {}", side.word, word_of(words::boundaries, kind));
         if (plan.drained[side.value]) fix.add("drained {}", side.word);
@@ -121,6 +140,29 @@ void add_water(const BodyPlan& body, FixWords& fix) {
         fix.out += fmt::format(" kozeny_carman {}", exact(conductivity_at(body)));
 }
 
+std::string of_vector(const grit::Vector3& x) {
+    return fmt::format("{} {} {}", exact(x[0]), exact(x[1]), exact(x[2]));
+}
+
+std::string of_motion(const Case& plan, std::size_t body) {
+    const auto& rigid = std::get<RigidPlan>(plan.bodies[body].material);
+    std::string out = of_table(rigid.velocity_r);
+    if (!plan.space)
+        return fmt::format("{} {}{}", out, of_table(rigid.velocity_z), from(rigid.from_stage));
+    out += fmt::format(" {} {}", of_table(rigid.velocity_y), of_table(rigid.velocity_z));
+    out += fmt::format(" spin {} {} {}", of_table(rigid.spin[0]), of_table(rigid.spin[1]),
+                       of_table(rigid.spin[2]));
+    if (rigid.centre) out += fmt::format(" centre {}", of_vector(*rigid.centre));
+    if (rigid.any_free()) {
+        out += fmt::format(" free {}", std::count(rigid.free.begin(), rigid.free.end(), true));
+        for (const Spelling& degree : words::degrees_of_freedom)
+            if (rigid.free[static_cast<std::size_t>(degree.value)])
+                out += fmt::format(" {}", degree.word);
+        out += fmt::format(" start {}", of_vector(plan.space->bodies[body].velocity));
+    }
+    return out + from(rigid.from_stage);
+}
+
 void add_bodies(const Case& plan, const std::string& stem, FixWords& fix) {
     for (std::size_t i = 0; i < plan.bodies.size(); ++i) {
         const BodyPlan& body = plan.bodies[i];
@@ -130,9 +172,7 @@ void add_bodies(const Case& plan, const std::string& stem, FixWords& fix) {
                                    exact(elastic->youngs_modulus), exact(elastic->poissons_ratio));
         if (const auto* sand = std::get_if<SandPlan>(&body.material)) material = of_sand(*sand);
         fix.add("body {} type {} {}", body.name, i + 1, material);
-        if (const auto* rigid = std::get_if<RigidPlan>(&body.material))
-            fix.add("motion {} {} {}{}", body.name, of_table(rigid->velocity_r),
-                    of_table(rigid->velocity_z), from(rigid->from_stage));
+        if (body.rigid()) fix.add("motion {} {}", body.name, of_motion(plan, i));
         if (body.water) add_water(body, fix);
         fix.add("points {} {}_{}.points", body.name, stem, body.name);
     }
@@ -141,6 +181,8 @@ void add_bodies(const Case& plan, const std::string& stem, FixWords& fix) {
 void add_contacts(const Case& plan, FixWords& fix) {
     for (const ContactPlan& contact : plan.contacts) {
         if (contact.penalty) throw BadInput("fix grit/mpm of LAMMPS has no penalty contact");
+        if (plan.space && contact.at_surfaces)
+            throw BadInput("fix grit/mpm of LAMMPS has no surface contact in space yet");
         if (!contact.surface_line.points.empty())
             throw BadInput(
                 "fix grit/mpm of LAMMPS has no stiff_line: surfaces are free edges there");
@@ -168,8 +210,14 @@ void add_contacts(const Case& plan, FixWords& fix) {
 void add_tractions(const Case& plan, FixWords& fix) {
     for (std::size_t i = 0; i < plan.tractions.size(); ++i) {
         const TractionPlan& t = plan.tractions[i];
-        fix.add("traction {} traction_{} {} {} {} {}{}{}", t.body, i + 1,
-                word_of(words::edges, t.edge), exact(t.direction[0]), exact(t.direction[1]),
+        const FacePlan* face = plan.space ? &plan.space->faces[i] : nullptr;
+        const std::string_view edge =
+            face ? word_of(words::sides_in_space, 2 * face->across + (face->upper ? 1 : 0))
+                 : word_of(words::edges, t.edge);
+        const std::string direction =
+            face ? of_vector(face->direction)
+                 : fmt::format("{} {}", exact(t.direction[0]), exact(t.direction[1]));
+        fix.add("traction {} traction_{} {} {} {}{}{}", t.body, i + 1, edge, direction,
                 of_function(t.stress), t.on_mixture ? " mixture" : "", from(t.from_stage));
     }
 }
@@ -200,10 +248,10 @@ std::string id_list(const std::vector<int>& ids) {
     return out;
 }
 
-std::string columns_comment() {
+std::string columns_comment(bool in_space) {
     std::string out = "# Columns:";
     int number = 1;
-    for (const HistoryColumn& column : grit::mpm::history_columns())
+    for (const HistoryColumn& column : grit::mpm::history_columns(in_space))
         out += fmt::format("{}{} {}{}", number % 6 == 1 ? "\n#   " : ", ", number, column.name,
                            *column.unit ? fmt::format(" [{}]", column.unit) : ""),
             ++number;
@@ -215,6 +263,7 @@ std::string columns_comment() {
 std::string pore_columns_comment(const Case& plan) {
     std::size_t longest = 0;
     bool any = false;
+    if (plan.space) return {};
     for (const BodyPlan& body : plan.bodies) {
         const auto material = make_material(body);
         const auto water =
@@ -233,10 +282,11 @@ std::string pore_columns_comment(const Case& plan) {
 
 std::string lammps_fix(const Case& plan, const std::string& stem) {
     FixWords fix;
+    using words::Geometry;
+    const Geometry in_plane =
+        plan.settings.axisymmetric ? Geometry::axisymmetric : Geometry::plane_strain;
     fix.out = fmt::format("fix mpm all grit/mpm {}",
-                          word_of(words::geometries, plan.settings.axisymmetric
-                                                         ? words::Geometry::axisymmetric
-                                                         : words::Geometry::plane_strain));
+                          word_of(words::geometries, plan.space ? Geometry::space : in_plane));
     add_grid(plan, fix);
     add_numerics(plan, fix);
     std::string stages = fmt::format("stages {}", plan.stages.size());
@@ -249,7 +299,8 @@ std::string lammps_fix(const Case& plan, const std::string& stem) {
     return fmt::format("neigh_modify once yes\n{}\n\n{}{}"
                        "thermo_style custom step f_mpm[*]\n"
                        "thermo_modify format float %.17g line one\n",
-                       fix.out, columns_comment(), pore_columns_comment(plan));
+                       fix.out, columns_comment(plan.space.has_value()),
+                       pore_columns_comment(plan));
 }
 
 std::string lammps_script(const Case& plan, const std::string& stem,
@@ -257,9 +308,10 @@ std::string lammps_script(const Case& plan, const std::string& stem,
     std::string out = fmt::format(
         "# {}\n# Written by Grit {}; needs fix grit/mpm, see docs/lammps.md.\n"
         "variable thermo_steps index 100\nvariable most_steps index 2000000000\n\n"
-        "units si\ndimension 2\nboundary f f p\natom_style atomic\natom_modify map yes\n"
+        "units si\n{}\natom_style atomic\natom_modify map yes\n"
         "read_data {}.data\n",
-        plan.title, version(), stem);
+        plan.title, version(),
+        plan.space ? "dimension 3\nboundary f f f" : "dimension 2\nboundary f f p", stem);
     for (std::size_t i = 0; i < tractions.size(); ++i)
         out += fmt::format("group traction_{} id{}\n", i + 1, id_list(tractions[i]));
     out += fmt::format("include {}.fix\nthermo ${{thermo_steps}}\n", stem);

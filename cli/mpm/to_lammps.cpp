@@ -7,6 +7,7 @@
 
 #include <adapters/mpm/case/build_case.hpp>
 #include <adapters/mpm/case/fill.hpp>
+#include <adapters/mpm/space/case/solids.hpp>
 #include <adapters/mpm/step/column_names.hpp>
 #include <fmt/format.h>
 
@@ -18,7 +19,6 @@ namespace cli {
 namespace {
 
 using namespace grit::mpm;
-namespace c = column;
 
 // All of them, or none.
 class TextFiles {
@@ -34,74 +34,112 @@ class TextFiles {
 };
 
 // Atoms are numbered from 1, body after body.
-int first_atom(Simulation& simulation, std::size_t body) {
+template <class Simulated> int first_atom(Simulated& simulation, std::size_t body) {
     std::ptrdiff_t first = 1;
     for (std::size_t i = 0; i < body; ++i) first += simulation.body(i).particles.size();
     return static_cast<int>(first);
 }
 
-void write_data(const Case& plan, Simulation& simulation, std::FILE* file) {
+// Columns of particles begin with as many coordinates of their places, and velocities.
+template <class Simulated> constexpr int dimensions_of = 2;
+template <> constexpr int dimensions_of<space::Simulation> = 3;
+
+// From a column on, as many as there are dimensions, and 0 for those that there are not.
+template <class Simulated>
+std::string numbers(const ParticleColumns& q, std::ptrdiff_t p, int first) {
+    std::string out;
+    for (int d = 0; d < 3; ++d)
+        out += d < dimensions_of<Simulated> ? fmt::format(" {:.17g}", q(first + d, p)) : " 0";
+    return out;
+}
+
+template <class Simulated>
+void write_data(const Case& plan, Simulated& simulation, std::FILE* file) {
     const std::size_t bodies = simulation.bodies();
     fmt::print(file, "{}\n\n{} atoms\n{} atom types\n\n",
                plan.title.empty() ? plan.name : plan.title, first_atom(simulation, bodies) - 1,
                bodies);
-    fmt::print(file,
-               "{:.17g} {:.17g} xlo xhi\n{:.17g} {:.17g} ylo yhi\n-0.5 0.5 zlo zhi\n\nMasses\n\n",
-               plan.r.from, plan.r.to(), plan.z.from, plan.z.to());
+    const AxisPlan* axes[] = {&plan.r, &plan.z, nullptr};
+    for (std::size_t d = 0; d < 3; ++d) {
+        const AxisPlan* axis = plan.space ? &plan.space->axis[d] : axes[d];
+        const char name = "xyz"[d];
+        if (axis)
+            fmt::print(file, "{:.17g} {:.17g} {}lo {}hi\n", axis->from, axis->to(), name, name);
+        else fmt::print(file, "-0.5 0.5 zlo zhi\n");
+    }
+    fmt::print(file, "\nMasses\n\n");
     for (std::size_t i = 0; i < bodies; ++i)
         fmt::print(file, "{} 1 # {}\n", i + 1, plan.bodies[i].name);
     const auto section = [&](const char* name, const auto& line) {
         fmt::print(file, "\n{}\n\n", name);
         for (std::size_t i = 0; i < bodies; ++i) {
-            const Particles& particles = simulation.body(i).particles;
+            const ParticleColumns& particles = simulation.body(i).particles;
             const int first = first_atom(simulation, i);
             for (std::ptrdiff_t p = 0; p < particles.size(); ++p)
                 line(first + particles.ids()[p], i + 1, particles, p);
         }
     };
-    section("Atoms # atomic", [&](int id, std::size_t type, const Particles& q, std::ptrdiff_t p) {
-        fmt::print(file, "{} {} {:.17g} {:.17g} 0\n", id, type, q(c::r, p), q(c::z, p));
-    });
-    section("Velocities", [&](int id, std::size_t, const Particles& q, std::ptrdiff_t p) {
-        fmt::print(file, "{} {:.17g} {:.17g} 0\n", id, q(c::v_r, p), q(c::v_z, p));
+    section("Atoms # atomic",
+            [&](int id, std::size_t type, const ParticleColumns& q, std::ptrdiff_t p) {
+                fmt::print(file, "{} {}{}\n", id, type, numbers<Simulated>(q, p, 0));
+            });
+    section("Velocities", [&](int id, std::size_t, const ParticleColumns& q, std::ptrdiff_t p) {
+        fmt::print(file, "{}{}\n", id, numbers<Simulated>(q, p, dimensions_of<Simulated>));
     });
 }
 
+std::vector<std::string> names_of(const Body& body) {
+    return column_names(body.material.get(), body.water ? &*body.water : nullptr);
+}
+
+std::vector<std::string> names_of(const space::Body& body) {
+    return space::column_names(body.material.get());
+}
+
 // What the atoms do not have: all columns from F on.
-void write_points(Simulation& simulation, std::size_t body, std::FILE* file) {
-    const Body& of = simulation.body(body);
-    const std::vector<std::string> names =
-        column_names(of.material.get(), of.water ? &*of.water : nullptr);
+template <class Simulated>
+void write_points(Simulated& simulation, std::size_t body, std::FILE* file) {
+    const auto& of = simulation.body(body);
+    const std::vector<std::string> names = names_of(of);
+    constexpr std::size_t from_F = 2 * dimensions_of<Simulated>;
     std::string line = "id";
-    for (std::size_t k = c::F_rr; k < names.size(); ++k) line += " " + names[k];
+    for (std::size_t k = from_F; k < names.size(); ++k) line += " " + names[k];
     fmt::print(file, "{}\n", line);
     const int first = first_atom(simulation, body);
     for (std::ptrdiff_t p = 0; p < of.particles.size(); ++p) {
         line = fmt::format("{}", first + of.particles.ids()[p]);
-        for (std::size_t k = c::F_rr; k < names.size(); ++k)
+        for (std::size_t k = from_F; k < names.size(); ++k)
             line += fmt::format(" {:.17g}", of.particles(static_cast<int>(k), p));
         fmt::print(file, "{}\n", line);
     }
 }
 
-TractionAtoms traction_atoms(const Case& plan, Simulation& simulation) {
+std::vector<int> loaded(const Case& plan, Simulation& simulation, std::size_t traction) {
+    const TractionPlan& of = plan.tractions[traction];
+    return outermost(simulation.body(plan.body(of.body)).particles, simulation.axis_r(),
+                     simulation.axis_z(), of);
+}
+
+std::vector<int> loaded(const Case& plan, space::Simulation& simulation, std::size_t traction) {
+    const std::string& body = plan.tractions[traction].body;
+    return space::outermost(simulation.body(plan.body(body)).particles,
+                            {simulation.axis(0), simulation.axis(1), simulation.axis(2)},
+                            plan.space->faces[traction], body);
+}
+
+template <class Simulated> TractionAtoms traction_atoms(const Case& plan, Simulated& simulation) {
     TractionAtoms out;
-    for (const TractionPlan& traction : plan.tractions) {
-        const std::size_t body = plan.body(traction.body);
-        const int first = first_atom(simulation, body);
-        out.push_back(outermost(simulation.body(body).particles, simulation.axis_r(),
-                                simulation.axis_z(), traction));
+    for (std::size_t i = 0; i < plan.tractions.size(); ++i) {
+        const int first = first_atom(simulation, plan.body(plan.tractions[i].body));
+        out.push_back(loaded(plan, simulation, i));
         for (int& id : out.back()) id += first;
         std::sort(out.back().begin(), out.back().end());
     }
     return out;
 }
 
-}  // namespace
-
-void write_lammps_files(const Case& plan, const std::filesystem::path& folder) {
-    const BuiltCase built = build_case(plan);
-    Simulation& simulation = *built.simulation;
+template <class Simulated>
+void write_files(const Case& plan, Simulated& simulation, const std::filesystem::path& folder) {
     const std::string fix = lammps_fix(plan, plan.name);
     const std::string script = lammps_script(plan, plan.name, traction_atoms(plan, simulation));
     const auto named = [&](const std::string& end) { return folder / (plan.name + end); };
@@ -117,6 +155,14 @@ void write_lammps_files(const Case& plan, const std::filesystem::path& folder) {
     fmt::print(files.open(named(".fix")), "{}", fix);
     fmt::print(files.open(named(".in")), "{}", script);
     files.complete();
+}
+
+}  // namespace
+
+void write_lammps_files(const Case& plan, const std::filesystem::path& folder) {
+    const BuiltCase built = build_case(plan);
+    built.space ? write_files(plan, *built.space, folder)
+                : write_files(plan, *built.simulation, folder);
 }
 
 }  // namespace cli

@@ -62,11 +62,13 @@ TEST(MaterialPointCommand, RunsTheFileThatExplainsEveryKeyInSpace) {
     EXPECT_EQ(number("NumberOfPoints=\""), 8 * number("NumberOfCells=\""));
 }
 
-TEST(MaterialPointCommand, WritesNoCaseInSpaceForLammps) {
+TEST(MaterialPointCommand, WritesNoSurfaceContactInSpaceForLammps) {
     const Workplace here;
     const Answer answer = here.grit("mpm " + cases + "/every_key_in_space.toml --to-lammps out");
     EXPECT_EQ(answer.status, 2);
-    EXPECT_TRUE(answer.says("a case in space cannot be written for LAMMPS")) << answer.text;
+    EXPECT_TRUE(answer.says(
+        "every_key_in_space.toml: fix grit/mpm of LAMMPS has no surface contact in space"))
+        << answer.text;
 }
 
 TEST(MaterialPointCommand, RunsACaseThatSaysInWhatItDiffersFromAnother) {

@@ -109,7 +109,7 @@ TEST(FixedPointSums, GiveTheSameBitsForAnyOrderOfTheParticles) {
 // Counts what a step hands to other processes.
 class CountingExchange : public Exchange {
   public:
-    void sum_nodes(NodeRecord*, std::ptrdiff_t) override { ++sums; }
+    void sum_nodes(double*, std::ptrdiff_t, int) override { ++sums; }
     void min_nodes(double*, std::ptrdiff_t, int) override { ++minima; }
     void max(double*, int) override { ++maxima; }
     void gather(std::vector<KeyedNumbers>& items) override {

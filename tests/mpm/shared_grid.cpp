@@ -303,6 +303,27 @@ TEST(SharedAxis, HasTheLimitsOfTheWholeAtItsEnds) {
     EXPECT_EQ(part[4], 8.0);
 }
 
+// Beside a node, where roundoff of bins that begin there would say another one.
+TEST(SharedAxis, KnowsTheCellOfEveryPointAsTheWholeDoes) {
+    for (const double from : {-0.8, 0.0, 0.3}) {
+        const Axis whole = Axis::uniform(from, from + 1.2, 12);
+        for (int begin = 0; begin < 6; ++begin)
+            for (int end = begin + 1; end <= 12; ++end) {
+                const Axis part = whole.part(begin, end);
+                for (int node = begin + 1; node < end; ++node) {
+                    double x = std::nextafter(whole[node], from - 1.0);
+                    for (const int below : {1, 0}) {
+                        EXPECT_EQ(whole.view().cell_of(x), node - below) << x;
+                        EXPECT_EQ(part.view().cell_of(x), node - below - begin) << x;
+                        x = whole[node];
+                    }
+                    x = whole[node] - 1e-18;  // none, but where the node is at 0
+                    EXPECT_EQ(part.view().cell_of(x) + begin, whole.view().cell_of(x)) << x;
+                }
+            }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Schemes, SharedGrid,
                          testing::Combine(testing::Values(Scheme::usl, Scheme::musl, Scheme::usf),
                                           testing::Bool(), testing::Bool()));

@@ -91,10 +91,11 @@ constexpr Member<StageEnd> of_end[] = {
                                                "until_kinetic")};
 
 constexpr FixKeyword keywords[] = {
-    {"grid", "`r`|`z` TO CELLS GROWTH",
+    {"grid", "`r`|`z` TO CELLS GROWTH, in space `x`|`y`|`z`",
      "the next segment of an axis up to TO [m]; a cell is GROWTH times as long as the one before"},
     {"boundary", "{side} {boundary.left}",
-     "of a side of the grid; default `free`, the axis is a roller"},
+     "of a side of the grid, in space `front` and `back` too; default `free`, the axis is a "
+     "roller"},
     {"body", "NAME `type` N|`group` G MATERIAL",
      "NAME: letters, digits, _ and -; MATERIAL: `rigid`; `elastic` E NU; `neo_hooke` E NU; `sand` "
      "NAME|`custom` (PARAMETER "
@@ -109,12 +110,17 @@ constexpr FixKeyword keywords[] = {
      "of a body of sand, or elastic with porosity N; as in `body.water`: Pa, kg/m³, m, m/s; E: the "
      "void ratio that the conductivity is of; Z, where the points file has no `p_w`"},
     {"drained", "{side}", "a side that pore water leaves freely"},
-    {"motion", "NAME V_R V_Z [`from` STAGE]",
-     "velocities of a rigid body [m/s], each a FUNCTION, no pulses"},
+    {"motion",
+     "NAME V_R V_Z [`from` STAGE], in space NAME V_X V_Y V_Z [`spin` W_X W_Y W_Z] [`centre` X Y Z] "
+     "[`free` N DEGREE...] [`start` V_X V_Y V_Z] [`from` STAGE]",
+     "velocities of a rigid body [m/s], each a FUNCTION, no pulses; W: about the centre [rad/s], "
+     "which is that of mass; DEGREE: `x`, `y`, `z`, `about_x`, `about_y` or `about_z`, moved by "
+     "weight, loads and contact, from V [m/s] on"},
     {"points", "NAME FILE", "of a body, see below"},
-    {"traction", "NAME GROUP {traction.edge} D_R D_Z FUNCTION [`mixture`] [`from` STAGE]",
-     "stress [Pa] times direction on that edge of each atom of the group; `mixture`: on grains and "
-     "water by their shares"},
+    {"traction",
+     "NAME GROUP {traction.edge} D_R D_Z FUNCTION [`mixture`] [`from` STAGE], in space D_X D_Y D_Z",
+     "stress [Pa] times direction on that edge of each atom of the group, in space a face, `front` "
+     "and `back` too; `mixture`: on grains and water by their shares"},
     {"contact",
      "STIFF SOFT {contact.law} MU [`power` K] [`normal` {contact.normal}] [`distance` "
      "{contact.distance}] [`gated` `yes`|`no`] [`relaxation_time` TAU] [`stiffness_multiple` X "

@@ -18,15 +18,15 @@ inline constexpr Spelling geometries[] = {
     spelling("axisymmetric", Geometry::axisymmetric, "per radian"),
     spelling("plane_strain", Geometry::plane_strain,
              "per metre; r is then the horizontal coordinate, and may be called x in all keys"),
-    only_in_files(spelling("space", Geometry::space, "x, y and z, see docs/space.md"))};
+    spelling("space", Geometry::space, "x, y and z, see docs/space.md")};
 inline constexpr Spelling sides[] = {
     spelling("left", Side::left, ""), spelling("right", Side::right, ""),
     spelling("bottom", Side::bottom, ""), spelling("top", Side::top, "")};
-// Twice the direction, and one on the upper side.
 // Of a rigid body in space.
 inline constexpr Spelling degrees_of_freedom[] = {
     spelling("x", 0, ""),       spelling("y", 1, ""),       spelling("z", 2, ""),
     spelling("about_x", 3, ""), spelling("about_y", 4, ""), spelling("about_z", 5, "")};
+// Twice the direction, and one on the upper side.
 inline constexpr Spelling sides_in_space[] = {spelling("left", 0, ""),   spelling("right", 1, ""),
                                               spelling("front", 2, ""),  spelling("back", 3, ""),
                                               spelling("bottom", 4, ""), spelling("top", 5, "")};

@@ -20,7 +20,7 @@ namespace {
 
 constexpr char magic_text[8] = {'g', 'r', 'i', 't', ' ', 'm', 'p', 'm'};
 constexpr std::uint32_t byte_order_mark = 0x01020304u, other_byte_order = 0x04030201u;
-constexpr std::uint32_t format_now = 5;
+constexpr std::uint32_t format_now = 6;
 
 struct Header {
     char magic[8];

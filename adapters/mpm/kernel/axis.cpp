@@ -27,9 +27,12 @@ Axis::Axis(std::vector<double> nodes) : node(std::move(nodes)) {
     const double count = std::ceil(total / shortest_cell) + 1.0;
     if (!(count < 1e8)) throw std::invalid_argument("the cells of an axis differ too much");
     bin.resize(static_cast<std::size_t>(count));
+    // Bins begin a little earlier: beside a node its coordinate decides, not the roundoff of a bin, which is another one
+    // for a part of the axis.
+    const double earlier = 0.25 * (shortest_cell - total / count);
     std::size_t cell = 0;
     for (std::size_t b = 0; b < bin.size(); ++b) {
-        const double start = node.front() + total * static_cast<double>(b) / count;
+        const double start = node.front() + total * static_cast<double>(b) / count - earlier;
         while (cell + 1 < length.size() && node[cell + 1] <= start) ++cell;
         bin[b] = static_cast<int>(cell);
     }

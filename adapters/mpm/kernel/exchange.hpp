@@ -62,21 +62,39 @@ class Exchange {
     virtual const WholeGrid* whole() const { return nullptr; }
     // [nodes] 1 where this process counts a node in sums over nodes, each node once; null: all.
     virtual const std::uint8_t* counted() const { return nullptr; }
-    virtual void sum_nodes(NodeRecord* /*records*/, std::ptrdiff_t /*nodes*/) {}
-    virtual void sum_nodes(NodeIntegers* /*records*/, std::ptrdiff_t /*nodes*/) {}
-    virtual void sum_nodes(Vector2* /*forces*/, std::ptrdiff_t /*nodes*/) {}
+    // Of so many numbers for each node or cell, what all have that hold it. Integers that are too large wrap.
+    virtual void sum_nodes(double* /*values*/, std::ptrdiff_t /*nodes*/, int /*each*/) {}
+    virtual void sum_nodes(std::int64_t* /*values*/, std::ptrdiff_t /*nodes*/, int /*each*/) {}
     // [cells] 1 where this process counts a cell that particles may be in, each such cell once; null: all.
     virtual const std::uint8_t* counted_cells() const { return nullptr; }
-    virtual void sum_cells(CellIntegers* /*cells*/, std::ptrdiff_t /*count*/) {}
-    virtual void sum_cells(NodeIntegers* /*records*/, std::ptrdiff_t /*cells*/, int /*each*/) {}
     virtual void sum_cells(double* /*values*/, std::ptrdiff_t /*cells*/, int /*each*/) {}
-    virtual void min_nodes(double* /*values*/, std::ptrdiff_t /*nodes*/, int /*per_node*/) {}
+    virtual void sum_cells(std::int64_t* /*values*/, std::ptrdiff_t /*cells*/, int /*each*/) {}
+    virtual void min_nodes(double* /*values*/, std::ptrdiff_t /*nodes*/, int /*each*/) {}
+    // ... of these nodes alone, in their order; all that hold one of them name it.
+    virtual void min_nodes(double* /*values*/, const std::vector<std::ptrdiff_t>& /*nodes*/,
+                           int /*each*/) {}
     virtual void max(double* /*values*/, int /*count*/) {}
     virtual void sum(double* /*values*/, int /*count*/) {}
     virtual void sum(std::int64_t* /*values*/, int /*count*/) {}
     // Those of this process become those of all, in the same order for each of them.
     virtual void gather(std::vector<KeyedNumbers>& /*items*/) {}
 
+    void sum_nodes(NodeRecord* records, std::ptrdiff_t nodes) {
+        if (nodes > 0) sum_nodes(records->value, nodes, record::size);
+    }
+    template <int lanes> void sum_nodes(IntegersOf<lanes>* records, std::ptrdiff_t nodes) {
+        if (nodes > 0) sum_nodes(records->value, nodes, lanes);
+    }
+    void sum_nodes(Vector2* forces, std::ptrdiff_t nodes) {
+        if (nodes > 0) sum_nodes(forces->c, nodes, 2);
+    }
+    void sum_cells(CellIntegers* cells, std::ptrdiff_t count) {
+        static_assert(sizeof *cells == 2 * sizeof(std::int64_t));
+        if (count > 0) sum_cells(&cells->volume, count, 2);
+    }
+    void sum_cells(NodeIntegers* records, std::ptrdiff_t cells, int each) {
+        if (cells > 0) sum_cells(records->value, cells, each * record::size);
+    }
     template <std::size_t count> void sum(std::array<Total, count>& totals, bool fixed_point) {
         if (fixed_point) {
             std::int64_t words[count * Total::words];

@@ -11,7 +11,7 @@ void fail_share(const Body& body, const char* of_what, double t) {
 }
 
 void IntegerRecords::add_to(std::vector<NodeRecord>& records, Exchange& exchange) {
-    exchange.sum_nodes(integers.data(), static_cast<std::ptrdiff_t>(integers.size()));
+    share(exchange);
     add_to(reinterpret_cast<double*>(records.data()), 0, integers.size());
 }
 

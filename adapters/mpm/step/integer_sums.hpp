@@ -27,6 +27,10 @@ template <int lanes> class IntegerSums {
         bool again = false;  // the sums must be done again
         int failed = -1;     // component of which a share is infinite or no number; -1: none
     };
+    // Once they fit: integers of nodes become those of all processes.
+    void share(Exchange& exchange) {
+        exchange.sum_nodes(integers.data(), static_cast<std::ptrdiff_t>(integers.size()));
+    }
     // components: bits of those that are wanted.
     Check check(unsigned components, Exchange& exchange);
     // Adds the sums to nodes begin ... end - 1 of records of so many doubles.

@@ -4,27 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
 namespace grit::mpm {
-
-// A search: a process may have few of very many ids.
-std::ptrdiff_t Part::find(int id) const {
-    const int* ids = body.particles.ids();
-    const auto at =
-        std::lower_bound(by_id.begin(), by_id.end(), id,
-                         [ids](std::ptrdiff_t p, int wanted) { return ids[p] < wanted; });
-    return at != by_id.end() && ids[*at] == id ? *at : -1;
-}
-
-void Part::index_ids() {
-    const int* ids = body.particles.ids();
-    std::iota(by_id.begin(), by_id.end(), 0);
-    std::sort(by_id.begin(), by_id.end(),
-              [ids](std::ptrdiff_t a, std::ptrdiff_t b) { return ids[a] < ids[b]; });
-}
 
 Model::Model(Axis along_r, Axis along_z, const Settings& given, Exchange* others)
     : settings(given), r(std::move(along_r)), z(std::move(along_z)),
@@ -61,7 +44,6 @@ void Model::add_body(Body body) {
 
 void Model::particles_changed(std::size_t body) {
     Part& part = parts[body];
-    part.by_id.resize(static_cast<std::size_t>(part.body.particles.size()));
     part.index_ids();
     drift = std::numeric_limits<double>::infinity();  // sorts before the next step
 }

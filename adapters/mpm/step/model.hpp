@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "adapters/mpm/kernel/exchange.hpp"
+#include "adapters/mpm/kernel/id_index.hpp"
 #include "adapters/mpm/kernel/nodes.hpp"
 #include "adapters/mpm/kernel/strips.hpp"
 #include "adapters/mpm/step/settings.hpp"
@@ -19,15 +20,15 @@ struct Part {
     Strips strips;
     std::vector<NodeRecord> records = {};
     std::vector<NodeMotion> motions = {};
-    std::vector<std::ptrdiff_t> by_id = {};  // particles, ids ascending
+    IdIndex by_id = {};
     Separation separation = {};
     bool reduces_domains = false;
     double least_mass = 0.0;      // of a node that moves [kg]
     double largest_volume = 0.0;  // of a particle at the start [m3]
 
     // Particle with this id; -1: another process has it.
-    std::ptrdiff_t find(int id) const;
-    void index_ids();
+    std::ptrdiff_t find(int id) const { return by_id.find(body.particles, id); }
+    void index_ids() { by_id.find_all(body.particles); }
     template <class Self, class Archive> static void visit(Self& part, Archive& archive) {
         Particles::visit(part.body.particles, archive);
         Strips::visit(part.strips, archive);

@@ -13,7 +13,7 @@ namespace {
 
 using namespace grit::mpm;
 
-const double box[2][2] = {{0.0, 30.0}, {0.0, 30.0}};
+const grit::lammps::Box box{{{0.0, 30.0}, {0.0, 30.0}}};
 
 std::string refusal_of(const std::vector<std::string>& words) {
     try {

@@ -23,7 +23,7 @@ class LammpsCuts : public ::testing::Test {
 
     // A row of particles in an elastic body, that flies.
     static LocalRun flight() {
-        const double box[2][2] = {{0.0, 24.0}, {0.0, 24.0}};
+        const grit::lammps::Box box{{{0.0, 24.0}, {0.0, 24.0}}};
         LocalRun out(grit::lammps::read_fix({"plane_strain", "grid", "r",  "24",      "24",  "1",
                                              "grid",         "z",    "24", "24",      "1",   "body",
                                              "block",        "type", "1",  "elastic", "1e6", "0.3",
@@ -45,10 +45,9 @@ class LammpsCuts : public ::testing::Test {
         return out;
     }
     static Cuts at(std::vector<double> r) {
-        return {MPI_COMM_SELF,
-                {std::move(r), {0.0, 24.0}},
-                {0, 0},
-                {{MPI_PROC_NULL, MPI_PROC_NULL}, {MPI_PROC_NULL, MPI_PROC_NULL}}};
+        Cuts out{MPI_COMM_SELF, 2, {std::move(r), {0.0, 24.0}}, {}, {}, {0}};
+        for (auto& direction : out.neighbour) direction[0] = direction[1] = MPI_PROC_NULL;
+        return out;
     }
     static constexpr int particles = 6;
 };

@@ -112,7 +112,7 @@ std::string refusal_of_file(const Folder& folder, const std::string& text) {
 }
 
 std::string refusal_of_fix(const Pair& pair, double number) {
-    const double box[2][2] = {{0.0, 30.0}, {0.0, 30.0}};
+    const grit::lammps::Box box{{{0.0, 30.0}, {0.0, 30.0}}};
     const std::string given = fmt::format(fmt::runtime(pair.words), number);
     std::string words = "plane_strain grid r 30 3 1";
     if (given.find("grid z") != 0) words += " grid z 30 1 1";
@@ -145,7 +145,7 @@ TEST(LammpsRanges, AreThoseOfCaseFilesForEveryNumber) {
 
 // What belongs together, or apart, in a case file.
 TEST(LammpsRanges, OfWordsThatMustFitTogetherAreThoseOfCaseFiles) {
-    const double box[2][2] = {{0.0, 30.0}, {0.0, 30.0}};
+    const grit::lammps::Box box{{{0.0, 30.0}, {0.0, 30.0}}};
     const std::string grid = "grid r 30 3 1 grid z 30 3 1 ";
     const std::string bodies = "body plate type 1 rigid body block type 2 elastic 1000 0.3 ";
     const auto refusal = [&](const std::string& words, const std::string& geometry) {
@@ -325,7 +325,7 @@ const Change changes[] = {
 };
 
 std::string refusal_of_fix_and_stage(const std::string& fix, const std::string& stage) {
-    const double box[2][2] = {{0.0, 30.0}, {0.0, 30.0}};
+    const grit::lammps::Box box{{{0.0, 30.0}, {0.0, 30.0}}};
     try {
         const grit::mpm::Case plan = grit::lammps::read_fix(split(fix), box).plan;
         grit::lammps::read_stage(split(stage), plan.stages[0], plan);

@@ -49,11 +49,26 @@ std::string shown(const std::vector<double>& one, const std::vector<double>& oth
     return out.str();
 }
 
+// Columns of all particles, by the numbers that they have as atoms.
+template <class Simulated> void add_points(const Simulated& simulation, Told& out) {
+    int first = 1;
+    for (std::size_t b = 0; b < simulation.bodies(); ++b) {
+        const grit::mpm::ParticleColumns& q = simulation.body(b).particles;
+        for (std::ptrdiff_t p = 0; p < q.size(); ++p) {
+            std::vector<double>& row = out.points[first + q.ids()[p]];
+            for (int c = 0; c < q.column_count(); ++c) row.push_back(q(c, p));
+        }
+        first += static_cast<int>(q.size());
+    }
+}
+
 }  // namespace
 
 BothHosts::BothHosts(const std::string& toml) : name("both"), toml_name("both.toml") {
     folder.write(toml_name, toml);
-    cli::write_lammps_files(cli::read_mpm_case(folder.path() / toml_name).plan, folder.path());
+    const grit::mpm::Case plan = cli::read_mpm_case(folder.path() / toml_name).plan;
+    in_space = plan.space.has_value();
+    cli::write_lammps_files(plan, folder.path());
 }
 
 Told BothHosts::in_driver(long steps) const {
@@ -63,14 +78,20 @@ Told BothHosts::in_driver(long steps) const {
     const auto tell = [&] {
         const HistoryRow row = runner.row();
         std::vector<double>& values = out.rows.emplace_back();
-        for (const HistoryColumn& column : history_columns()) values.push_back(column.value(row));
+        for (const HistoryColumn& column : history_columns(in_space))
+            values.push_back(column.value(row));
     };
     tell();
     for (; steps > 0 && !runner.finished(); --steps) {
         runner.step();
         tell();
     }
+    if (runner.space()) {
+        add_points(*runner.space(), out);
+        return out;
+    }
     Simulation& simulation = runner.simulation();
+    add_points(simulation, out);
     std::size_t longest = 0;
     bool has_water = false;
     for (std::size_t b = 0; b < simulation.bodies(); ++b) {
@@ -79,13 +100,11 @@ Told BothHosts::in_driver(long steps) const {
         has_water = has_water || body.water;
     }
     int first = 1;
-    for (std::size_t b = 0; b < simulation.bodies(); ++b) {
+    for (std::size_t b = 0; has_water && b < simulation.bodies(); ++b) {
         Body& body = simulation.body(b);
         const ParticleView q = body.particles.view();
         for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p) {
             std::vector<double>& row = out.points[first + body.particles.ids()[p]];
-            for (int c = 0; c < body.particles.column_count(); ++c) row.push_back(q[c][p]);
-            if (!has_water) continue;
             row.resize(longest, 0.0);
             const double p_w = body.water ? body.water->pressure(q, p) : 0.0;
             row.push_back(p_w);
@@ -114,19 +133,22 @@ Answer BothHosts::lammps(int processes, const std::string& script) const {
     return answer;
 }
 
-Told BothHosts::in_lammps(int r, int z, const std::string& script_given) const {
+Told BothHosts::in_lammps(const std::array<int, 3>& processors,
+                          const std::string& script_given) const {
     const std::string wanted = script_given.empty() ? script() : script_given;
+    std::string bricks = "processors";
+    for (const int count : processors) bricks += ' ' + std::to_string(count);
     const Answer answer =
-        lammps(r * z, "variable thermo_steps index 1\nprocessors " + std::to_string(r) + " " +
-                          std::to_string(z) + " 1\n" + wanted +
-                          "write_dump all custom end.dump id f_mpm[*] modify format float %.17g\n");
+        lammps(processors[0] * processors[1] * processors[2],
+               "variable thermo_steps index 1\n" + bricks + "\n" + wanted +
+                   "write_dump all custom end.dump id f_mpm[*] modify format float %.17g\n");
     EXPECT_EQ(answer.status, 0) << answer.text;
     return read_told(answer.text);
 }
 
 Told BothHosts::read_told(const std::string& printed) const {
     Told out;
-    const std::size_t count = grit::mpm::history_columns().size();
+    const std::size_t count = grit::mpm::history_columns(in_space).size();
     for (const std::vector<double>& row : numbers_in(printed, count + 1)) {
         // The step is in front; a run begins with the last row of the one before.
         std::vector<double> values(row.begin() + 1, row.end());

@@ -2,6 +2,7 @@
 // One case in both hosts: the reference driver, and LAMMPS.
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -22,9 +23,12 @@ class BothHosts {
 
     // steps: the most of them.
     Told in_driver(long steps) const;
-    // processors: of LAMMPS along r and z. script: that of the case unless another one is wanted. The test
+    // processors: of LAMMPS along r and z, or x, y and z. script: that of the case unless another one is wanted. The test
     // fails if LAMMPS does.
-    Told in_lammps(int r, int z, const std::string& script = "") const;
+    Told in_lammps(const std::array<int, 3>& processors, const std::string& script = "") const;
+    Told in_lammps(int r, int z, const std::string& other_script = "") const {
+        return in_lammps({r, z, 1}, other_script);
+    }
     // ... as a program is run that may fail.
     Answer lammps(int processes, const std::string& script) const;
     // How a program is started on so many processes, more than processors too.
@@ -43,6 +47,7 @@ class BothHosts {
 
   private:
     std::string toml_name;
+    bool in_space;
 };
 
 // A text with other words in the place of the first of these; the test fails if there are none.

@@ -73,31 +73,23 @@ class Neighbour : public Exchange {
     }
     const WholeGrid* whole() const override { return &whole_grid; }
     const std::uint8_t* counted() const override { return mine.data(); }
-    void sum_nodes(NodeRecord* x, std::ptrdiff_t) override { add<8>(x->value, shared_nodes); }
-    void sum_nodes(NodeIntegers* x, std::ptrdiff_t) override { add<8>(x->value, shared_nodes); }
-    void sum_nodes(grit::Vector2* x, std::ptrdiff_t) override { add<2>(x->c, shared_nodes); }
+    void sum_nodes(double* x, std::ptrdiff_t, int each) override { add(x, shared_nodes, each); }
+    void sum_nodes(std::int64_t* x, std::ptrdiff_t, int each) override {
+        add(x, shared_nodes, each);
+    }
     const std::uint8_t* counted_cells() const override { return my_cells.data(); }
-    void sum_cells(CellIntegers* x, std::ptrdiff_t) override { add<2>(&x->volume, shared_cells); }
-    void sum_cells(NodeIntegers* x, std::ptrdiff_t, int each) override {
-        ASSERT_EQ(each, 4);
-        add<32>(x->value, shared_cells);
+    void sum_cells(double* x, std::ptrdiff_t, int each) override { add(x, shared_cells, each); }
+    void sum_cells(std::int64_t* x, std::ptrdiff_t, int each) override {
+        add(x, shared_cells, each);
     }
-    void sum_cells(double* x, std::ptrdiff_t, int each) override {
-        if (each == 2) return add<2>(x, shared_cells);
-        ASSERT_EQ(each, 32);
-        add<32>(x, shared_cells);
-    }
-    void min_nodes(double* x, std::ptrdiff_t, int per_node) override {
-        const auto smaller = [](double a, double b) { return std::min(a, b); };
-        if (per_node == 2) return reduce<2>(x, shared_nodes, smaller);
-        ASSERT_EQ(per_node, 8);
-        reduce<8>(x, shared_nodes, smaller);
+    void min_nodes(double* x, std::ptrdiff_t, int each) override {
+        reduce(x, shared_nodes, each, [](double a, double b) { return std::min(a, b); });
     }
     void max(double* x, int count) override {
-        reduce<1>(x, all(count), [](double a, double b) { return std::max(a, b); });
+        reduce(x, all(count), 1, [](double a, double b) { return std::max(a, b); });
     }
-    void sum(double* x, int count) override { add<1>(x, all(count)); }
-    void sum(std::int64_t* x, int count) override { add<1>(x, all(count)); }
+    void sum(double* x, int count) override { add(x, all(count), 1); }
+    void sum(std::int64_t* x, int count) override { add(x, all(count), 1); }
     // The lower one's first.
     void gather(std::vector<KeyedNumbers>& items) override {
         const std::vector<char> in =
@@ -115,12 +107,14 @@ class Neighbour : public Exchange {
         for (int i = 0; i < count; ++i) out.push_back(static_cast<std::size_t>(i));
         return out;
     }
-    template <int each, class Number> void add(Number* x, const std::vector<std::size_t>& places) {
+    template <class Number> void add(Number* x, const std::vector<std::size_t>& places, int each) {
         // The lower one's first, so that both get the same.
-        reduce<each>(x, places, [this](Number a, Number b) { return rank == 0 ? a + b : b + a; });
+        reduce(x, places, each, [this](Number a, Number b) { return rank == 0 ? a + b : b + a; });
     }
-    template <int each, class Number, class Operation>
-    void reduce(Number* x, const std::vector<std::size_t>& places, const Operation& operation) {
+    template <class Number, class Operation>
+    void reduce(Number* x, const std::vector<std::size_t>& places, int numbers_each,
+                const Operation& operation) {
+        const auto each = static_cast<std::size_t>(numbers_each);
         std::vector<Number> out;
         for (const std::size_t place : places)
             out.insert(out.end(), x + each * place, x + each * (place + 1));
@@ -128,10 +122,10 @@ class Neighbour : public Exchange {
         ASSERT_EQ(in.size(), out.size() * sizeof(Number));
         std::size_t at = 0;
         for (const std::size_t place : places)
-            for (int c = 0; c < each; ++c, at += sizeof(Number)) {
+            for (std::size_t c = 0; c < each; ++c, at += sizeof(Number)) {
                 Number other;
                 std::memcpy(&other, in.data() + at, sizeof other);
-                Number& own = x[each * place + static_cast<std::size_t>(c)];
+                Number& own = x[each * place + c];
                 own = operation(own, other);
             }
     }

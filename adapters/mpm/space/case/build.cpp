@@ -14,7 +14,6 @@
 #include "adapters/mpm/space/kernel/sand.hpp"
 
 namespace grit::mpm::space {
-namespace {
 
 std::unique_ptr<Material> material_of(const BodyPlan& body) {
     if (const auto* sand = std::get_if<SandPlan>(&body.material))
@@ -25,6 +24,8 @@ std::unique_ptr<Material> material_of(const BodyPlan& body) {
         return std::make_unique<NeoHooke>(elastic->youngs_modulus, elastic->poissons_ratio);
     return std::make_unique<LinearElastic>(elastic->youngs_modulus, elastic->poissons_ratio);
 }
+
+namespace {
 
 void set_start(const BodyPlan& body, double gravity, Particles& particles) {
     check_stress_at_rest(body);
@@ -46,6 +47,8 @@ void set_start(const BodyPlan& body, double gravity, Particles& particles) {
     }
 }
 
+}  // namespace
+
 RigidCourse course_of(const Case& plan, std::size_t body, const std::shared_ptr<Clock>& clock) {
     const auto& motion = std::get<RigidPlan>(plan.bodies[body].material);
     const auto over_time = [since = Since(plan, clock, motion.from_stage)](
@@ -64,6 +67,18 @@ RigidCourse course_of(const Case& plan, std::size_t body, const std::shared_ptr<
     return out;
 }
 
+std::function<Vector3(double)> face_stress(const Case& plan, std::size_t traction,
+                                           const std::shared_ptr<Clock>& clock) {
+    const TractionPlan& of = plan.tractions[traction];
+    return [since = Since(plan, clock, of.from_stage), stress = of.stress,
+            direction = plan.space->faces[traction].direction](double t) {
+        const double s = since(t);
+        return (s < 0.0 ? 0.0 : value_at(stress, s)) * direction;
+    };
+}
+
+namespace {
+
 void add_bodies(const Case& plan, const Axes& axes, const std::shared_ptr<Clock>& clock,
                 Simulation& simulation) {
     for (std::size_t b = 0; b < plan.bodies.size(); ++b) {
@@ -77,7 +92,7 @@ void add_bodies(const Case& plan, const Axes& axes, const std::shared_ptr<Clock>
         body.particles = fill(*plan.space, b, body.name, body_plan.density, axes,
                               body.material ? body.material->own_columns() : 0);
         if (!body_plan.rigid()) set_start(body_plan, plan.gravity, body.particles);
-        else body.make_rigid(course_of(plan, b, clock));
+        else body.make_rigid(course_of(plan, b, clock), plan.settings.fixed_point);
         for (std::size_t i = 0; i < b; ++i) {
             const auto& left_out =
                 plan.space->bodies[b].outside_of;  // bricks of cut particles overlap
@@ -97,11 +112,7 @@ void add_tractions(const Case& plan, const Axes& axes, const std::shared_ptr<Clo
         const TractionPlan& traction = plan.tractions[i];
         const FacePlan& face = plan.space->faces[i];
         const std::size_t body = plan.body(traction.body);
-        const auto stress = [since = Since(plan, clock, traction.from_stage), traction,
-                             direction = face.direction](double t) {
-            const double s = since(t);
-            return (s < 0.0 ? 0.0 : value_at(traction.stress, s)) * direction;
-        };
+        const auto stress = face_stress(plan, i, clock);
         for (const int id : outermost(simulation.body(body).particles, axes, face, traction.body))
             simulation.add_traction({body, id, {face.across, face.upper}, stress});
     }
@@ -129,6 +140,8 @@ SurfaceLaw surface_law_of(const Case& plan, const ContactPlan& contact) {
     return law;
 }
 
+}  // namespace
+
 void hold_sides(const Case& plan, Simulation& simulation) {
     for (int side = 0; side < 6; ++side) {
         const Boundary boundary = plan.space->boundary[side];
@@ -136,29 +149,20 @@ void hold_sides(const Case& plan, Simulation& simulation) {
         if (boundary != Boundary::roller && boundary != Boundary::fixed)
             throw std::invalid_argument("absorbing sides and platens are not there in space");
         const int d = side / 2;
-        const Axis& axis = simulation.axis(d);
+        const AxisPlan& axis = plan.space->axis[d];
         const Hold hold = boundary == Boundary::fixed ? Hold::all : Hold::across;
-        if (side % 2 == 0) simulation.fix_below(d, axis[0], hold);
-        else simulation.fix_above(d, axis[axis.nodes() - 1], hold);
+        if (side % 2 == 0) simulation.fix_below(d, axis.from, hold);
+        else simulation.fix_above(d, axis.to(), hold);
     }
 }
 
-}  // namespace
-
-std::unique_ptr<Simulation> build(const Case& plan, const std::shared_ptr<Clock>& clock) {
-    const SpacePlan& space = *plan.space;
-    const Axes axes{make_axis(space.axis[0]), make_axis(space.axis[1]), make_axis(space.axis[2])};
-    auto out = std::make_unique<Simulation>(axes, plan.settings);
-    add_bodies(plan, axes, clock, *out);
-    add_tractions(plan, axes, clock, *out);
-    // Fixed nodes are known to a contact when it is made.
-    hold_sides(plan, *out);
+void add_contacts(const Case& plan, Simulation& simulation) {
     for (const ContactPlan& contact : plan.contacts) {
         if (contact.penalty)
             throw std::invalid_argument("contact of " + contact.stiff + " and " + contact.soft +
                                         ": penalty contact is not there in space");
         if (contact.at_surfaces) {
-            out->add_contact(surface_law_of(plan, contact));
+            simulation.add_contact(surface_law_of(plan, contact));
             continue;
         }
         const bool pushes = std::any_of(plan.bodies.begin(), plan.bodies.end(), [&](const auto& b) {
@@ -168,8 +172,19 @@ std::unique_ptr<Simulation> build(const Case& plan, const std::shared_ptr<Clock>
         if (pushes && contact.contact_stiffness_multiple > 0.0)
             throw std::invalid_argument("contact of " + contact.stiff + " and " + contact.soft +
                                         ": a rigid body that is free has no contact stiffness");
-        out->add_contact(nodal_law(plan, contact, out->shortest_cell()));
+        simulation.add_contact(nodal_law(plan, contact, simulation.shortest_cell()));
     }
+}
+
+std::unique_ptr<Simulation> build(const Case& plan, const std::shared_ptr<Clock>& clock) {
+    const SpacePlan& space = *plan.space;
+    const Axes axes{make_axis(space.axis[0]), make_axis(space.axis[1]), make_axis(space.axis[2])};
+    auto out = std::make_unique<Simulation>(axes, plan.settings);
+    add_bodies(plan, axes, clock, *out);
+    add_tractions(plan, axes, clock, *out);
+    // Fixed nodes are known to a contact when it is made.
+    hold_sides(plan, *out);
+    add_contacts(plan, *out);
     return out;
 }
 

@@ -32,4 +32,12 @@ class Material {
     virtual Separation separation() const { return {}; }
 };
 
+// Of the columns of a body's particles; null: rigid.
+inline std::vector<std::string> column_names(const Material* material) {
+    std::vector<std::string> out(std::begin(column::names), std::end(column::names));
+    if (material)
+        for (const char* name : material->own_column_names()) out.emplace_back(name);
+    return out;
+}
+
 }  // namespace grit::mpm::space

@@ -33,8 +33,8 @@ void advance_nodes(const NodeCall& call, NodeSums& sums) {
             double& force = n[record::f_x + k];
             before = is_fixed(call, i, k) ? 0.0 : n[record::p_x + k] / m;
             if (moved)
-                sums.mapped_away.add(0.5 * force * (call.dt_before * now - call.dt * before),
-                                     call.fixed_point);
+                call.add(sums.mapped_away, i,
+                         0.5 * force * (call.dt_before * now - call.dt * before));
             if (call.loads) force += call.loads[i][k];
             now = is_fixed(call, i, k) ? 0.0 : before + call.dt * (force / m + call.gravity[k]);
         }
@@ -50,11 +50,10 @@ void damp_nodes(const NodeCall& call, NodeSums& sums) {
         hold(call, i);
         const double undamped_z = v[motion::v_z];
         for (int k = 0; k < 3; ++k)
-            sums.damping_work.add(damp(v[motion::v_x + k], v[motion::other_x + k], m,
-                                       call.dt * (n[record::f_x + k] + m * call.gravity[k]),
-                                       call.damping),
-                                  call.fixed_point);
-        sums.damping_z.add(m * (v[motion::v_z] - undamped_z), call.fixed_point);
+            call.add(sums.damping_work, i,
+                     damp(v[motion::v_x + k], v[motion::other_x + k], m,
+                          call.dt * (n[record::f_x + k] + m * call.gravity[k]), call.damping));
+        call.add(sums.damping_z, i, m * (v[motion::v_z] - undamped_z));
     }
 }
 
@@ -66,9 +65,8 @@ void close_nodes(const NodeCall& call, NodeSums& sums) {
         hold(call, i);
         for (int k = 0; k < 3; ++k) {
             const double now = v[motion::v_x + k], before = v[motion::other_x + k];
-            sums.change.add(0.5 * m * (now - before) * (now - before), call.fixed_point);
-            sums.gravity_work.add(0.5 * call.dt * m * call.gravity[k] * (now + before),
-                                  call.fixed_point);
+            call.add(sums.change, i, 0.5 * m * (now - before) * (now - before));
+            call.add(sums.gravity_work, i, 0.5 * call.dt * m * call.gravity[k] * (now + before));
         }
     }
 }

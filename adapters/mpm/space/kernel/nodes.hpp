@@ -35,6 +35,11 @@ struct NodeCall {
     Vector3 gravity;    // [m/s2]
     double damping;     // local damping (Cundall), share of the force [-]
     bool fixed_point;   // of the sums
+    // [nodes] 1: in the sums; where processes share a node, one of them counts it. null: all
+    const std::uint8_t* counted;
+    void add(Total& sum, std::ptrdiff_t node, double x) const {
+        if (!counted || counted[node]) sum.add(x, fixed_point);
+    }
 };
 
 // motions, still of the step before, become v = v_old + dt (f/m + g) and v_old = p/m, without the fixed components;

@@ -2,6 +2,7 @@
 #include "adapters/mpm/run/subject.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "adapters/mpm/space/case/build.hpp"
@@ -47,6 +48,9 @@ class SpaceSubject : public Subject {
 };
 
 Subject::Bodies SpaceSubject::measure(double gravity, std::size_t driven) {
+    enum { weight, stiffness, mass, count };
+    const bool fixed_point = simulation.current_settings().fixed_point;
+    std::array<Total, count> sums;
     Bodies out;
     for (std::size_t i = 0; i < simulation.bodies(); ++i) {
         Body& body = simulation.body(i);
@@ -56,12 +60,17 @@ Subject::Bodies SpaceSubject::measure(double gravity, std::size_t driven) {
             double modulus = 0.0;
             body.material->wave_moduli({q, p, p + 1}, &modulus);
             const double m = q[column::mass][p], V = q[column::V0][p];
-            out.weight += gravity * m;
-            out.stiffness += modulus * V;
-            if (i == driven) out.mass += m;
+            sums[weight].add(gravity * m, fixed_point);
+            sums[stiffness].add(modulus * V, fixed_point);
+            if (i == driven) sums[mass].add(m, fixed_point);
             out.fastest2 = std::max(out.fastest2, modulus * V / m);
         }
     }
+    simulation.shared().sum(sums, fixed_point);
+    simulation.shared().max(&out.fastest2, 1);
+    out.weight = sums[weight].value();
+    out.stiffness = sums[stiffness].value();
+    out.mass = sums[mass].value();
     return out;
 }
 
@@ -69,16 +78,18 @@ double SpaceSubject::level(std::size_t body, DepthOf what) {
     Particles& particles = simulation.body(body).particles;
     const ParticleView q = particles.view();
     const bool fixed_point = simulation.current_settings().fixed_point;
-    double lowest = INFINITY;
-    Total mass, moment;
+    double highest = -INFINITY;  // of what is below zero, that is the lowest
+    std::array<Total, 2> sums;   // mass, moment
     for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
         double reach = 0.0;
         for (int k = 0; k < 3; ++k) reach += std::fabs(q.F(2, k, p)) * q[column::l_x + k][p];
-        lowest = std::min(lowest, q[column::z][p] - reach);
-        mass.add(q[column::mass][p], fixed_point);
-        moment.add(q[column::mass][p] * q[column::z][p], fixed_point);
+        highest = std::max(highest, reach - q[column::z][p]);
+        sums[0].add(q[column::mass][p], fixed_point);
+        sums[1].add(q[column::mass][p] * q[column::z][p], fixed_point);
     }
-    return what == DepthOf::lowest_point ? lowest : moment.value() / mass.value();
+    simulation.shared().max(&highest, 1);
+    simulation.shared().sum(sums, fixed_point);
+    return what == DepthOf::lowest_point ? -highest : sums[1].value() / sums[0].value();
 }
 
 double SpaceSubject::velocity_z(std::size_t body) {
@@ -86,37 +97,42 @@ double SpaceSubject::velocity_z(std::size_t body) {
     if (of.rigid()) return of.motion->velocity().along[2];
     const ParticleView q = of.particles.view();
     const bool fixed_point = simulation.current_settings().fixed_point;
-    Total mass, momentum;
+    std::array<Total, 2> sums;  // mass, momentum
     for (std::ptrdiff_t p = 0; p < of.particles.size(); ++p) {
-        mass.add(q[column::mass][p], fixed_point);
-        momentum.add(q[column::mass][p] * q[column::v_z][p], fixed_point);
+        sums[0].add(q[column::mass][p], fixed_point);
+        sums[1].add(q[column::mass][p] * q[column::v_z][p], fixed_point);
     }
-    return momentum.value() / mass.value();
+    simulation.shared().sum(sums, fixed_point);
+    return sums[1].value() / sums[0].value();
 }
 
 double SpaceSubject::stored_energy(std::size_t body) {
     Body& of = simulation.body(body);
-    Total sum;
+    const bool fixed_point = simulation.current_settings().fixed_point;
+    std::array<Total, 1> sum;
     for (std::ptrdiff_t p = 0; p < of.particles.size() && !of.rigid(); ++p)
-        sum.add(of.material->energy(of.particles.view(), p),
-                simulation.current_settings().fixed_point);
-    return sum.value();
+        sum[0].add(of.material->energy(of.particles.view(), p), fixed_point);
+    simulation.shared().sum(sum, fixed_point);
+    return sum[0].value();
 }
 
 // What keeps the nodes of the bottom from moving down, weight and all.
 double SpaceSubject::base_reaction() const {
     const auto count = static_cast<std::size_t>(simulation.axis(0).nodes()) *
                        static_cast<std::size_t>(simulation.axis(1).nodes());
-    Total sum;
+    const std::uint8_t* mine = simulation.shared().counted();
+    const bool fixed_point = simulation.current_settings().fixed_point;
+    std::array<Total, 1> sum;
     for (std::size_t body = 0; body < simulation.bodies(); ++body) {
         if (simulation.body(body).rigid()) continue;
         const std::vector<NodeRecord>& nodes = simulation.records(body);
         for (std::size_t i = 0; i < count; ++i)
-            if (simulation.constraints()[i] & fixed::along(2))
-                sum.add(-(nodes[i][record::f_z] + simulation.gravity()[2] * nodes[i][record::m]),
-                        simulation.current_settings().fixed_point);
+            if ((simulation.constraints()[i] & fixed::along(2)) && (!mine || mine[i]))
+                sum[0].add(-(nodes[i][record::f_z] + simulation.gravity()[2] * nodes[i][record::m]),
+                           fixed_point);
     }
-    return sum.value();
+    simulation.shared().sum(sum, fixed_point);
+    return sum[0].value();
 }
 
 void SpaceSubject::add(Forces& to, const ContactPair::Measured& forces, const Twist& impulse,
@@ -155,7 +171,7 @@ double SpaceSubject::unbalanced_share(double dt) {
     double share = 0.0;
     for (std::size_t body = 0; body < simulation.bodies(); ++body) {
         if (simulation.body(body).rigid()) continue;
-        double resultant = 0.0, force = 0.0;
+        double largest[] = {0.0, 0.0};  // resultant, force
         const std::vector<NodeRecord>& nodes = simulation.records(body);
         const std::vector<NodeMotion>& motions = simulation.motions(body);
         for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -167,10 +183,11 @@ double SpaceSubject::unbalanced_share(double dt) {
                 change[k] = v[motion::v_x + k] - v[motion::other_x + k];
                 f[k] = n[record::f_x + k];
             }
-            resultant = std::max(resultant, n[record::m] * norm(change) / dt);
-            force = std::max({force, norm(f), n[record::m] * norm(simulation.gravity())});
+            largest[0] = std::max(largest[0], n[record::m] * norm(change) / dt);
+            largest[1] = std::max({largest[1], norm(f), n[record::m] * norm(simulation.gravity())});
         }
-        if (force > 0.0) share = std::max(share, resultant / force);
+        simulation.shared().max(largest, 2);
+        if (largest[1] > 0.0) share = std::max(share, largest[0] / largest[1]);
     }
     return share;
 }

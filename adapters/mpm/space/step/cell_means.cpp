@@ -11,7 +11,18 @@ void CellMeans::add_body() {
     if (!wanted() || part.body.rigid()) return;
     body.most_stress.resize(static_cast<std::size_t>(part.pencils.count()));
     body.cells.resize(model.cells());
-    body.deferred.resize(static_cast<std::size_t>(part.body.particles.size()));
+    particles_changed(bodies.size() - 1);
+}
+
+void CellMeans::particles_changed(std::size_t body) {
+    if (has(body))
+        bodies[body].deferred.resize(
+            static_cast<std::size_t>(model.parts[body].body.particles.size()));
+}
+
+void CellMeans::sum() {
+    for (OfBody& body : bodies)
+        model.exchange.sum_cells(body.cells.data(), static_cast<std::ptrdiff_t>(body.cells.size()));
 }
 
 void CellMeans::add_stresses(std::size_t body, int pencil, const CellMean& mean) {
@@ -33,13 +44,15 @@ void CellMeans::find_stresses() {
         if (!has(i)) continue;
         OfBody& body = bodies[i];
         clear(i);
-        const double largest = *std::max_element(body.most_stress.begin(), body.most_stress.end());
+        double largest = *std::max_element(body.most_stress.begin(), body.most_stress.end());
+        model.exchange.max(&largest, 1);
         body.mean.cells = body.cells.data();
         body.mean.per_volume = 1.0 / model.parts[i].largest_volume;
         body.mean.per_stress = largest > 0.0 ? 1.0 / largest : 1.0;
     }
     model.for_pencils_apart(
         [this](std::size_t body, int pencil) { add_stresses(body, pencil, bodies[body].mean); });
+    sum();
 }
 
 void CellMeans::begin_strains() {

@@ -12,6 +12,8 @@ class CellMeans {
   public:
     explicit CellMeans(Model& of) : model(of) {}
     void add_body();
+    // Between steps, after particles of a body came from or went to other processes.
+    void particles_changed(std::size_t body);
 
     bool wanted() const { return model.settings.cell_mean; }
     // Rigid bodies have none.
@@ -22,6 +24,8 @@ class CellMeans {
     void find_stresses();
     // For strains that a gather adds.
     void begin_strains();
+    // Of all processes, once each has its own.
+    void sum();
 
   private:
     struct OfBody {

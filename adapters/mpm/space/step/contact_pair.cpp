@@ -2,6 +2,7 @@
 #include "adapters/mpm/space/step/contact_pair.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -58,12 +59,8 @@ class Domains {
 // The velocity of a rigid body with its impulses from nodes, linear in it: six equations.
 class FreeMeeting {
   public:
-    explicit FreeMeeting(const RigidMotion& of) : rigid(of) {
-        const Matrix6 mass = rigid.mass_matrix();
-        for (int i = 0; i < 6; ++i)
-            for (int j = 0; j < 6; ++j)
-                matrix(i, j) = mass[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-    }
+    FreeMeeting(const RigidMotion& of, bool in_fixed_point)
+        : rigid(of), fixed_point(in_fixed_point) {}
     // A node at x of mass m that the body presses along n by the share f of w . n; friction: infinite where it sticks.
     void add(const Vector3& x, const Vector3& n, const Vector3& w, double m, double f,
              double friction) {
@@ -81,7 +78,18 @@ class FreeMeeting {
             add(m * row(x, e), row(x, t), dot(t, w));
         }
     }
-    Twist solve() const {
+    // With what all processes have added.
+    Twist solve(Exchange& exchange) {
+        exchange.sum(sums, fixed_point);
+        const Matrix6 mass = rigid.mass_matrix();
+        Eigen::Matrix<double, 6, 6> matrix;
+        Row right;
+        for (std::size_t i = 0; i < 6; ++i) {
+            for (std::size_t j = 0; j < 6; ++j)
+                matrix(static_cast<int>(i), static_cast<int>(j)) =
+                    mass[i][j] + sums[6 * i + j].value();
+            right[static_cast<int>(i)] = sums[36 + i].value();
+        }
         const Row u = matrix.partialPivLu().solve(right);
         return {{u[0], u[1], u[2]}, {u[3], u[4], u[5]}};
     }
@@ -98,20 +106,23 @@ class FreeMeeting {
         return out;
     }
     void add(const Row& impulse, const Row& of, double w) {
-        matrix += impulse * of.transpose();
-        right -= w * impulse;
+        for (int i = 0; i < 6; ++i) {
+            for (int j = 0; j < 6; ++j)
+                sums[static_cast<std::size_t>(6 * i + j)].add(impulse[i] * of[j], fixed_point);
+            sums[static_cast<std::size_t>(36 + i)].add(-w * impulse[i], fixed_point);
+        }
     }
 
     const RigidMotion& rigid;
-    Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Zero();
-    Row right = Row::Zero();
+    bool fixed_point;
+    std::array<Total, 42> sums;  // a matrix, and the right-hand side behind it
 };
 
 }  // namespace
 
 ContactPair::ContactPair(const ContactLaw& law, const Model& model)
-    : pair_law(law), place_of(model.nodes(), -1), touched(model.nodes()), near(model.cells()),
-      fixed_point(model.settings.fixed_point) {
+    : pair_law(law), exchange(model.exchange), place_of(model.nodes(), -1), touched(model.nodes()),
+      near(model.cells()), fixed_point(model.settings.fixed_point) {
     pair_law.options.components = 3;
     step_totals.struct_size = sizeof step_totals;
     step_measured.largest_gap = NAN;
@@ -120,9 +131,17 @@ ContactPair::ContactPair(const ContactLaw& law, const Model& model)
 bool ContactPair::find_active(const Model& model) {
     for (const std::ptrdiff_t node : active) place_of[static_cast<std::size_t>(node)] = -1;
     find_shared_nodes(model.parts[pair_law.a], model.parts[pair_law.b], active);
+    counted = active.size();
+    if (const std::uint8_t* mine = exchange.counted())
+        counted = static_cast<std::size_t>(
+            std::stable_partition(active.begin(), active.end(),
+                                  [mine](std::ptrdiff_t node) { return mine[node] != 0; }) -
+            active.begin());
     for (std::size_t i = 0; i < active.size(); ++i)
         place_of[static_cast<std::size_t>(active[i])] = static_cast<int>(i);
-    return !active.empty();
+    double any = active.empty() ? 0.0 : 1.0;
+    exchange.max(&any, 1);
+    return any > 0.0;
 }
 
 void ContactPair::copy_nodes(const Model& model) {
@@ -290,6 +309,11 @@ void ContactPair::find_reaching(Model& model) {
     }
 }
 
+// Minima of nodes in contact, so many each, over what all processes have near them.
+void ContactPair::share(std::vector<double>& minima, int each) {
+    exchange.min_nodes(minima.data(), active, each);
+}
+
 // The surface beside a node, where a corner is, and not the nearest of all within a cell of it: on a
 // curved surface that one is a cell off, and neighbouring nodes would wait for the same corner.
 void ContactPair::find_surfaces() {
@@ -312,6 +336,7 @@ void ContactPair::find_surfaces() {
         domains.send(all, which);
         corners.send(beside_nodes, which);
     }
+    for (std::vector<double>* minima : {&surface, &near_surface, &centre}) share(*minima, 2);
     for (std::size_t i = 0; i < surface.size(); ++i)
         if (std::isfinite(near_surface[i])) surface[i] = near_surface[i];
 }
@@ -330,12 +355,12 @@ void ContactPair::part_corners() {
             direction[d][3 * i + d] = n > 0.0 ? 1.0 : n < 0.0 ? -1.0 : 0.0;
         }
     }
-    if (asked.empty()) return;
     int k = 3;
     for (const int source :
          {GRIT_CONTACT_NORMAL_OF_A, GRIT_CONTACT_NORMAL_OF_B, GRIT_CONTACT_NORMAL_AVERAGE})
         if (source != pair_law.normal) find_normals(source, asked, direction[k++]);
     for (const int which : {0, 1}) {
+        if (asked.empty()) break;
         Domains domains;
         for (const Reaching& q : reaching[which]) {
             std::ptrdiff_t wanted[64];
@@ -347,6 +372,7 @@ void ContactPair::part_corners() {
         }
         for (int d = 0; d < directions; ++d) domains.send(along_direction(d), which);
     }
+    share(direction_surface, 2 * directions);
     constexpr double touching = 1e-9;  // cells: roundoff parts no bodies that touch
     for (const std::ptrdiff_t place : asked) {
         const auto i = static_cast<std::size_t>(place);
@@ -389,6 +415,7 @@ void ContactPair::find_overlaps() {
                     overlap[i] = std::min(overlap[i], outside(corner, i));
             }
     }
+    share(overlap, 1);
     for (std::size_t i = 0; i < gap.size(); ++i)
         if (closed[i] && gap[i] <= 0.0)
             gap[i] = has_both_on_one_side(i) ? 0.0 : std::min(0.0, std::max(gap[i], overlap[i]));
@@ -505,18 +532,16 @@ void ContactPair::meet_freely(const Model& model, const grit_contact_options& op
     std::vector<int> states, before;
     constexpr int most = 8;
     for (int round = 0; round < most; ++round) {
-        const grit_contact_nodes q = nodes_of();
-        grit_error error;
-        require(grit_contact_correct(&options, static_cast<std::ptrdiff_t>(active.size()), &q,
-                                     reports.data(), nullptr, &error),
-                error, "contact");
+        correct_nodes(options, nullptr);
         other = other_start;
         states.clear();
         for (const grit_contact_report& report : reports) states.push_back(report.state);
-        if (states == before) break;
+        double differs = round == 0 || states != before ? 1.0 : 0.0;
+        exchange.max(&differs, 1);
+        if (!(differs > 0.0)) break;
         before = states;
-        FreeMeeting meeting(rigid);
-        for (std::size_t i = 0; i < active.size(); ++i) {
+        FreeMeeting meeting(rigid, fixed_point);
+        for (std::size_t i = 0; i < counted; ++i) {
             if (states[i] != GRIT_CONTACT_STICK && states[i] != GRIT_CONTACT_SLIP) continue;
             const Vector3 n = is_a ? at(normal, i) : -1.0 * at(normal, i);
             Vector3 w;
@@ -526,7 +551,7 @@ void ContactPair::meet_freely(const Model& model, const grit_contact_options& op
             meeting.add(at(position, i), n, w, mass[i], reports[i].penalty_factor,
                         states[i] == GRIT_CONTACT_STICK ? INFINITY : options.friction_coefficient);
         }
-        const Twist change = meeting.solve();
+        const Twist change = meeting.solve(exchange);
         found = {trial.along + change.along, trial.about + change.about};
         for (std::size_t i = 0; i < active.size(); ++i) {
             const Vector3 v =
@@ -540,25 +565,43 @@ void ContactPair::apply(const Model& model) {
     const bool geo = pair_law.options.law == GRIT_CONTACT_GEO;
     const grit_contact_options options = options_of(model);
     if (options.rigid != GRIT_CONTACT_NONE_RIGID) meet_freely(model, options);
-    const grit_contact_nodes q = nodes_of();
     grit_contact_sums sums{};
+    correct_nodes(options, &sums);
+    exchange.sum(sums.word, GRIT_CONTACT_SUMS_WORDS);
     grit_error error;
-    require(grit_contact_correct(&options, static_cast<std::ptrdiff_t>(active.size()), &q,
-                                 reports.data(), &sums, &error),
-            error, "contact");
     require(grit_contact_sums_read(&sums, &step_totals), error, "contact");
-    Total sums_of[6];
-    for (std::size_t i = 0; i < active.size(); ++i) {
+    std::array<Total, 6> sums_of;
+    double largest = -far;
+    for (std::size_t i = 0; i < counted; ++i) {
         const Vector3 n = at(normal, i);
-        const int first = std::fabs(n[2]) > std::hypot(n[0], n[1]) ? 3 : 0;
-        for (int k = 0; k < 3; ++k) sums_of[first + k].add(reports[i].force[k], fixed_point);
-        if ((geo || pair_law.gated) && std::isfinite(gap[i]))
-            step_measured.largest_gap = std::fmax(step_measured.largest_gap, gap[i]);
+        const std::size_t first = std::fabs(n[2]) > std::hypot(n[0], n[1]) ? 3 : 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            sums_of[first + k].add(reports[i].force[k], fixed_point);
+        if ((geo || pair_law.gated) && std::isfinite(gap[i])) largest = std::max(largest, gap[i]);
     }
-    for (int k = 0; k < 3; ++k) {
-        step_measured.sideways[k] = sums_of[k].value();
-        step_measured.along_z[k] = sums_of[k + 3].value();
+    exchange.sum(sums_of, fixed_point);
+    exchange.max(&largest, 1);
+    if (std::isfinite(largest)) step_measured.largest_gap = largest;
+    for (std::size_t k = 0; k < 3; ++k) {
+        step_measured.sideways[static_cast<int>(k)] = sums_of[k].value();
+        step_measured.along_z[static_cast<int>(k)] = sums_of[k + 3].value();
     }
+}
+
+// Of those that another process counts, too; sums: of the others, null: none are wanted.
+void ContactPair::correct_nodes(const grit_contact_options& options, grit_contact_sums* sums) {
+    grit_contact_nodes q = nodes_of();
+    const auto first = static_cast<std::ptrdiff_t>(counted);
+    const auto all = static_cast<std::ptrdiff_t>(active.size());
+    q.index = places.data();
+    grit_error error;
+    require(grit_contact_correct(&options, first, &q, reports.data(), sums, &error), error,
+            "contact");
+    if (first == all) return;
+    q.index += first;
+    require(
+        grit_contact_correct(&options, all - first, &q, reports.data() + first, nullptr, &error),
+        error, "contact");
 }
 
 Twist ContactPair::impulse_on(std::size_t body, const Vector3& about) const {

@@ -23,7 +23,7 @@ class ContactPair {
     // Velocities after the momentum update become those after contact.
     void correct(Model& model);
     const ContactLaw& law() const { return pair_law; }
-    // Of the last step.
+    // Of the last step, of all processes.
     const grit_contact_totals& totals() const { return step_totals; }
     // Forces [N] on b of nodes whose normal points more sideways, as on a shaft, and more along z, as at a tip; the
     // largest gap at a node of both bodies [m], NaN: not measured.
@@ -57,6 +57,7 @@ class ContactPair {
                       std::vector<double>& of);
     bool is_aside(std::size_t i) const;
     void find_reaching(Model& model);
+    void share(std::vector<double>& minima, int each);
     void find_surfaces();
     void part_corners();
     void find_overlaps();
@@ -69,13 +70,16 @@ class ContactPair {
     void find_gates();
     grit_contact_options options_of(const Model& model) const;
     grit_contact_nodes nodes_of();
+    void correct_nodes(const grit_contact_options& options, grit_contact_sums* sums);
     void apply(const Model& model);
     void meet_freely(const Model& model, const grit_contact_options& options);
     void write_back(Model& model) const;
     void remember();
 
     ContactLaw pair_law;
+    Exchange& exchange;
     std::vector<std::ptrdiff_t> active;  // nodes; all that follows is by their place here ...
+    std::size_t counted = 0;             // the first ones are this process's in sums
     std::vector<double> mass_a, mass_b, motion_a, motion_b, slope_a, slope_b;
     std::vector<int> fixed_bits;
     std::vector<double> position, spacing, normal, surface, near_surface, centre, reach, distance,

@@ -21,6 +21,7 @@ void Gather::operator()() {
     if (!means.wanted()) return model.for_pencils(work);
     means.begin_strains();
     model.for_pencils_apart(work);
+    means.sum();
     model.for_pencils([this](std::size_t body, int pencil) { deform(body, pencil); });
 }
 

@@ -2,6 +2,7 @@
 #include "adapters/mpm/space/step/loads.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -19,7 +20,8 @@ void Loads::add(Traction traction) {
 Loads::FaceForces Loads::forces_of(const Traction& traction) {
     Part& part = model.parts[traction.body];
     const ParticleView q = part.body.particles.view();
-    const std::ptrdiff_t p = part.by_id[static_cast<std::size_t>(traction.particle)];
+    const std::ptrdiff_t p = part.find(traction.particle);
+    if (p < 0) return {};
     const auto place = baseline::place_of(model.grid(), q, p);
     const int d = traction.face.direction, a = (d + 1) % 3, b = (d + 2) % 3;
     const double side = traction.face.upper ? 1.0 : -1.0;
@@ -51,6 +53,7 @@ void Loads::find() {
         return quantum > 0.0 ? std::nearbyint(x / quantum) * quantum : x;
     };
     for (std::size_t i = 0; i < tractions.size(); ++i) {
+        if (!is_here(tractions[i])) continue;
         Vector3* to = nodes[tractions[i].body].data();
         for (const Vector3& corner : faces[i].corner) {
             const GridPoint at = grid_point(model.grid(), corner);
@@ -59,6 +62,10 @@ void Loads::find() {
                     to[at.node[n]][k] += rounded(at.N[n] * faces[i].each[k]);
         }
     }
+    for (std::vector<Vector3>& of_body : nodes)
+        if (!of_body.empty())
+            model.exchange.sum_nodes(of_body.data()->c, static_cast<std::ptrdiff_t>(of_body.size()),
+                                     3);
 }
 
 // Of the bits of a double, 46 are left to the largest force, six to sums of many: no order changes them.
@@ -66,12 +73,14 @@ double Loads::find_quantum() const {
     double largest = 0.0;
     for (const FaceForces& face : faces)
         for (int k = 0; k < 3; ++k) largest = std::max(largest, std::fabs(face.each[k]));
+    model.exchange.max(&largest, 1);
     return largest > 0.0 ? std::ldexp(1.0, std::ilogb(largest) - 46) : 0.0;
 }
 
 void Loads::find_work() {
     done = {};
     for (std::size_t i = 0; i < tractions.size(); ++i) {
+        if (!is_here(tractions[i])) continue;
         const NodeMotion* motions = model.parts[tractions[i].body].motions.data();
         for (const Vector3& corner : faces[i].corner) {
             const GridPoint at = grid_point(model.grid(), corner);
@@ -87,10 +96,12 @@ void Loads::find_work() {
 }
 
 Vector3 Loads::force(std::size_t body) const {
-    Total sum[3];
+    const bool fixed_point = model.settings.fixed_point;
+    std::array<Total, 3> sum;
     for (std::size_t i = 0; i < tractions.size(); ++i)
-        for (int k = 0; k < 3 && tractions[i].body == body; ++k)
-            sum[k].add(4.0 * faces[i].each[k], model.settings.fixed_point);
+        for (std::size_t k = 0; k < 3 && tractions[i].body == body; ++k)
+            sum[k].add(4.0 * faces[i].each[static_cast<int>(k)], fixed_point);
+    model.exchange.sum(sum, fixed_point);
     return {sum[0].value(), sum[1].value(), sum[2].value()};
 }
 

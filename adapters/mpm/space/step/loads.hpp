@@ -30,14 +30,14 @@ class Loads {
 
     // The forces of now; where they act.
     void find();
-    // [nodes] of a body [N]; null: there are none.
+    // [nodes] of a body, of all processes [N]; null: there are none.
     const Vector3* forces(std::size_t body) const {
         return nodes[body].empty() ? nullptr : nodes[body].data();
     }
-    // Work in this step, on velocities after contact.
+    // Work in this step, of this process, on velocities after contact.
     void find_work();
-    double work() const { return done.value(); }
-    // Of all tractions on a body in the last step [N].
+    const Total& work() const { return done; }
+    // Of all tractions on a body in the last step, on all processes [N].
     Vector3 force(std::size_t body) const;
     std::size_t count() const { return tractions.size(); }
 
@@ -52,6 +52,9 @@ class Loads {
         Vector3 corner[4];  // [m]
         Vector3 each;       // [N]
     };
+    bool is_here(const Traction& traction) const {
+        return model.parts[traction.body].find(traction.particle) >= 0;
+    }
     FaceForces forces_of(const Traction& traction);
     double find_quantum() const;
 

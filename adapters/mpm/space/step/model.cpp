@@ -1,26 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/mpm/space/step/model.hpp"
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 namespace grit::mpm::space {
-void Part::index_ids() {
-    const int* ids = body.particles.ids();
-    by_id.resize(static_cast<std::size_t>(body.particles.size()));
-    for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p)
-        by_id[static_cast<std::size_t>(ids[p])] = p;
-}
 
-Model::Model(std::array<Axis, 3> axes, const Settings& given)
-    : settings(given), axis(std::move(axes)), pool(usable_threads(given.threads)) {
+Model::Model(std::array<Axis, 3> axes, const Settings& given, Exchange* others)
+    : settings(given), axis(std::move(axes)), exchange(others ? *others : nobody),
+      pool(usable_threads(given.threads)) {
     if (const NotThere found = not_there(settings); found.key)
         throw std::invalid_argument(std::string(found.what) + " is not there in space");
     fixed_nodes.resize(static_cast<std::size_t>(axis[0].nodes()) *
                        static_cast<std::size_t>(axis[1].nodes()) *
                        static_cast<std::size_t>(axis[2].nodes()));
-    shortest = std::min({axis[0].shortest(), axis[1].shortest(), axis[2].shortest()});
+    double longest = -std::min({axis[0].shortest(), axis[1].shortest(), axis[2].shortest()});
+    exchange.max(&longest, 1);
+    shortest = -longest;
     const Pencils pencils(grid());
     for (int i = 0; i < pencils.count(); ++i)
         of_colour[static_cast<std::size_t>(pencils.colour(i))].push_back(i);
@@ -31,15 +29,22 @@ void Model::add_body(Body body) {
     part.records.resize(nodes());
     part.motions.resize(nodes());
     const ParticleView q = part.body.particles.view();
-    double least = std::numeric_limits<double>::infinity();
+    double extremes[] = {-std::numeric_limits<double>::infinity(), 0.0};  // -mass, volume
     for (std::ptrdiff_t p = 0; p < part.body.particles.size(); ++p) {
-        least = std::min(least, q[column::mass][p]);
-        part.largest_volume = std::max(part.largest_volume, q[column::V0][p]);
+        extremes[0] = std::max(extremes[0], -q[column::mass][p]);
+        extremes[1] = std::max(extremes[1], q[column::V0][p]);
     }
-    part.least_mass = part.body.particles.size() > 0 ? 1e-12 * least : 0.0;
+    exchange.max(extremes, 2);
+    part.least_mass = std::isfinite(extremes[0]) ? -1e-12 * extremes[0] : 0.0;
+    part.largest_volume = extremes[1];
     if (part.body.material) part.separation = part.body.material->separation();
-    part.index_ids();
     parts.push_back(std::move(part));
+    particles_changed(parts.size() - 1);
+}
+
+void Model::particles_changed(std::size_t body) {
+    parts[body].index_ids();
+    drift[0] = drift[1] = std::numeric_limits<double>::infinity();  // sorts before the next step
 }
 
 void Model::set_rigid_nodes(Part& part, std::size_t begin, std::size_t end) const {

@@ -8,6 +8,8 @@
 #include <limits>
 #include <vector>
 
+#include "adapters/mpm/kernel/exchange.hpp"
+#include "adapters/mpm/kernel/id_index.hpp"
 #include "adapters/mpm/space/kernel/nodes.hpp"
 #include "adapters/mpm/space/kernel/pencils.hpp"
 #include "adapters/mpm/space/step/settings.hpp"
@@ -22,15 +24,18 @@ struct Part {
     std::vector<NodeRecord> records = {};
     std::vector<NodeSlope> slopes = {};  // empty: it meets no other body
     std::vector<NodeMotion> motions = {};
-    std::vector<std::ptrdiff_t> by_id = {};  // places of particles
+    IdIndex by_id = {};
     Separation separation = {};
     double least_mass = 0.0;      // of a node that moves [kg]
     double largest_volume = 0.0;  // of a particle at the start [m3]
 
-    void index_ids();
+    // Particle with this id; -1: another process has it.
+    std::ptrdiff_t find(int id) const { return by_id.find(body.particles, id); }
+    void index_ids() { by_id.find_all(body.particles); }
     template <class Self, class Archive> static void visit(Self& part, Archive& archive) {
         Particles::visit(part.body.particles, archive);
         Pencils::visit(part.pencils, archive);
+        archive.nodes(part.records);
         archive.nodes(part.motions);
         if (part.body.rigid()) RigidMotion::visit(*part.body.motion, archive);
     }
@@ -38,11 +43,14 @@ struct Part {
 
 class Model {
   public:
-    Model(std::array<Axis, 3> axes, const Settings& settings);
+    // exchange: of processes that share the grid, outlives this; null: there is one process.
+    Model(std::array<Axis, 3> axes, const Settings& settings, Exchange* exchange);
     Model(const Model&) = delete;
     Model& operator=(const Model&) = delete;
 
     void add_body(Body body);
+    // Between steps, after particles of a body came from or went to other processes.
+    void particles_changed(std::size_t body);
     // Particles by cells, where they have moved on too far for the pencils: these allow a row, and one more
     // step moves less than the other half.
     void sort_if_moved();
@@ -111,8 +119,14 @@ class Model {
     Vector3 gravity{0.0, 0.0, 0.0};  // [m/s2]
     std::vector<std::uint8_t> fixed_nodes;
     std::vector<Part> parts;
+
+  private:
+    Exchange nobody;
+
+  public:
+    Exchange& exchange;
     ThreadPool pool;
-    double shortest = 0.0;  // edge of a cell [m]
+    double shortest = 0.0;  // edge of a cell, of all processes [m]
     // Now; of the step that is done or comes next; of the one before [s].
     double t = 0.0, dt = 0.0, dt_before = 0.0;
     double drift[2] =

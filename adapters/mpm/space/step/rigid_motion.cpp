@@ -45,15 +45,23 @@ Matrix3 rotation(const Vector3& w) {
 
 }  // namespace
 
-RigidMotion::RigidMotion(const RigidCourse& of, const ParticleView& q, std::ptrdiff_t count)
+RigidMotion::RigidMotion(const RigidCourse& of, const ParticleView& q, std::ptrdiff_t count,
+                         bool fixed_point, Exchange& exchange)
     : plan(of), orientation(unit), turn(unit) {
-    Vector3 sum{0.0, 0.0, 0.0};
+    std::array<Total, 4> sums;  // mass, and its moments
     for (std::ptrdiff_t p = 0; p < count; ++p) {
-        total += q[column::mass][p];
-        sum = sum + q[column::mass][p] * q.position(p);
+        const double m = q[column::mass][p];
+        sums[0].add(m, fixed_point);
+        for (std::size_t k = 0; k < 3; ++k)
+            sums[k + 1].add(m * q.position(p)[static_cast<int>(k)], fixed_point);
     }
-    const Vector3 of_mass = (1.0 / total) * sum;
+    exchange.sum(sums, fixed_point);
+    total = sums[0].value();
+    const Vector3 of_mass =
+        (1.0 / total) * Vector3{sums[1].value(), sums[2].value(), sums[3].value()};
     middle = plan.centre.value_or(of_mass);
+    off_mass = norm(middle - of_mass);
+    std::array<Total, 9> inertias;
     for (std::ptrdiff_t p = 0; p < count; ++p) {
         const Vector3 r = q.position(p) - middle, l = q.vector(column::l_x, p);
         const double m = q[column::mass][p];
@@ -63,14 +71,34 @@ RigidMotion::RigidMotion(const RigidCourse& of, const ParticleView& q, std::ptrd
         const double all = own[0] + own[1] + own[2] + m * dot(r, r);
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j)
-                inertia_at_start[static_cast<std::size_t>(i)][j] +=
-                    (i == j ? all - own[i] : 0.0) - m * r[i] * r[j];
+                inertias[static_cast<std::size_t>(3 * i + j)].add(
+                    (i == j ? all - own[i] : 0.0) - m * r[i] * r[j], fixed_point);
     }
-    if (any_free() && norm(middle - of_mass) > 1e-9 * reach)
-        throw std::invalid_argument(
-            "what is free moves about the centre of mass, another one was given");
+    exchange.sum(inertias, fixed_point);
+    exchange.max(&reach, 1);
+    for (std::size_t i = 0; i < 9; ++i)
+        inertia_at_start[i / 3][static_cast<int>(i % 3)] = inertias[i].value();
     before = now = as_told(0.0, plan.start);
     spin_momentum = times(inertia(), now.about);
+}
+
+namespace {
+
+Exchange& nobody() {
+    static Exchange alone;
+    return alone;
+}
+
+}  // namespace
+
+RigidMotion::RigidMotion(const RigidCourse& of, const ParticleView& q, std::ptrdiff_t count,
+                         bool fixed_point)
+    : RigidMotion(of, q, count, fixed_point, nobody()) {}
+
+void RigidMotion::check_centre() const {
+    if (any_free() && off_mass > 1e-9 * reach)
+        throw std::invalid_argument(
+            "what is free moves about the centre of mass, another one was given");
 }
 
 bool RigidMotion::any_free() const {

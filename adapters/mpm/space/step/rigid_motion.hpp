@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 
+#include "adapters/mpm/kernel/exchange.hpp"
 #include "adapters/mpm/space/kernel/particles.hpp"
 
 namespace grit::mpm::space {
@@ -16,6 +17,27 @@ using Matrix6 = std::array<std::array<double, 6>, 6>;  // along and about x, y a
 // Velocity of a body and its angular velocity about the centre [m/s], [rad/s]; or impulse and its moment [N s], [N m s].
 struct Twist {
     Vector3 along{0.0, 0.0, 0.0}, about{0.0, 0.0, 0.0};
+};
+
+// The sum of many, in double or in fixed point.
+class TwistSum {
+  public:
+    explicit TwistSum(bool in_fixed_point) : fixed_point(in_fixed_point) {}
+    void add(const Twist& more) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            of[k].add(more.along[static_cast<int>(k)], fixed_point);
+            of[k + 3].add(more.about[static_cast<int>(k)], fixed_point);
+        }
+    }
+    Twist of_all(Exchange& exchange) {
+        exchange.sum(of, fixed_point);
+        return {{of[0].value(), of[1].value(), of[2].value()},
+                {of[3].value(), of[4].value(), of[5].value()}};
+    }
+
+  private:
+    std::array<Total, 6> of;
+    bool fixed_point;
 };
 
 struct RigidCourse {
@@ -28,9 +50,14 @@ struct RigidCourse {
 
 class RigidMotion {
   public:
-    // Mass and inertia are those of the particles, as bricks. Throws std::invalid_argument where something is free and the
-    // centre is not that of mass.
-    RigidMotion(const RigidCourse& plan, const ParticleView& particles, std::ptrdiff_t count);
+    // Mass and inertia are those of the particles of all processes, as bricks.
+    RigidMotion(const RigidCourse& plan, const ParticleView& particles, std::ptrdiff_t count,
+                bool fixed_point, Exchange& exchange);
+    // ... of one process.
+    RigidMotion(const RigidCourse& plan, const ParticleView& particles, std::ptrdiff_t count,
+                bool fixed_point = false);
+    // At the start. Throws std::invalid_argument where something is free and the centre is not that of mass.
+    void check_centre() const;
 
     bool any_free() const;
     // To the velocities of the end of a step of dt that ends at t: prescribed ones as they are then, free ones as weight
@@ -61,6 +88,9 @@ class RigidMotion {
     double speed(double t) const;
 
     template <class Self, class Archive> static void visit(Self& body, Archive& archive) {
+        archive.value(body.total);
+        archive.value(body.reach);
+        archive.value(body.inertia_at_start);
         archive.value(body.middle);
         archive.value(body.now);
         archive.value(body.spin_momentum);
@@ -78,6 +108,7 @@ class RigidMotion {
     RigidCourse plan;
     double total = 0.0, reach = 0.0;
     Matrix3 inertia_at_start = {};
+    double off_mass = 0.0;  // of the centre at the start [m]
     Vector3 middle{0.0, 0.0, 0.0}, middle_before{0.0, 0.0, 0.0};
     Matrix3 orientation = {}, turn = {};
     Twist now, before;

@@ -13,10 +13,7 @@ const char* name_of_record(int component) {
 }
 
 [[noreturn]] void fail(const Body& body, const char* of_what, double t) {
-    std::vector<std::string> names(std::begin(column::names), std::end(column::names));
-    if (body.material)
-        for (const char* name : body.material->own_column_names()) names.emplace_back(name);
-    fail_share(body.name, body.particles, names, of_what, t);
+    fail_share(body.name, body.particles, column_names(body.material.get()), of_what, t);
 }
 
 }  // namespace
@@ -39,7 +36,10 @@ void Scatter::operator()() {
         if (!part.slopes.empty())
             std::fill(part.slopes.data() + begin, part.slopes.data() + end, NodeSlope{});
     });
-    if (!model.settings.fixed_point) return add();
+    if (!model.settings.fixed_point) {
+        add();
+        return share();
+    }
     do {
         begin_fixed();
         add();
@@ -68,6 +68,16 @@ void Scatter::add() {
     });
 }
 
+// What all processes have at a node.
+void Scatter::share() {
+    const auto nodes = static_cast<std::ptrdiff_t>(model.nodes());
+    for (Part& part : model.parts) {
+        model.exchange.sum_nodes(part.records.data()->value, nodes, record::size);
+        if (!part.slopes.empty())
+            model.exchange.sum_nodes(part.slopes.data()->value, nodes, slope::size);
+    }
+}
+
 void Scatter::begin_fixed() {
     for (std::size_t i = 0; i < integers.size(); ++i) {
         integers[i].records.begin_parts();
@@ -85,11 +95,11 @@ bool Scatter::must_be_done_again() {
     bool again = false;
     for (std::size_t i = 0; i < integers.size(); ++i) {
         const Body& body = model.parts[i].body;
-        const auto found = integers[i].records.check(records, alone);
+        const auto found = integers[i].records.check(records, model.exchange);
         if (found.failed >= 0) fail(body, name_of_record(found.failed), model.t);
         again = again || found.again;
         if (model.parts[i].slopes.empty()) continue;
-        const auto of_slopes = integers[i].slopes.check(slopes, alone);
+        const auto of_slopes = integers[i].slopes.check(slopes, model.exchange);
         if (of_slopes.failed >= 0) fail(body, "gradient of its mass", model.t);
         again = again || of_slopes.again;
     }
@@ -97,6 +107,10 @@ bool Scatter::must_be_done_again() {
 }
 
 void Scatter::take_fixed() {
+    for (std::size_t i = 0; i < integers.size(); ++i) {
+        integers[i].records.share(model.exchange);
+        if (!model.parts[i].slopes.empty()) integers[i].slopes.share(model.exchange);
+    }
     model.for_nodes([this](std::size_t body, std::size_t, std::size_t begin, std::size_t end) {
         Part& part = model.parts[body];
         integers[body].records.add_to(reinterpret_cast<double*>(part.records.data()), begin, end);

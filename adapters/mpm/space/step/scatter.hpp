@@ -42,12 +42,12 @@ class Scatter {
     void begin_fixed();
     bool must_be_done_again();
     void take_fixed();
+    void share();
 
     Model& model;
     CellMeans& means;
     BodyForce body_force;
     std::vector<OfBody> integers;  // of bodies, in fixed point
-    Exchange alone;                // with no other process
 };
 
 }  // namespace grit::mpm::space

@@ -32,9 +32,14 @@ struct Body {
     std::unique_ptr<Material> material;
     std::optional<RigidMotion> motion = {};  // of a rigid body; none: it deforms
     bool rigid() const { return motion.has_value(); }
-    // From now on; what its particles are is known.
-    void make_rigid(const RigidCourse& course) {
-        motion.emplace(course, particles.view(), particles.size());
+    // From now on; what its particles are is known. Sums of all processes.
+    void make_rigid(const RigidCourse& course, bool fixed_point, Exchange& exchange) {
+        motion.emplace(course, particles.view(), particles.size(), fixed_point, exchange);
+    }
+    // ... of one process, at the start.
+    void make_rigid(const RigidCourse& course, bool fixed_point = false) {
+        motion.emplace(course, particles.view(), particles.size(), fixed_point);
+        motion->check_centre();
     }
 };
 

@@ -56,7 +56,8 @@ NodeCall Simulation::node_call(std::size_t body, std::size_t begin, std::size_t 
             model.dt_before,
             model.gravity,
             model.settings.local_damping,
-            model.settings.fixed_point};
+            model.settings.fixed_point,
+            model.exchange.counted()};
 }
 
 // v = v_old + dt (f/m + g); rigid bodies have the velocity of the end of the step.
@@ -75,14 +76,18 @@ void Simulation::advance() {
 void Simulation::begin_rigid(std::size_t body) {
     RigidMotion& motion = *model.parts[body].body.motion;
     Twist load;
-    if (const Vector3* force = motion.any_free() ? loads.forces(body) : nullptr)
+    if (const Vector3* force = motion.any_free() ? loads.forces(body) : nullptr) {
+        TwistSum sum(model.settings.fixed_point);
+        const std::uint8_t* mine = model.exchange.counted();
         for (std::size_t node = 0; node < model.nodes(); ++node) {
+            if (mine && !mine[node]) continue;
             if (force[node][0] == 0.0 && force[node][1] == 0.0 && force[node][2] == 0.0) continue;
             const Vector3 impulse = model.dt * force[node];
-            load.along = load.along + impulse;
-            load.about =
-                load.about + baseline::cross(model.place_of_node(node) - motion.centre(), impulse);
+            sum.add(
+                {impulse, baseline::cross(model.place_of_node(node) - motion.centre(), impulse)});
         }
+        load = sum.of_all(model.exchange);
+    }
     motion.begin(model.t + model.dt, model.dt, model.gravity, load);
 }
 
@@ -160,33 +165,39 @@ void Simulation::finish() {
 
 // In the order of pencils and chunks, which no number of threads changes.
 void Simulation::add_up() {
-    std::ptrdiff_t lost = 0;
-    Total external_work, damping, viscosity, pic, transfer;
+    enum { lost, external_work, traction_work, damping, viscosity, pic, transfer, count };
+    const bool fixed_point = model.settings.fixed_point;
+    std::array<Total, count> step;
     for (std::size_t body = 0; body < model.parts.size(); ++body) {
         for (const Gather::OfPencil& pencil : gather.pencils(body)) {
             const GatherSums& g = pencil.sums;
-            lost += g.outside;
-            external_work += g.body_work;
-            viscosity += pencil.viscous_loss;
-            pic += g.pic_loss;
-            (transfer += g.pic_loss) -= g.kept;
+            step[lost].add(static_cast<double>(g.outside), fixed_point);
+            step[external_work] += g.body_work;
+            step[viscosity] += pencil.viscous_loss;
+            step[pic] += g.pic_loss;
+            (step[transfer] += g.pic_loss) -= g.kept;
         }
         for (const NodeSums& n : node_sums[body]) {
-            external_work += n.gravity_work;
-            damping += n.damping_work;
-            (transfer += n.change) += n.mapped_away;
+            step[external_work] += n.gravity_work;
+            step[damping] += n.damping_work;
+            (step[transfer] += n.change) += n.mapped_away;
         }
     }
-    energies.external_work += external_work.value() + loads.work();
-    energies.traction_work += loads.work();
-    energies.damping += damping.value();
-    energies.viscosity += viscosity.value();
-    energies.pic += pic.value();
-    energies.transfer += transfer.value();
-    if (lost > 0) report_lost(lost);
+    step[traction_work] += loads.work();
+    model.exchange.sum(step, fixed_point);
+    energies.external_work += step[external_work].value() + step[traction_work].value();
+    energies.traction_work += step[traction_work].value();
+    energies.damping += step[damping].value();
+    energies.viscosity += step[viscosity].value();
+    energies.pic += step[pic].value();
+    energies.transfer += step[transfer].value();
+    if (const double found = step[lost].value(); found > 0.0)
+        report_lost(static_cast<std::ptrdiff_t>(found));
     // Sums in fixed point have an end, beyond which they are no numbers.
-    if (!model.settings.fixed_point) energies.check_finite(model.t);
+    if (!fixed_point) energies.check_finite(model.t);
 }
+
+// The first that is found; another process may have it.
 
 void Simulation::report_lost(std::ptrdiff_t count) const {
     const GridView grid = model.grid();
@@ -206,17 +217,22 @@ void Simulation::report_lost(std::ptrdiff_t count) const {
 }
 
 void Simulation::measure_speeds() {
-    largest_speed = 0.0;
-    double way[2] = {};
+    constexpr std::size_t each = 2;                     // c, v2 ...
+    maxima.assign(each * model.parts.size() + 2, 0.0);  // ... and behind them ways along y and z
+    double* way = maxima.data() + each * model.parts.size();
     for (std::size_t body = 0; body < model.parts.size(); ++body) {
-        double c = 0.0, v2 = 0.0;
+        double* of_body = &maxima[each * body];
         for (const Gather::OfPencil& pencil : gather.pencils(body)) {
-            c = std::max(c, pencil.speed);
-            v2 = std::max(v2, pencil.sums.most_v2);
+            of_body[0] = std::max(of_body[0], pencil.speed);
+            of_body[1] = std::max(of_body[1], pencil.sums.most_v2);
             for (const std::size_t k : {0, 1}) way[k] = std::max(way[k], pencil.sums.farthest[k]);
         }
-        largest_speed = std::max(largest_speed, c + std::sqrt(v2));
     }
+    model.exchange.max(maxima.data(), static_cast<int>(maxima.size()));
+    largest_speed = 0.0;
+    for (std::size_t body = 0; body < model.parts.size(); ++body)
+        largest_speed =
+            std::max(largest_speed, maxima[each * body] + std::sqrt(maxima[each * body + 1]));
     for (const std::size_t k : {0, 1}) model.drift[k] += way[k];
 }
 
@@ -233,18 +249,23 @@ double Simulation::fastest_rigid(double at) const {
     return fastest;
 }
 
-// What moves a rigid body in a step is its velocity at the end of the step: shortened by 1 % at the least, and no more
-// than by half, until it fits.
+double Simulation::stable(double at) const {
+    const double speed = std::max(largest_speed, fastest_rigid(at));
+    return std::min(model.settings.cfl * model.shortest / speed, model.settings.largest_step);
+}
+
+// By 1 % at the least, and no more than by half: an end that is much farther off says little.
+bool Simulation::shorten_step() {
+    const double limit = stable(model.t + model.dt);
+    if (model.dt <= limit) return false;
+    model.dt = std::max(0.5 * model.dt, std::min(0.99 * model.dt, limit));
+    return true;
+}
+
+// What moves a rigid body in a step is its velocity at the end of the step.
 void Simulation::decide_step() {
-    const auto stable = [this](double at) {
-        const double speed = std::max(largest_speed, fastest_rigid(at));
-        return std::min(model.settings.cfl * model.shortest / speed, model.settings.largest_step);
-    };
     model.dt = stable(model.t);
-    while (std::isfinite(model.dt) && model.dt > 0.0) {
-        const double limit = stable(model.t + model.dt);
-        if (model.dt <= limit) break;
-        model.dt = std::max(0.5 * model.dt, std::min(0.99 * model.dt, limit));
+    while (std::isfinite(model.dt) && model.dt > 0.0 && shorten_step()) {
     }
     if (!std::isfinite(model.dt))
         throw std::runtime_error("no finite time step: is anything able to move?");
@@ -257,21 +278,21 @@ void Simulation::decide_step() {
 
 void Simulation::measure_energy() {
     const bool fixed_point = model.settings.fixed_point;
-    Total kinetic, stored;
+    std::array<Total, 2> sums;  // kinetic, stored
     for (Part& part : model.parts) {
-        if (part.body.rigid()) {
-            kinetic.add(part.body.motion->kinetic_energy(), fixed_point);
-            continue;
-        }
+        if (part.body.rigid()) continue;
         const ParticleView q = part.body.particles.view();
         for (std::ptrdiff_t p = 0; p < part.body.particles.size(); ++p) {
             const Vector3 v = q.vector(column::v_x, p);
-            kinetic.add(0.5 * q[column::mass][p] * dot(v, v), fixed_point);
-            stored.add(part.body.material->energy(q, p), fixed_point);
+            sums[0].add(0.5 * q[column::mass][p] * dot(v, v), fixed_point);
+            sums[1].add(part.body.material->energy(q, p), fixed_point);
         }
     }
-    energies.kinetic = kinetic.value();
-    energies.stored = stored.value();
+    model.exchange.sum(sums, fixed_point);
+    for (const Part& part : model.parts)
+        if (part.body.rigid()) sums[0].add(part.body.motion->kinetic_energy(), fixed_point);
+    energies.kinetic = sums[0].value();
+    energies.stored = sums[1].value();
 }
 
 Energy Simulation::energy() {
@@ -334,9 +355,11 @@ void Simulation::set_cfl(double cfl) {
 }
 
 double Simulation::damping_impulse(std::size_t body) const {
-    Total sum;
-    for (const NodeSums& n : node_sums[body]) sum += n.damping_z;
-    return sum.value();
+    if (!(model.settings.local_damping > 0.0)) return 0.0;
+    std::array<Total, 1> sum;
+    for (const NodeSums& n : node_sums[body]) sum[0] += n.damping_z;
+    model.exchange.sum(sum, model.settings.fixed_point);
+    return sum[0].value();
 }
 
 Seconds Simulation::seconds() const {
@@ -345,6 +368,11 @@ Seconds Simulation::seconds() const {
         for (const Gather::OfPencil& pencil : gather.pencils(body))
             out.material += pencil.material_seconds / model.pool.size();
     return out;
+}
+
+void Simulation::particles_changed(std::size_t body) {
+    model.particles_changed(body);
+    means.particles_changed(body);
 }
 
 void Simulation::index_ids() {

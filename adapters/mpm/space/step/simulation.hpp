@@ -20,9 +20,10 @@ enum class Hold { across, all };
 
 class Simulation {
   public:
-    // Throws std::invalid_argument for settings that are not there in space.
-    Simulation(std::array<Axis, 3> axes, const Settings& settings)
-        : model(std::move(axes), settings) {}
+    // exchange: of processes that share the grid, outlives this; null: there is one process. Throws
+    // std::invalid_argument for settings that are not there in space.
+    Simulation(std::array<Axis, 3> axes, const Settings& settings, Exchange* exchange = nullptr)
+        : model(std::move(axes), settings, exchange) {}
 
     // Before the first step.
     std::size_t add_body(Body body);
@@ -46,6 +47,9 @@ class Simulation {
     double time() const { return model.t; }
     // What the next step takes; 0 before the first one, until energy() was asked.
     double next_step() const { return model.dt; }
+    // For hosts that ask for the motion of rigid bodies at the end of the next step: shortens it, once, if they
+    // would move too far at the speed they were given now. True: ask again, it ends earlier.
+    bool shorten_step();
     long steps() const { return model.steps; }
     // Where the time of all steps since it was built went.
     Seconds seconds() const;
@@ -65,20 +69,23 @@ class Simulation {
     const SurfacePair& surface_contact(std::size_t i) const { return surfaces[i]; }
     std::size_t surface_contact_count() const { return surfaces.size(); }
     std::size_t traction_count() const { return loads.count(); }
-    // Of all tractions on a body in the last step [N].
+    // Of all tractions on a body in the last step, on all processes [N].
     Vector3 traction_force(std::size_t body) const { return loads.force(body); }
-    // Along z, of local damping on a body in the last step [N s].
+    // Along z, of local damping on a body in the last step, on all processes [N s].
     double damping_impulse(std::size_t body) const;
     const Axis& axis(int direction) const {
         return model.axis[static_cast<std::size_t>(direction)];
     }
+    // Edge of a cell, of all processes [m].
     double shortest_cell() const { return model.shortest; }
     const Settings& current_settings() const { return model.settings; }
     const Vector3& gravity() const { return model.gravity; }
-    // Particle with this id.
-    std::ptrdiff_t find(std::size_t i, int id) const {
-        return model.parts[i].by_id[static_cast<std::size_t>(id)];
-    }
+    // Particle with this id; -1: another process has it.
+    std::ptrdiff_t find(std::size_t i, int id) const { return model.parts[i].find(id); }
+    // Between steps, after particles of a body came from or went to other processes.
+    void particles_changed(std::size_t body);
+    // For sums over all processes, which each of them must ask for.
+    Exchange& shared() const { return model.exchange; }
 
     // All that a step leaves for the next one, or for those who look on.
     template <class Self, class Archive> static void visit(Self& simulation, Archive& archive) {
@@ -104,6 +111,7 @@ class Simulation {
     void measure_speeds();
     void decide_step();
     double fastest_rigid(double at) const;
+    double stable(double at) const;
     void begin_rigid(std::size_t body);
     // found: the velocity that contact took it for.
     void push_rigid(std::size_t body, const Twist& impulse, const Twist& found);
@@ -122,6 +130,7 @@ class Simulation {
     std::vector<SurfacePair> surfaces;
     std::vector<std::vector<NodeSums>> node_sums;  // of each body's chunks
     Energy energies;
+    std::vector<double> maxima;  // of each body
     double largest_speed = 0.0;  // v + c [m/s]
     bool started = false;
     Seconds spent;  // but what the materials took

@@ -90,8 +90,8 @@ void SurfacePair::find_mesh(int which, Part& part, const GridView& grid) {
         return mesh_a.place(
             q,
             [&](int id) {
-                const std::ptrdiff_t p = part.by_id[static_cast<std::size_t>(id)];
-                return is_near(p) ? p : -1;
+                const std::ptrdiff_t p = part.find(id);
+                return p >= 0 && is_near(p) ? p : -1;
             },
             mesh);
     near_particles.clear();
