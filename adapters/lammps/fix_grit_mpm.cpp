@@ -238,7 +238,7 @@ void FixGritMpm::setup_pre_neighbor() {
     long here = 0, wanted[2];
     for (int i = 0; i < atom->nlocal; ++i) here += is_mine(i) ? 1 : 0;
     guarded([&] {
-        run->start(cuts(), traction_ids());
+        run->start(cuts(), checked_loads());
         const std::vector<std::vector<std::string>> due = std::move(stages_due);
         stages_due.clear();
         for (const std::vector<std::string>& words : due) begin_stage(words);
@@ -267,10 +267,7 @@ void FixGritMpm::pre_neighbor() {
 
 // Sub-domains are the same for all processes: all of them start anew, or none.
 void FixGritMpm::follow_cuts() {
-    guarded_here([this] {
-        if (run->is_cut_anew(cuts())) run->start(cuts(), traction_ids());
-        else run->settle();
-    });
+    guarded_here([this] { run->start(cuts(), loaded_here()); });
 }
 
 void FixGritMpm::setup(int) {
@@ -284,7 +281,7 @@ void FixGritMpm::begin_run() {
     if (run->is_cut_anew(cuts()))
         error->all(FLERR, std::string("Fix grit/mpm: the sub-domains are other ones now, this run "
                                       "cannot be one with pre no"));
-    guarded_here([this] { run->settle(); });
+    guarded_here([this] { run->settle(loaded_here()); });
 }
 
 void FixGritMpm::initial_integrate(int) {
@@ -388,35 +385,34 @@ void FixGritMpm::read_points(std::size_t body) {
     if (!points) error->all(FLERR, "Fix grit/mpm: file " + name + " is empty");
 }
 
-// On all processes, ascending: atoms of a body in a group.
-std::vector<int> FixGritMpm::ids_in(int bit, std::size_t body) const {
-    std::vector<int> mine;
-    for (int i = 0; i < atom->nlocal; ++i)
-        if ((atom->mask[i] & bit) && is_mine(i) && body_of(i) == static_cast<int>(body))
-            mine.push_back(atom->tag[i]);
-    auto count = static_cast<int>(mine.size());
-    std::vector<int> counts(static_cast<std::size_t>(comm->nprocs)), starts(counts.size(), 0);
-    MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
-    for (std::size_t i = 1; i < counts.size(); ++i) starts[i] = starts[i - 1] + counts[i - 1];
-    std::vector<int> all(static_cast<std::size_t>(starts.back() + counts.back()));
-    MPI_Allgatherv(mine.data(), count, MPI_INT, all.data(), counts.data(), starts.data(), MPI_INT,
-                   world);
-    std::sort(all.begin(), all.end());
-    return all;
-}
-
-std::vector<std::vector<int>> FixGritMpm::traction_ids() {
-    std::vector<std::vector<int>> out;
+// Of each traction, ascending.
+LoadedIds FixGritMpm::loaded_here() const {
+    LoadedIds out;
     const FixCase& plan = run->description();
     for (std::size_t k = 0; k < plan.traction_groups.size(); ++k) {
         const std::string& name = plan.traction_groups[k];
-        const std::string& body = plan.plan.tractions[k].body;
+        const auto body = static_cast<int>(plan.plan.body(plan.plan.tractions[k].body));
         const int number = group->find(name);
         if (number < 0) error->all(FLERR, "Could not find fix grit/mpm traction group ID " + name);
-        out.push_back(ids_in(group->bitmask[number], plan.plan.body(body)));
-        if (out.back().empty())
-            error->all(FLERR,
-                       "Fix grit/mpm: traction group " + name + " has no atoms of body " + body);
+        std::vector<int>& ids = out.emplace_back();
+        for (int i = 0; i < atom->nlocal; ++i)
+            if ((atom->mask[i] & group->bitmask[number]) && is_mine(i) && body_of(i) == body)
+                ids.push_back(atom->tag[i]);
+        std::sort(ids.begin(), ids.end());
+    }
+    return out;
+}
+
+// Before a run: some process has an atom of each.
+LoadedIds FixGritMpm::checked_loads() const {
+    LoadedIds out = loaded_here();
+    for (std::size_t k = 0; k < out.size(); ++k) {
+        auto count = static_cast<std::int64_t>(out[k].size());
+        MPI_Allreduce(MPI_IN_PLACE, &count, 1, MPI_INT64_T, MPI_SUM, world);
+        const FixCase& plan = run->description();
+        if (count == 0)
+            error->all(FLERR, "Fix grit/mpm: traction group " + plan.traction_groups[k] +
+                                  " has no atoms of body " + plan.plan.tractions[k].body);
     }
     return out;
 }

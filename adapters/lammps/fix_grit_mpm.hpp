@@ -50,8 +50,8 @@ class FixGritMpm : public LAMMPS_NS::Fix {
     void check_host() const;
     void check_bricks() const;
     void read_points(std::size_t body);
-    std::vector<std::vector<int>> traction_ids();
-    std::vector<int> ids_in(int bit, std::size_t body) const;
+    LoadedIds loaded_here() const;
+    LoadedIds checked_loads() const;
     Cuts cuts() const;
     int body_of(int atom) const;
     void begin_stage(const std::vector<std::string>& words);

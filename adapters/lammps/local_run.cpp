@@ -77,9 +77,9 @@ void LocalRun::leave(int id) {
     if (waiting.erase(id) == 0) leaving.push_back(id);
 }
 
-void LocalRun::settle() {
+void LocalRun::settle(const LoadedIds& loaded) {
     if (!runner || (waiting.empty() && leaving.empty())) return;
-    with([this](auto& simulation) {
+    with([&, this](auto& simulation) {
         std::vector<std::vector<std::ptrdiff_t>> places(simulation.bodies());
         for (const int id : leaving) {
             const std::size_t body = body_of(id);
@@ -98,13 +98,14 @@ void LocalRun::settle() {
         leaving.clear();
         waiting.clear();
         for (std::size_t b = 0; b < places.size(); ++b) simulation.particles_changed(b);
+        simulation.set_tractions(tractions(simulation, loaded));
     });
 }
 
 bool LocalRun::is_cut(const Cuts& cuts) const { return cut.at == cuts.at && cut.here == cuts.here; }
 
-void LocalRun::start(const Cuts& cuts, const TractionIds& traction_ids) {
-    if (runner && is_cut(cuts)) return settle();
+void LocalRun::start(const Cuts& cuts, const LoadedIds& loaded) {
+    if (runner && is_cut(cuts)) return settle(loaded);
     // Cuts that are refused leave all as it was.
     HaloLayout layout{cuts};
     for (std::size_t d = 0; d < axes.size(); ++d)
@@ -122,8 +123,9 @@ void LocalRun::start(const Cuts& cuts, const TractionIds& traction_ids) {
     exchange = std::make_unique<Halo>(std::move(layout));
     exchange->count_from(traffic);
     if (stored) plan.plan.stages = stored->stages;
-    runner = std::make_unique<mpm::Runner>(plan.plan, build(traction_ids));
+    runner = std::make_unique<mpm::Runner>(plan.plan, build());
     waiting.clear();
+    with([&](auto& simulation) { simulation.set_tractions(tractions(simulation, loaded)); });
     if (!stored) return;
     runner->resume(stored->state);
     runner->set_energy_scale(stored->energy_scale);
@@ -156,7 +158,7 @@ mpm::Axis LocalRun::axis_here(int direction) const {
     return axes[static_cast<std::size_t>(direction)].part(slice.first_node, slice.axis_last);
 }
 
-BuiltCase LocalRun::build(const TractionIds& traction_ids) {
+BuiltCase LocalRun::build() {
     const mpm::Settings& settings = plan.plan.settings;
     BuiltCase out{std::make_shared<mpm::Clock>(), nullptr, nullptr};
     out.clock->began.assign(plan.plan.stages.size(), mpm::unlimited);
@@ -164,18 +166,19 @@ BuiltCase LocalRun::build(const TractionIds& traction_ids) {
     if (in_space()) {
         out.space = std::make_unique<mpm::space::Simulation>(
             std::array{axis_here(0), axis_here(1), axis_here(2)}, settings, exchange.get());
-        build_space(out, traction_ids);
+        build_space(out);
     } else {
         out.simulation =
             std::make_unique<mpm::Simulation>(axis_here(0), axis_here(1), settings, exchange.get());
-        build_plane(out, traction_ids);
+        build_plane(out);
     }
     return out;
 }
 
-void LocalRun::build_plane(const BuiltCase& out, const TractionIds& traction_ids) {
+void LocalRun::build_plane(const BuiltCase& out) {
     for (std::size_t b = 0; b < plan.plan.bodies.size(); ++b)
         out.simulation->add_body(plane_body(b));
+    edge_stress.clear();
     for (std::size_t i = 0; i < plan.plan.tractions.size(); ++i) {
         const mpm::TractionPlan& traction = plan.plan.tractions[i];
         auto stress = mpm::edge_stress(plan.plan, traction, out.clock);
@@ -185,16 +188,16 @@ void LocalRun::build_plane(const BuiltCase& out, const TractionIds& traction_ids
                 const double size = asked[k].value;
                 return Vector2{size * direction[0], size * direction[1]};
             };
-        for (const int id : traction_ids[i])
-            out.simulation->add_traction(
-                {plan.plan.body(traction.body), id, traction.edge, stress});
+        edge_stress.push_back(stress);
+        out.simulation->expect_tractions(plan.plan.body(traction.body), traction.on_mixture);
     }
     mpm::add_boundary(plan.plan, *out.simulation);
     mpm::add_contacts(plan.plan, *out.simulation);
 }
 
-void LocalRun::build_space(const BuiltCase& out, const TractionIds& traction_ids) {
+void LocalRun::build_space(const BuiltCase& out) {
     for (std::size_t b = 0; b < plan.plan.bodies.size(); ++b) out.space->add_body(space_body(b));
+    face_stress.clear();
     for (std::size_t i = 0; i < plan.plan.tractions.size(); ++i) {
         const mpm::TractionPlan& traction = plan.plan.tractions[i];
         const mpm::FacePlan& face = plan.plan.space->faces[i];
@@ -202,12 +205,34 @@ void LocalRun::build_space(const BuiltCase& out, const TractionIds& traction_ids
         if (const std::string name = plan.traction_variables[i]; !name.empty())
             stress = [this, k = asked_variable(name, traction.from_stage, false),
                       direction = face.direction](double) { return asked[k].value * direction; };
-        for (const int id : traction_ids[i])
-            out.space->add_traction(
-                {plan.plan.body(traction.body), id, {face.across, face.upper}, stress});
+        face_stress.push_back(stress);
+        out.space->expect_tractions(plan.plan.body(traction.body));
     }
     mpm::space::hold_sides(plan.plan, *out.space);
     mpm::space::add_contacts(plan.plan, *out.space);
+}
+
+std::vector<mpm::Traction> LocalRun::tractions(const mpm::Simulation&,
+                                               const LoadedIds& loaded) const {
+    std::vector<mpm::Traction> out;
+    for (std::size_t i = 0; i < loaded.size(); ++i) {
+        const mpm::TractionPlan& of = plan.plan.tractions[i];
+        for (const int id : loaded[i])
+            out.push_back({plan.plan.body(of.body), id, of.edge, edge_stress[i], of.on_mixture});
+    }
+    return out;
+}
+
+std::vector<mpm::space::Traction> LocalRun::tractions(const mpm::space::Simulation&,
+                                                      const LoadedIds& loaded) const {
+    std::vector<mpm::space::Traction> out;
+    for (std::size_t i = 0; i < loaded.size(); ++i) {
+        const mpm::FacePlan& face = plan.plan.space->faces[i];
+        const std::size_t body = plan.plan.body(plan.plan.tractions[i].body);
+        for (const int id : loaded[i])
+            out.push_back({body, id, {face.across, face.upper}, face_stress[i]});
+    }
+    return out;
 }
 
 template <class Particles> Particles LocalRun::particles_of(std::size_t body, int first_own) const {

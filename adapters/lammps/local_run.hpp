@@ -50,6 +50,9 @@ struct AskedVariable {
     double value = 0.0;  // of this step
 };
 
+// Of each traction: which of the particles here it acts on.
+using LoadedIds = std::vector<std::vector<int>>;
+
 class LocalRun {
   public:
     LocalRun(FixCase plan, VariableAt variables);
@@ -60,11 +63,11 @@ class LocalRun {
     PointRow row(int id) const;
     // It leaves with the next settle().
     void leave(int id);
-    void settle();
+    void settle(const LoadedIds& loaded);
 
-    // Builds what a run needs, once more if the grid is cut in another way. traction_ids: particles of each.
-    // Every process must call it. Throws what build_case throws.
-    void start(const Cuts& cuts, const std::vector<std::vector<int>>& traction_ids);
+    // Builds what a run needs, once more if the grid is cut in another way. Every process must call it. Throws what
+    // build_case throws.
+    void start(const Cuts& cuts, const LoadedIds& loaded);
     // Of the step that the next start() begins with, and more of its nodes, as in NodeItems.
     void go_on_from(StoredRun run) { stored = std::make_unique<StoredRun>(std::move(run)); }
     void take_nodes(const std::vector<std::uint64_t>& words);
@@ -116,10 +119,12 @@ class LocalRun {
     std::size_t asked_variable(const std::string& name, const std::string& stage, bool of_motion);
     void ask(AskedVariable& variable, double t);
     void take_particles_out();
-    using TractionIds = std::vector<std::vector<int>>;
-    mpm::BuiltCase build(const TractionIds& traction_ids);
-    void build_plane(const mpm::BuiltCase& built, const TractionIds& traction_ids);
-    void build_space(const mpm::BuiltCase& built, const TractionIds& traction_ids);
+    mpm::BuiltCase build();
+    void build_plane(const mpm::BuiltCase& built);
+    void build_space(const mpm::BuiltCase& built);
+    std::vector<mpm::Traction> tractions(const mpm::Simulation& of, const LoadedIds& loaded) const;
+    std::vector<mpm::space::Traction> tractions(const mpm::space::Simulation& of,
+                                                const LoadedIds& loaded) const;
     mpm::Axis axis_here(int direction) const;
     // Of a body: those that wait to be here.
     template <class Particles> Particles particles_of(std::size_t body, int first_own) const;
@@ -139,9 +144,11 @@ class LocalRun {
     VariableAt variables;
     std::vector<AskedVariable> asked;
     std::shared_ptr<mpm::Clock> clock;
-    std::vector<std::vector<std::string>> names_of;     // columns of each body
-    std::vector<std::optional<mpm::PoreWater>> waters;  // of each body
-    std::vector<mpm::Axis> axes;                        // of the whole grid
+    std::vector<std::vector<std::string>> names_of;           // columns of each body
+    std::vector<std::optional<mpm::PoreWater>> waters;        // of each body
+    std::vector<std::function<Vector2(double)>> edge_stress;  // of each traction in the plane ...
+    std::vector<std::function<Vector3(double)>> face_stress;  // ... or in space
+    std::vector<mpm::Axis> axes;                              // of the whole grid
     Cuts cut;
     std::unique_ptr<Halo> exchange;
     std::unique_ptr<mpm::Runner> runner;

@@ -84,6 +84,21 @@ TEST_P(LammpsWater, UnderBlowsHasTheBitsOfTheDriverHoweverTheGridIsCut) {
     expect_bits_however_cut(hosts, driver);
 }
 
+// A load at the surface that water bears a share of.
+TEST(LammpsWaterAtSurfaces, BearsItsShareOfALoadAsInTheDriver) {
+    const std::string text =
+        replaced(replaced(wet(flow), "stress_kPa = [1]", "stress_kPa = [1]\nacts_on = \"mixture\""),
+                 "time_s = 0.012", "time_s = 0.002");
+    const BothHosts hosts(text);
+    const Told driver = hosts.in_driver(20);
+    const std::string script = hosts.folder.read("both.in");
+    const std::string steps =
+        script.substr(0, script.find("run ${most_steps}")) + "run 20\n";  // of the first stage
+    EXPECT_EQ(first_difference(driver, hosts.in_lammps(2, 1, steps)), "");
+    hosts.folder.write("both.fix", replaced(hosts.folder.read("both.fix"), " mixture", ""));
+    EXPECT_NE(first_difference(driver, hosts.in_lammps(2, 1, steps)), "");
+}
+
 TEST_P(LammpsWater, UnderARigidPileHasTheBitsOfTheDriverHoweverTheGridIsCut) {
     const BothHosts hosts(pushed(GetParam()));
     const Told driver = hosts.in_driver(all);

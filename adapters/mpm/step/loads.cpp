@@ -9,9 +9,14 @@
 namespace grit::mpm {
 
 void Loads::add(Traction traction) {
-    forces_of(traction)[traction.body].resize(model.fixed_nodes.size());
+    expect(traction.body, traction.on_mixture);
     tractions.push_back(std::move(traction));
     edges.resize(tractions.size());
+}
+
+void Loads::set(std::vector<Traction> of_this_process) {
+    tractions = std::move(of_this_process);
+    edges.assign(tractions.size(), {});
 }
 
 // Of the bits of a double, 46 are left to the largest force, six to sums of many.
@@ -25,7 +30,10 @@ double Loads::quantum() const {
 }
 
 void Loads::push() {
-    if (tractions.empty()) return;
+    const auto has_none = [](const std::vector<Vector2>& of_body) { return of_body.empty(); };
+    if (std::all_of(nodes.begin(), nodes.end(), has_none) &&
+        std::all_of(on_mixture.begin(), on_mixture.end(), has_none))
+        return;
     for (std::size_t i = 0; i < tractions.size(); ++i) {
         const Traction& traction = tractions[i];
         Part& part = model.parts[traction.body];

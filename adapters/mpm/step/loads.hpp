@@ -15,6 +15,12 @@ class Loads {
     Loads(Model& of, Water& in_pores) : model(of), water(in_pores) {}
     void add_body() { nodes.emplace_back(), on_mixture.emplace_back(); }
     void add(Traction traction);
+    // Between steps: those of this process in the place of all that were. The body of each that any process has must have
+    // been told.
+    void set(std::vector<Traction> of_this_process);
+    void expect(std::size_t body, bool mixture) {
+        (mixture ? on_mixture : nodes)[body].resize(model.fixed_nodes.size());
+    }
 
     // Adds the forces of now to those of the nodes.
     void push();

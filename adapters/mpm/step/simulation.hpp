@@ -35,6 +35,9 @@ class Simulation {
     // Before the first step.
     std::size_t add_body(Body body);
     void add_traction(Traction traction) { loads.add(std::move(traction)); }
+    // Of a host with processes, each of which tells its own between steps; and the bodies that any of them may be on.
+    void expect_tractions(std::size_t body, bool on_mixture) { loads.expect(body, on_mixture); }
+    void set_tractions(std::vector<Traction> here) { loads.set(std::move(here)); }
     void add_contact(const ContactLaw& law) { contacts.add(law); }
     void add_contact(const PenaltyLaw& law) { penalties.add(law); }
     void add_contact(const SurfaceLaw& law) { surfaces.add(law); }

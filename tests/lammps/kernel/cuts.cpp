@@ -66,7 +66,7 @@ TEST_F(LammpsCuts, ThatAreRefusedLeaveTheRunAsItWas) {
         EXPECT_THROW(run.start(thin, {}), std::invalid_argument);
         EXPECT_TRUE(run.is_cut_anew(thin));
         EXPECT_FALSE(run.is_cut_anew(whole));
-        run.settle();
+        run.settle({});
         EXPECT_EQ(run.particles(), particles);
     }
     for (int id = 1; id <= particles; ++id)

@@ -12,9 +12,14 @@
 namespace grit::mpm::space {
 
 void Loads::add(Traction traction) {
-    nodes[traction.body].resize(model.nodes());
+    expect(traction.body);
     tractions.push_back(std::move(traction));
     faces.resize(tractions.size());
+}
+
+void Loads::set(std::vector<Traction> of_this_process) {
+    tractions = std::move(of_this_process);
+    faces.assign(tractions.size(), {});
 }
 
 Loads::FaceForces Loads::forces_of(const Traction& traction) {
@@ -44,7 +49,8 @@ Loads::FaceForces Loads::forces_of(const Traction& traction) {
 }
 
 void Loads::find() {
-    if (tractions.empty()) return;
+    const auto has_none = [](const std::vector<Vector3>& of_body) { return of_body.empty(); };
+    if (std::all_of(nodes.begin(), nodes.end(), has_none)) return;
     for (std::vector<Vector3>& of_body : nodes)
         std::fill(of_body.begin(), of_body.end(), Vector3{0.0, 0.0, 0.0});
     for (std::size_t i = 0; i < tractions.size(); ++i) faces[i] = forces_of(tractions[i]);

@@ -27,6 +27,10 @@ class Loads {
     explicit Loads(Model& of) : model(of) {}
     void add_body() { nodes.emplace_back(); }
     void add(Traction traction);
+    // Between steps: those of this process in the place of all that were. Each body of one that any process has must have
+    // been added once, or told.
+    void set(std::vector<Traction> of_this_process);
+    void expect(std::size_t body) { nodes[body].resize(model.nodes()); }
 
     // The forces of now; where they act.
     void find();
