@@ -95,7 +95,7 @@ class LammpsSpaceStamp : public ::testing::Test {
 };
 
 TEST_F(LammpsSpaceStamp, HasTheBitsOfTheDriverHoweverTheGridIsCut) {
-    constexpr std::size_t tip = 6, damping = 17, moment = 39;
+    constexpr std::size_t tip = 6, damping = 17, moment = 40;
     for (const std::size_t column : {tip, damping, moment})
         EXPECT_NE(reference().rows.back()[column], 0.0) << column;
     const BothHosts hosts(text());
@@ -163,7 +163,7 @@ friction_coefficient = 0.3
     EXPECT_NEAR(mass, m + m_target, 1e-13 * (m + m_target));
     double impulse[3] = {}, t = 0.0;
     for (const std::vector<double>& row : lammps.rows) {
-        constexpr std::size_t time = 2, contact_x = 34;
+        constexpr std::size_t time = 2, contact_x = 35;
         for (std::size_t k = 0; k < 3; ++k) impulse[k] += row[contact_x + k] * (row[time] - t);
         t = row[time];
     }

@@ -34,7 +34,7 @@ std::string pile_blows() {
 std::string wet(const std::string& drainage) {
     std::string text =
         replaced(pile_blows(), "[body.stress_at_rest]",
-                 "[body.water]\nwater_table_m = -0.1\n" + drainage + "\n[body.stress_at_rest]");
+                 "[body.water]\nwater_table_m = 0.0\n" + drainage + "\n[body.stress_at_rest]");
     text = replaced(text, "[body.water]",
                     drainage.ends_with(implicit) ? "[body.water]\nbulk_modulus_kPa = 2e5"
                                                  : "[body.water]\nbulk_modulus_kPa = 2e4");
@@ -199,7 +199,7 @@ TEST(LammpsWaterTable, GivesPressuresThatTheFileOfPointsDoesNotHave) {
     EXPECT_EQ(without.find("p_w"), std::string::npos);
     hosts.folder.write("both_soil.points", without);
     const std::string fix = hosts.folder.read("both.fix");
-    hosts.folder.write("both.fix", replaced(fix, "water soil flow", "water soil flow table -0.1"));
+    hosts.folder.write("both.fix", replaced(fix, "water soil flow", "water soil flow table 0"));
     EXPECT_EQ(first_difference(hosts.in_driver(all), hosts.in_lammps(2, 1)), "");
 }
 
