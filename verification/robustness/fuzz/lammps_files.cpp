@@ -22,7 +22,7 @@ void read_points(const std::string& text) {
     std::istringstream in(text);
     std::string line;
     std::getline(in, line);
-    const PointsFile file(names, line, true,
+    const PointsFile file(names, line, grit::mpm::words::Geometry::axisymmetric,
                           {{"S_rr", [](std::vector<double>& row) { return -row.back(); }}});
     std::vector<double> row(names.size(), 1.0);
     while (std::getline(in, line))
@@ -34,7 +34,7 @@ void read_restart(fuzz::Bytes& in) {
     constexpr std::uint64_t fingerprint = 7;
     StoredRun run;
     run.common = "common";
-    run.nodes.assign(6, 1);
+    run.nodes.words_each = 6;
     run.stages.resize(2);
     run.state.stage_time = {0.0, 1.0};
     std::string bytes = to_bytes(in.one_in(8) ? nullptr : &run, fingerprint);
