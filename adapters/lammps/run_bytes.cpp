@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 #include <stdexcept>
+#include <string>
 
 #include "adapters/mpm/io/archive.hpp"
 #include "adapters/mpm/io/checksum.hpp"
@@ -49,6 +50,10 @@ std::unique_ptr<StoredRun> from_bytes(const char* bytes, std::uint64_t fingerpri
     if (has_begun == 0) return nullptr;
     auto out = std::make_unique<StoredRun>();
     StoredRun::visit(*out, reader);
+    constexpr std::size_t most = 1 << 20;  // bodies and contacts have some each
+    if (out->nodes.words_each > most)
+        throw std::runtime_error("the restart file is damaged: nodes have " +
+                                 std::to_string(out->nodes.words_each) + " words");
     return out;
 }
 

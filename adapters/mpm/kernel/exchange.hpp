@@ -31,6 +31,9 @@
 //                               of all processes to each of them
 //   fixed point, per scatter    maxima of contributions, eight a body           8 each
 //   ... with tractions          maximum of their forces                         8
+//   in space                    records as above, 32 for gradients, loads 24     a halo node
+//   ... contact                 minima: surfaces and centres two each, along     48, 80, 8 a node in contact
+//                               five directions two each, overlap
 //   each step, per body         maxima: c, v2, way along z, what water adds     8 each
 //   each step                   sums of the energy balance, count of lost       8 each; fixed point: 40
 #pragma once

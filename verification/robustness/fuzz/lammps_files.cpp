@@ -34,6 +34,7 @@ void read_restart(fuzz::Bytes& in) {
     constexpr std::uint64_t fingerprint = 7;
     StoredRun run;
     run.common = "common";
+    run.nodes.words_each = 6;
     run.stages.resize(2);
     run.state.stage_time = {0.0, 1.0};
     std::string bytes = to_bytes(in.one_in(8) ? nullptr : &run, fingerprint);
