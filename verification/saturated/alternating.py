@@ -99,7 +99,8 @@ def row(out, case):
     law = "surface" if case.endswith("_surface") else "geo"
     return (f"| {kind} | {law} | {1e3 * depth[drive]:.0f} | {driven} | {pressed:.0f} | {most(parts):.1f}, "
             f"{100 * most(parts) / pressed:.2f} % | {math.hypot(*parts) / len(parts) ** 0.5:.1f} | {most(bears):.1f}, "
-            f"{100 * most(bears) / pressed:.2f} % | {most(along):.0f} | {max(history['residual_share']):.0e} |")
+            f"{100 * most(bears) / pressed:.2f} % | {most(along):.0f}, "
+            f"{100 * most(along) / pressed:.1f} % |")
 
 
 def draw(out, cases, target):
@@ -119,7 +120,8 @@ def draw(out, cases, target):
         if n == len(cases) - 1:
             script += "unset multiplot\n"
     gnuplot(data + "unset key\nset tics font ',7'\nset palette defined (-1 '#2166ac', -0.4 '#92c5de', 0 '#f7f7f7', 0.4 '#f4a582', "
-            "1 '#b2182b')\nset cbrange [-100:100]\nset multiplot layout 2,2\n" + script, target, 620, 620)
+            "1 '#b2182b')\nset cbrange [-100:100]\nset cblabel 'excess pore pressure [kPa]' offset -1\nset xlabel 'r [m]' "
+            "offset 0,0.7\nset ylabel 'z [m]' offset 1\nset multiplot layout 2,2\n" + script, target, 700, 640)
 
 
 def main():
@@ -129,7 +131,7 @@ def main():
     cases = sorted(p.stem for p in HERE.glob("blows_*.toml"))
     run_due(args, cases)
     print("| k | contact | by its weight [mm] | by each blow [mm] | presses with [kPa] | checkerboard, most [kPa] | RMS [kPa] "
-          "| where water bears | one way, most [kPa] | energy residual, most |\n" + "|---" * 10 + "|")
+          "| where water bears | one way, most [kPa] |\n" + "|---" * 9 + "|")
     for case in cases:
         print(row(args.out, case), flush=True)
     if args.picture:
