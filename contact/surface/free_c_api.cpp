@@ -132,12 +132,12 @@ class FreeEdges {
     static double side(const grit_matrix_view& v, std::ptrdiff_t i, int row, int column) {
         return v.base[i * v.point_stride + row * v.row_stride + column * v.column_stride];
     }
+    // Where a piece of it is; then it counts as a whole, for what lies opposite ends where it ends.
     bool is_free(const BoxTree<2>& tree, std::ptrdiff_t i, int k) const {
         const Parallelogram& q = domains[i];
         const Vector2 from = q.corner(k), along = q.corner((k + 1) % 4) - from;
-        const double length = norm(along);
-        const Vector2 outward{along[1] / length, -along[0] / length};
-        const Vector2 off = tolerance * q.area() / length * outward;
+        // Outside along the other sides, as a neighbour that is skewed alike lies.
+        const Vector2 off = (k == 0 || k == 3 ? -2.0 : 2.0) * tolerance * (k % 2 ? q.r1 : q.r2);
         Box<2> at = Box<2>::empty();
         at.include(from + off);
         at.include(from + along + off);
@@ -146,16 +146,17 @@ class FreeEdges {
             if (other == i) return false;
             const Interval shadow = domains[other].cut(from + off, along);
             if (shadow.begin < shadow.end) covered[count++] = shadow;
-            return shadow.end - shadow.begin > 0.5;  // inside of a body: by one neighbour
+            // Inside of a body: by one neighbour.
+            return shadow.begin <= tolerance && shadow.end >= 1.0 - tolerance;
         });
         if (is_covered) return false;
         sort_ascending(covered, covered + count);
-        double open = 0.0, reached = 0.0;
+        double open = 0.0, reached = 0.0;  // the longest that is
         for (std::ptrdiff_t c = 0; c < count; ++c) {
-            open += std::max(covered[c].begin - reached, 0.0);
+            open = std::max(open, covered[c].begin - reached);
             reached = std::max(reached, covered[c].end);
         }
-        return open + 1.0 - reached >= 0.5;
+        return std::max(open, 1.0 - reached) > tolerance;
     }
     std::ptrdiff_t root(std::ptrdiff_t c) {
         while (corners[c].root != c) c = corners[c].root = corners[corners[c].root].root;

@@ -175,15 +175,17 @@ typedef struct grit_surface_domains {
     grit_view position;     /* [2] x_p [length] */
     grit_matrix_view side;  /* [2][2] rows r_1, r_2 [length] */
     double tolerance; /* [-] in (0, 0.5], share of a domain's width: gaps between neighbours up to
-                               this wide are none, corners this near are one vertex */
+                               this wide are none, pieces of an edge up to this long do not
+                               make it free, corners this near are one vertex */
 } grit_surface_domains;
 
 /* Bytes of workspace for n domains; 0 for impossible counts. */
 GRIT_API size_t grit_surface_find_free_workspace_size(ptrdiff_t n);
 
-/* The free edges of domains: those beyond which, at half of its length or more, no neighbour's domain
- * is found. They become facets with the body on the left; corners of neighbours that are free and near
- * become one vertex, at their mean.
+/* The free edges of domains: those that no neighbour's domain covers, tolerance times a width outside
+ * along the other sides, over a piece that is longer than the tolerance, as a share of the edge. They
+ * become facets with the body on the left, whole; corners of neighbours that are free and near become
+ * one vertex, at their mean.
  *   position  [4 n][2] out: of *vertices vertices, at most
  *   facet     [4 n][2] out: of *facets facets
  *   owner     [4 n] optional out: the entry of index (or the particle) of a facet

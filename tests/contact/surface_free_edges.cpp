@@ -118,15 +118,30 @@ TEST(FreeEdges, OfAHoleAreFound) {
     EXPECT_NEAR(d.area(), 24.0, 1e-12);
 }
 
-TEST(FreeEdges, ShiftedByHalfAnEdgeCountWhereHalfOfThemIsFree) {
+TEST(FreeEdges, ThatAreCoveredInPartCountIfAPieceAsWideAsTheToleranceIsOpen) {
     Domains d;
     d.add(0.5, 0.5, 0.5, 0.0, 0.0, 0.5);
-    d.add(1.5, 1.1, 0.5, 0.0, 0.0, 0.5);  // covers 0.4 of the right edge of the first
+    d.add(1.5, 0.8, 0.5, 0.0, 0.0, 0.5);  // covers 0.7 of the right edge of the first
     ASSERT_EQ(d.find(), GRIT_OK);
     EXPECT_EQ(d.facets, 8);
-    d.data[7] = 0.9;  // 0.6 of it
+    d.data[7] = 0.7;  // 0.8 of it
     ASSERT_EQ(d.find(), GRIT_OK);
     EXPECT_EQ(d.facets, 6);
+    d.tolerance = 0.1;
+    ASSERT_EQ(d.find(), GRIT_OK);
+    EXPECT_EQ(d.facets, 8);
+}
+
+TEST(FreeEdges, AreNotThoseOfTwoNarrowGaps) {
+    const double upright[4] = {1, 0, 0, 1};
+    Domains d = block(1, 1, upright);
+    d.add(0.5, 1.5, 0.3, 0.0, 0.0, 0.5);  // above, a fifth is open on each side
+    ASSERT_EQ(d.find(), GRIT_OK);
+    EXPECT_EQ(d.facets, 6);
+    d.data[8] = 0.25;  // a quarter and more, on the left 0.15
+    d.data[6] = 0.4;
+    ASSERT_EQ(d.find(), GRIT_OK);
+    EXPECT_EQ(d.facets, 7);
 }
 
 TEST(FreeEdges, OfNothingAreNoneAndOfBadDomainsRefused) {

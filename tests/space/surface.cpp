@@ -52,11 +52,10 @@ struct Measures {
 };
 
 TEST(FreeFaces, OfABlockAreItsSidesWhereverItIsAndHoweverSkewed) {
-    for (const bool skewed : {false, true}) {
+    for (const double skew : {0.0, 0.2, 0.8}) {
         Lattice lattice;
         Particles block;
-        const double F[3][3] = {
-            {1.0, skewed ? 0.2 : 0.0, 0.0}, {0.0, 1.0, skewed ? -0.1 : 0.0}, {0.0, 0.0, 1.0}};
+        const double F[3][3] = {{1.0, skew, 0.0}, {0.0, 1.0, -0.5 * skew}, {0.0, 0.0, 1.0}};
         for (int k = 0; k < 4; ++k)
             for (int j = 0; j < 3; ++j)
                 for (int i = 0; i < 3; ++i) {
@@ -94,6 +93,21 @@ TEST(FreeFaces, ArePassedOverWhereAGapIsNarrowAndFoundWhereItIsWide) {
         EXPECT_EQ(mesh.facets(), gap < 0.015 ? 40 : 48);
         EXPECT_EQ(Measures(mesh).open, 0);
         EXPECT_EQ(mesh.vertices(), gap < 0.015 ? 12 + 10 : 16 + 12);
+    }
+}
+
+TEST(FreeFaces, ThatAreCoveredInPartCountIfAQuarterIsOpen) {
+    Lattice lattice;
+    FreeFaces faces(12 * 12 * 12);
+    TriangleMesh mesh;
+    for (const bool open : {true, false}) {
+        Particles three;
+        three.add({{0.4, 0.4, 0.4}, {0.03, 0.03, 0.03}, 1.0});
+        three.add({{0.46, 0.385, 0.4}, {0.03, 0.015, 0.03}, 1.0});
+        const double half = open ? 0.015 : 0.03;  // of the last: three quarters are covered, or all
+        three.add({{0.46, 0.415, 0.37 + half}, {0.03, 0.015, half}, 1.0});
+        faces.find(lattice.grid(), domains_of(three, lattice.grid()), mesh);
+        EXPECT_EQ(mesh.facets(), 4 * (open ? 6 + 5 + 4 : 5 + 4 + 4));
     }
 }
 

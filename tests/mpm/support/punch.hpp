@@ -18,6 +18,7 @@ struct Punch {
     ContactKind kind = ContactKind::surface;
     double cells = 4.4;               // in the radius
     double last_cell = 0.0;           // a grid line so far above the bottom [cells]; 0: none
+    bool parted_below = true;         // the soil's particles, below the punch's edge
     double moved = 1e-3;              // [m]
     double rise = 0.05, rest = 0.10;  // [s]
     double power = 0.0;               // k of the Geo-contact; 0: its default
@@ -46,8 +47,13 @@ struct Punch {
         Body soil;
         auto elastic = std::make_unique<LinearElastic>(E, nu);
         soil.particles = Particles(elastic->own_columns());
-        fill(soil, h, {0.0, R}, {-depth, -embedded});
-        fill(soil, h, {R, width}, {-depth, -embedded});
+        const Range below{-depth, -embedded};
+        if (parted_below) {
+            fill(soil, h, {0.0, R}, below);
+            fill(soil, h, {R, width}, below);
+        } else {
+            fill(soil, h, {0.0, width}, below);
+        }
         fill(soil, h, {R, width}, {-embedded, 0.0});
         soil.material = std::move(elastic);
         simulation.add_body(std::move(soil));

@@ -73,13 +73,11 @@ void FreeFaces::find_neighbours(const GridView& grid, std::ptrdiff_t i) {
             }
 }
 
-// Four places, each in the middle of a quarter of the face.
+// Four places, each in the middle of a quarter of the face, outside along the other sides, as a neighbour that is skewed
+// alike lies.
 bool FreeFaces::is_free(const NearDomain& q, int direction, double side) const {
     const Vector3 *r = q.r, &u = r[(direction + 1) % 3], &v = r[(direction + 2) % 3];
-    const Vector3 area = baseline::cross(u, v);
-    const double width = 2.0 * std::fabs(dot(area, r[direction])) / norm(area);
-    const Vector3 outward = (side / norm(area)) * area;
-    const Vector3 middle = q.x + side * r[direction] + (tolerance * width) * outward;
+    const Vector3 middle = q.x + (1.0 + 2.0 * tolerance) * side * r[direction];
     int covered = 0;
     for (int k = 0; k < 4; ++k) {
         const Vector3 at = middle + (k & 1 ? 0.5 : -0.5) * u + (k & 2 ? 0.5 : -0.5) * v;
@@ -87,7 +85,7 @@ bool FreeFaces::is_free(const NearDomain& q, int direction, double side) const {
             return covering[static_cast<std::size_t>(other)].has(at);
         });
     }
-    return covered <= 2;
+    return covered < 4;
 }
 
 void FreeFaces::add_face(const NearDomain& q, std::ptrdiff_t i, int direction, double side,

@@ -41,7 +41,7 @@ class FreeFaces {
     // cells: of the grid.
     explicit FreeFaces(std::size_t cells) : first_in(cells, -1) {}
 
-    // Faces of which neighbours cover less than a half, a quarter of a width outside; corners that are near become one
+    // Faces of which neighbours leave a quarter open, a quarter of a width outside; corners that are near become one
     // vertex, at their mean. A face is four triangles around its middle, so that a pressure on it has a quarter of its force
     // at each corner, as the stress of the domain has. Depends on the order of the domains.
     void find(const GridView& grid, const std::vector<NearDomain>& domains, TriangleMesh& out);
