@@ -33,7 +33,7 @@ TEST(MaterialPointCommand, RunsTheFileThatExplainsEveryKey) {
     EXPECT_EQ(answer.status, 0) << answer.text;
     EXPECT_TRUE(answer.says("stage rest ended by its time")) << answer.text;
     const std::map<std::string, Values> history = here.result("every_key");
-    EXPECT_EQ(history.size(), 34U);
+    EXPECT_EQ(history.size(), 35U);
     EXPECT_EQ(history.at("blow").back(), 2.0);
     EXPECT_GT(history.at("depth").back(), 0.0);
     EXPECT_EQ(history.at("stage").back(), 2.0);
