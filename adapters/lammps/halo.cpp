@@ -60,7 +60,8 @@ Halo::Halo(HaloLayout given) : layout(std::move(given)) {
 
 std::size_t Halo::lines(int direction, Of what) const {
     const Slice& s = slice(direction);
-    return static_cast<std::size_t>(s.axis_last - s.first_node + (what == Of::nodes ? 1 : 0));
+    const int cells = s.axis_last - s.first_node;
+    return static_cast<std::size_t>(cells) + (what == Of::nodes ? 1 : 0);
 }
 
 // Direction by direction: a line counts where all of its coordinates do.

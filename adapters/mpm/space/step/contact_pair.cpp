@@ -106,10 +106,11 @@ class FreeMeeting {
         return out;
     }
     void add(const Row& impulse, const Row& of, double w) {
+        Total* matrix = sums.data();
+        Total* vector = matrix + 36;
         for (int i = 0; i < 6; ++i) {
-            for (int j = 0; j < 6; ++j)
-                sums[static_cast<std::size_t>(6 * i + j)].add(impulse[i] * of[j], fixed_point);
-            sums[static_cast<std::size_t>(36 + i)].add(-w * impulse[i], fixed_point);
+            for (int j = 0; j < 6; ++j) (matrix++)->add(impulse[i] * of[j], fixed_point);
+            (vector++)->add(-w * impulse[i], fixed_point);
         }
     }
 

@@ -69,10 +69,10 @@ RigidMotion::RigidMotion(const RigidCourse& of, const ParticleView& q, std::ptrd
         // Of a brick about its own centre, and about this one.
         const Vector3 own = (m / 3.0) * Vector3{l[0] * l[0], l[1] * l[1], l[2] * l[2]};
         const double all = own[0] + own[1] + own[2] + m * dot(r, r);
+        Total* inertia_here = inertias.data();
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j)
-                inertias[static_cast<std::size_t>(3 * i + j)].add(
-                    (i == j ? all - own[i] : 0.0) - m * r[i] * r[j], fixed_point);
+                (inertia_here++)->add((i == j ? all - own[i] : 0.0) - m * r[i] * r[j], fixed_point);
     }
     exchange.sum(inertias, fixed_point);
     exchange.max(&reach, 1);
