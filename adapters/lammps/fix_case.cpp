@@ -268,9 +268,7 @@ FixCase read_fix(const std::vector<std::string>& given, const Box& box) {
     for (const mpm::Spelling& axis : axes_of(plan))
         check_grid(axis_of(plan, axis.value), box[static_cast<std::size_t>(axis.value)][1],
                    axis.word);
-    if (plan.space)
-        if (const auto found = mpm::space::not_there(plan.settings); found.key)
-            throw std::invalid_argument(std::string(found.what) + " is not there in space");
+    if (plan.space) mpm::space::check_there(plan.settings);
     if (plan.history.body.empty() && !plan.bodies.empty()) plan.history.body = plan.bodies[0].name;
     if (plan.stages.empty()) plan.stages.emplace_back().name = "run";
     for (mpm::StagePlan& stage : plan.stages) stage = plan.plain_stage(stage.name);

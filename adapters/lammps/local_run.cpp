@@ -266,7 +266,7 @@ mpm::space::Body LocalRun::space_body(std::size_t b) {
     mpm::space::RigidCourse course = mpm::space::course_of(plan.plan, b, clock);
     course.velocity = with_variables(course.velocity, names.along, stage);
     course.spin = with_variables(course.spin, names.about, stage);
-    body.make_rigid(course, plan.plan.settings.fixed_point, *exchange);
+    body.make_rigid(course, plan.plan.settings.fixed_point, exchange.get());
     if (!stored) body.motion->check_centre();
     return body;
 }

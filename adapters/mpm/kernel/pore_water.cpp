@@ -109,11 +109,10 @@ double update_pressures(const ParticleView& q, std::ptrdiff_t begin, std::ptrdif
         sums.work.add(-0.5 * (before + now) * strain * V, fixed_point);
         sums.half.add(-0.5 * now * of_cell * V, fixed_point);
         fastest = std::max(fastest, water.speed2(e, q[column::mass][p] / V));
-        if (water.flows) {
-            const double mass_before = PoreWater::porosity_of(e) * water.density * V;
-            sums.carried.add(0.5 * (mass_before - water.mass(q, p)) * water.speed_squared(q, p),
+        if (water.flows)
+            sums.carried.add(0.5 * (water.mass_of(e, V) - water.mass(q, p)) *
+                                 water.speed_squared(q, p),
                              fixed_point);
-        }
         if (gone == 0.0) continue;
         sums.between.add(0.5 * (before + now) * gone * V, fixed_point);
         if (water.flows) q[water.content_column()][p] -= water.density * gone * V;

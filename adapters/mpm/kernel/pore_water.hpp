@@ -74,9 +74,11 @@ struct PoreWater {
         const double p_w = q[first][p];
         return p_w > -largest_tension ? p_w : -largest_tension;
     }
-    // That fills the pores of a particle, per radian or per metre [kg].
+    // That fills pores of a volume [kg].
+    GRIT_INLINE double mass_of(double e, double V) const { return porosity_of(e) * density * V; }
+    // ... of a particle, per radian or per metre.
     GRIT_INLINE double mass(const ParticleView& q, std::ptrdiff_t p) const {
-        return porosity_of(void_ratio(q, p)) * density * (q[column::V0][p] * q.J(p));
+        return mass_of(void_ratio(q, p), q[column::V0][p] * q.J(p));
     }
     // Of the seepage [m/s]: Kozeny (1927), Carman (1937), k ~ e^3/(1 + e).
     GRIT_INLINE double conductivity_of(double e) const {

@@ -59,7 +59,7 @@ GRIT_INLINE void move_water(const GatherCall& call, const PoreWater& water, cons
                             const Vec4& flowing, std::ptrdiff_t p, const WaterPlace& at) {
     namespace c = column;
     const ParticleView& q = call.particles;
-    const double mass = PoreWater::porosity_of(at.e) * water.density * at.V;
+    const double mass = water.mass_of(at.e, at.V);
     const double unseen = (1.0 - call.pic) * kept_by_drag(call, water, p, at, mass);
     double kept = 0.0, lost = 0.0;
     for (int k = 0; k < 2; ++k) {

@@ -2,8 +2,6 @@
 #include "adapters/mpm/space/step/model.hpp"
 
 #include <cmath>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 namespace grit::mpm::space {
@@ -11,8 +9,7 @@ namespace grit::mpm::space {
 Model::Model(std::array<Axis, 3> axes, const Settings& given, Exchange* others)
     : settings(given), axis(std::move(axes)), exchange(others ? *others : nobody),
       pool(usable_threads(given.threads)) {
-    if (const NotThere found = not_there(settings); found.key)
-        throw std::invalid_argument(std::string(found.what) + " is not there in space");
+    check_there(settings);
     fixed_nodes.resize(static_cast<std::size_t>(axis[0].nodes()) *
                        static_cast<std::size_t>(axis[1].nodes()) *
                        static_cast<std::size_t>(axis[2].nodes()));

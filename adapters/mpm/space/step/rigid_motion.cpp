@@ -46,8 +46,10 @@ Matrix3 rotation(const Vector3& w) {
 }  // namespace
 
 RigidMotion::RigidMotion(const RigidCourse& of, const ParticleView& q, std::ptrdiff_t count,
-                         bool fixed_point, Exchange& exchange)
+                         bool fixed_point, Exchange* others)
     : plan(of), orientation(unit), turn(unit) {
+    Exchange nobody;
+    Exchange& exchange = others ? *others : nobody;
     std::array<Total, 4> sums;  // mass, and its moments
     for (std::ptrdiff_t p = 0; p < count; ++p) {
         const double m = q[column::mass][p];
@@ -81,19 +83,6 @@ RigidMotion::RigidMotion(const RigidCourse& of, const ParticleView& q, std::ptrd
     before = now = as_told(0.0, plan.start);
     spin_momentum = times(inertia(), now.about);
 }
-
-namespace {
-
-Exchange& nobody() {
-    static Exchange alone;
-    return alone;
-}
-
-}  // namespace
-
-RigidMotion::RigidMotion(const RigidCourse& of, const ParticleView& q, std::ptrdiff_t count,
-                         bool fixed_point)
-    : RigidMotion(of, q, count, fixed_point, nobody()) {}
 
 void RigidMotion::check_centre() const {
     if (any_free() && off_mass > 1e-9 * reach)

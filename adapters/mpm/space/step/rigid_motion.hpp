@@ -50,12 +50,9 @@ struct RigidCourse {
 
 class RigidMotion {
   public:
-    // Mass and inertia are those of the particles of all processes, as bricks.
+    // Mass and inertia are those of the particles of all processes, as bricks. exchange: of these; null: there is one.
     RigidMotion(const RigidCourse& plan, const ParticleView& particles, std::ptrdiff_t count,
-                bool fixed_point, Exchange& exchange);
-    // ... of one process.
-    RigidMotion(const RigidCourse& plan, const ParticleView& particles, std::ptrdiff_t count,
-                bool fixed_point = false);
+                bool fixed_point = false, Exchange* exchange = nullptr);
     // At the start. Throws std::invalid_argument where something is free and the centre is not that of mass.
     void check_centre() const;
 

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "adapters/mpm/space/kernel/material.hpp"
@@ -25,6 +26,11 @@ inline NotThere not_there(const Settings& settings) {
     if (settings.reduced_domains) return {"reduced_domains", "the reduction of domains"};
     return {};
 }
+// Throws std::invalid_argument with the word.
+inline void check_there(const Settings& settings) {
+    if (const NotThere found = not_there(settings); found.key)
+        throw std::invalid_argument(std::string(found.what) + " is not there in space");
+}
 
 struct Body {
     std::string name;
@@ -32,13 +38,13 @@ struct Body {
     std::unique_ptr<Material> material;
     std::optional<RigidMotion> motion = {};  // of a rigid body; none: it deforms
     bool rigid() const { return motion.has_value(); }
-    // From now on; what its particles are is known. Sums of all processes.
-    void make_rigid(const RigidCourse& course, bool fixed_point, Exchange& exchange) {
+    // From now on; what its particles are is known. exchange: of processes that have some of them.
+    void make_rigid(const RigidCourse& course, bool fixed_point, Exchange* exchange) {
         motion.emplace(course, particles.view(), particles.size(), fixed_point, exchange);
     }
     // ... of one process, at the start.
     void make_rigid(const RigidCourse& course, bool fixed_point = false) {
-        motion.emplace(course, particles.view(), particles.size(), fixed_point);
+        make_rigid(course, fixed_point, nullptr);
         motion->check_centre();
     }
 };

@@ -198,7 +198,6 @@ void Simulation::add_up() {
 }
 
 // The first that is found; another process may have it.
-
 void Simulation::report_lost(std::ptrdiff_t count) const {
     const GridView grid = model.grid();
     std::string which;
