@@ -7,7 +7,7 @@ module grit_surface_interface
    public
 
    type, bind(c) :: grit_surface_options
-      integer(c_size_t) :: struct_size = 72
+      integer(c_size_t) :: struct_size = 88
       integer(c_int) :: components, axisymmetric, validate_only, sweep_limit
       real(c_double) :: sweep_tolerance       ! [-]
       real(c_double) :: friction_coefficient  ! mu [-]
@@ -15,6 +15,8 @@ module grit_surface_interface
       real(c_double) :: spacing               ! [length]
       real(c_double) :: reach                 ! [length]
       real(c_double) :: end_spacings          ! [-]
+      real(c_double) :: contact_stiffness     ! eps [stress / length]
+      real(c_double) :: relaxation_time       ! tau [time]
    end type
 
    ! facet (components, facets), node and weight (nodes_each, vertices), fixed and water_fixed (nodes), spacing and

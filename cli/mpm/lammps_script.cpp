@@ -194,7 +194,10 @@ void add_contacts(const Case& plan, FixWords& fix) {
                 member.word->kind == Kind::number && (value == 0.0 || !std::isfinite(value));
             const bool is_of_surface =
                 member.fix == "after_damping" || member.fix == "pressure_spacing";
-            if (member.fix.empty() || contact.at_surfaces != is_of_surface || is_none ||
+            const bool is_of_both = member.fix == "relaxation_time" ||
+                                    member.fix == "stiffness_multiple" || member.fix == "modulus";
+            if (member.fix.empty() || is_none ||
+                (!is_of_both && contact.at_surfaces != is_of_surface) ||
                 (is_of_surface && value == member.get(ContactPlan{})) ||
                 (member.fix == "power" && !geo) ||
                 (member.fix == "distance" && !geo && !contact.gated))

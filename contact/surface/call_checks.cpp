@@ -167,6 +167,13 @@ grit_status read_options(const grit_surface_options* given, grit_surface_options
                  "reach must be in (0, 1e30] (length), got %g", o.reach);
     GRIT_REQUIRE(o.end_spacings >= 1.0 && o.end_spacings <= 10.0,
                  "end_spacings must be in [1, 10], got %g", o.end_spacings);
+    GRIT_REQUIRE(o.contact_stiffness >= 0.0 && o.contact_stiffness <= largest_number,
+                 "contact_stiffness must be in [0, 1e30] (stress / length), got %g",
+                 o.contact_stiffness);
+    GRIT_REQUIRE(o.relaxation_time >= 0.0 && o.relaxation_time <= largest_number,
+                 "relaxation_time must be in [0, 1e30] (time), got %g", o.relaxation_time);
+    GRIT_REQUIRE(o.relaxation_time == 0.0 || o.contact_stiffness > 0.0,
+                 "relaxation_time needs a contact_stiffness, got %g without", o.relaxation_time);
     return GRIT_OK;
 }
 

@@ -146,7 +146,8 @@ template <int C> class Call {
         return !arena.is_overrun();
     }
     bool solve() {
-        if (!system.build(points, n_points, shares, n_shares, o.time_step)) return false;
+        const Layer layer{o.time_step, o.contact_stiffness, o.relaxation_time};
+        if (!system.build(points, n_points, shares, n_shares, layer)) return false;
         if (!system.make_lists()) return false;
         outcome = system.sweep(o.friction_coefficient, o.sweep_limit, o.sweep_tolerance);
         return true;

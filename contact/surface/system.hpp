@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The impulses of all points that carry pressure, (V3)-(V5): rows of a system that projected Gauss-Seidel sweeps
+// The impulses of all points that carry pressure, (V3)-(V5), (V8): rows of a system that projected Gauss-Seidel sweeps
 // solve, to and fro, on copies of the velocities of the nodes. Beside the impulses on a body are those of its water on
 // the surface (V7): none of it passes.
 #pragma once
@@ -18,6 +18,27 @@ struct Share {
     double share;
 };
 
+// Between the surfaces, over a step.
+struct Layer {
+    double dt;
+    double stiffness = 0.0, relaxation_time = 0.0;  // (V8); 0: rigid
+
+    // The approach at which a mean gap bears nothing.
+    double bound(double gap) const {
+        if (stiffness > 0.0 && gap < 0.0) return gap / (dt + relaxation_time);
+        return std::max(gap, 0.0) / dt;
+    }
+    // Approach beyond that, by impulse, of an area.
+    double compliance(double area) const {
+        if (!(stiffness > 0.0)) return 0.0;
+        return std::min(1.0 / (stiffness * dt * (dt + relaxation_time) * area), 1e300);
+    }
+    // What it holds at an overlap.
+    double energy(double area, double overlap) const {
+        return overlap > 0.0 ? 0.5 * stiffness * area * overlap * overlap : 0.0;
+    }
+};
+
 // A node of either body that feels contact.
 template <int C> struct ContactNode {
     std::ptrdiff_t id;
@@ -34,7 +55,9 @@ template <int C> struct Row {
     std::ptrdiff_t pressure;    // which point
     std::ptrdiff_t begin, end;  // its terms
     double size;                // area that it answers for
+    double gap;                 // its mean
     double bound;               // largest approach that closes the gap and no more
+    double compliance;          // approach beyond that, by impulse
     double rigid[C];            // approach by rigid bodies
     double effective[C];        // 1 / mass
     double impulse[C];
@@ -55,10 +78,11 @@ template <int C> class System {
 
     // False where the workspace is too small.
     bool build(const MeetingPoint<C>* of_points, std::ptrdiff_t n_points, const Share* given,
-               std::ptrdiff_t n_shares, double dt) {
+               std::ptrdiff_t n_shares, const Layer& between) {
         points = of_points;
         shares = given;
-        return sort_shares(n_shares) && find_nodes(n_points) && find_rows(dt);
+        layer = between;
+        return sort_shares(n_shares) && find_nodes(n_points) && find_rows();
     }
 
     struct Outcome {
@@ -322,7 +346,7 @@ template <int C> class System {
         }
     }
 
-    bool find_rows(double dt) {
+    bool find_rows() {
         rows = arena.take<Row<C>>(pressures.size());
         std::ptrdiff_t* vertex[2] = {arena.take<std::ptrdiff_t>(skin[0]->given->vertices),
                                      arena.take<std::ptrdiff_t>(skin[1]->given->vertices)};
@@ -351,7 +375,7 @@ template <int C> class System {
                 for (int body = 0; body < 2; ++body)
                     if (const double* pressure = skin[body]->given->pore_pressure)
                         row.pore_impulse +=
-                            (both ? 0.5 : 1.0) * dt * size * pressure[facet_of(p, body)];
+                            (both ? 0.5 : 1.0) * layer.dt * size * pressure[facet_of(p, body)];
                 Vector<double, C> direction[C];
                 directions(k, p.facet_a, direction);
                 for (int body = 0; body < 2; ++body)
@@ -370,7 +394,9 @@ template <int C> class System {
                 clear(vertex, count);
                 continue;
             }
-            row.bound = std::max(gap / row.size, 0.0) / dt;
+            row.gap = gap / row.size;
+            row.bound = layer.bound(row.gap);
+            row.compliance = layer.compliance(row.size);
             add_terms(vertex, count, row, found);
             clear(vertex, count);
             row.end = found.size();
@@ -487,8 +513,9 @@ template <int C> class System {
     // Returns by how much a velocity has changed.
     double correct(Row<C>& row, double mu) {
         if (!(row.effective[0] > 0.0)) return 0.0;
-        const double w = approach(row, 0, &Node::v) - row.bound;
-        const double wanted = std::max(row.impulse[0] + w / row.effective[0], 0.0);
+        const double w = approach(row, 0, &Node::v) - row.bound - row.compliance * row.impulse[0];
+        const double wanted =
+            std::max(row.impulse[0] + w / (row.effective[0] + row.compliance), 0.0);
         const double change = wanted - row.impulse[0];
         row.impulse[0] = wanted;
         if (change != 0.0) push(row, 0, change);
@@ -512,9 +539,10 @@ template <int C> class System {
         }
         return largest;
     }
-    // Impulses that friction's unfinished sweeps made too large: scaled until no energy is gained.
+    // Impulses that friction's unfinished sweeps made too large: scaled until no energy is gained but what the layer gives.
     void keep_energy() {
         double work = 0.0, twice_kinetic = 0.0;  // J . w_before; J . (w_before - w_after)
+        double given = 0.0;
         const auto add = [&](double impulse, double before, double after) {
             work += impulse * before;
             twice_kinetic += impulse * (before - after);
@@ -525,9 +553,14 @@ template <int C> class System {
             for (int body = 0; body < 2; ++body)
                 add(rows[r].water_impulse[body], rows[r].water_before[body],
                     seepage(rows[r], body, &Node::seepage));
+            const double overlap = layer.dt * approach(rows[r], 0, &Node::v) - rows[r].gap;
+            given += layer.energy(rows[r].size, -rows[r].gap) - layer.energy(rows[r].size, overlap);
         }
-        if (!(twice_kinetic > 2.0 * work) || !(twice_kinetic > 0.0)) return;
-        const double share = std::max(2.0 * work / twice_kinetic, 0.0);
+        given = std::max(given, 0.0);
+        if (!(twice_kinetic > 2.0 * (work + given)) || !(twice_kinetic > 0.0)) return;
+        // work s - twice_kinetic s^2 / 2 + given = 0
+        const double share = std::max(
+            (work + std::sqrt(work * work + 2.0 * twice_kinetic * given)) / twice_kinetic, 0.0);
         for (std::ptrdiff_t r = 0; r < n_rows; ++r) {
             for (int k = 0; k < C; ++k) {
                 push(rows[r], k, (share - 1.0) * rows[r].impulse[k]);
@@ -543,6 +576,7 @@ template <int C> class System {
     Arena& arena;
     const Skin<C>* skin[2];
     const Pressures<C>& pressures;
+    Layer layer{};
     const MeetingPoint<C>* points = nullptr;
     const Share* shares = nullptr;
     std::ptrdiff_t *start = nullptr, *order = nullptr;  // shares by what carries the pressure

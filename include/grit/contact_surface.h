@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * Surface contact: impulses between the true surfaces of two bodies that live on a grid, in the plane,
  * in axisymmetry and in space. No stiffness and no power to choose, no strip of the grid that moves
- * along with the surface. Equations (V1)-(V5) and decisions: docs/contact.md.
+ * along with the surface. Equations (V1)-(V5), (V8) and decisions: docs/contact.md.
  *
  *   surfaces as facets, their vertices with the shape functions that move them
  *     ->  grit_surface_correct after the momentum update  ->  velocities of the nodes, in place
@@ -42,6 +42,14 @@ typedef struct grit_surface_options {
         end_spacings; /* [-] in [1, 10], default 1: 2 components: how many spacings the points next
                        to an end of a smooth stretch are away from it. 2 with a spacing of one cell:
                        closer where surfaces curve, and no stiffer at the edge of a punch */
+    double
+        contact_stiffness; /* eps [stress / length] in [0, 1e30], default 0: rigid, and overlap that is
+                       there stays. Else the pressure is eps (overlap + relaxation_time its rate) at
+                       the end of the step, implicit, (V8): an elastic layer, or the Geo-contact's
+                       spring and dashpot (C9) where the surface is */
+    double
+        relaxation_time; /* tau [time] in [0, 1e30], default 0: overlap that nothing presses leaves at
+                       overlap / (tau + time_step), no faster; needs a contact_stiffness */
 } grit_surface_options;
 
 GRIT_API grit_status grit_surface_options_init(grit_surface_options* options, size_t struct_size);
@@ -99,7 +107,8 @@ typedef struct grit_surface_report {
 
 /* What one point that carries pressure does, for hosts that go on with velocities after contact: its approach is the
  * sum of direction[k] . v over its terms, and rigid[k]; its impulse k changes the momentum of a node by
- * -impulse direction[k]. k = 0: along the normal; its approach is bound where it bears. */
+ * -impulse direction[k]. k = 0: along the normal; its approach is bound where it bears, which is no law to go on with
+ * where there is a contact_stiffness. */
 typedef struct grit_surface_row {
     ptrdiff_t first_term, terms;
     double bound;      /* approach that closes the gap and no more [length / time] */
@@ -147,7 +156,8 @@ GRIT_API size_t grit_surface_workspace_size(const grit_surface* a, const grit_su
  *   where     every point of A sees the facet of B that comes first along A's normal, from as deep in A
  *             as reach is to as far outside: a layer of B inside of A hides what is behind it.
  *   when      it is in contact if its gap is overrun at the end of the step, or less than a fiftieth of
- *             the reach; overlap that is there stays, but does not grow.
+ *             the reach; overlap that is there stays, but does not grow. With a contact_stiffness it
+ *             grows with the pressure and goes with it.
  *   pressure  >= 0, between points of A that are spacing apart, so that the mean approach around each of
  *             them is what closes the gap; friction opposes the slip that is left, <= mu times what of it
  *             pore water does not bear.

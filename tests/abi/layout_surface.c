@@ -3,7 +3,7 @@
 
 #if defined(__LP64__)
 
-SIZE(grit_surface_options, 72);
+SIZE(grit_surface_options, 88);
 PLACE(grit_surface_options, struct_size, 0);
 PLACE(grit_surface_options, components, 8);
 PLACE(grit_surface_options, axisymmetric, 12);
@@ -15,6 +15,8 @@ PLACE(grit_surface_options, time_step, 40);
 PLACE(grit_surface_options, spacing, 48);
 PLACE(grit_surface_options, reach, 56);
 PLACE(grit_surface_options, end_spacings, 64);
+PLACE(grit_surface_options, contact_stiffness, 72);
+PLACE(grit_surface_options, relaxation_time, 80);
 
 SIZE(grit_surface, 288);
 PLACE(grit_surface, struct_size, 0);

@@ -10,31 +10,6 @@ namespace {
 
 using namespace tests;
 
-// A wavy interface through the cells, closed or nearly so, its sides of unlike facets.
-struct Meeting {
-    GridBody a, b;
-    Meeting(int components, std::uint64_t seed, double mass_spread = 3.0) {
-        std::mt19937_64 random(seed);
-        const auto dice = [&](double low, double high) {
-            return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
-        };
-        const double level = dice(3.0, 4.0), high = dice(0.0, 0.2), phase = dice(0.0, 6.0);
-        const double gap = seed % 2 == 0 ? 0.0 : dice(-0.1, 0.02);
-        const auto wave = [=](double x, double y) {
-            return level + high * std::sin(0.9 * x + 0.7 * y + phase);
-        };
-        a.components = b.components = components;
-        const int n_a = components == 2 ? 11 : 4, n_b = components == 2 ? 7 : 5;
-        add_face(a, false, 0.5, 6.4, n_a, wave);
-        add_face(b, true, 0.2, 6.1, n_b, [&](double x, double y) { return wave(x, y) + gap; });
-        a.fill(random, 1.0, mass_spread);
-        b.fill(random, 1.0, mass_spread);
-        for (GridBody* body : {&a, &b})  // some nodes are held in a direction
-            for (int& mask : body->fixed)
-                if (random() % 20 == 0) mask = 1 << random() % static_cast<unsigned>(components);
-    }
-};
-
 double largest(const std::array<double, 3>& x) {
     return std::max({std::fabs(x[0]), std::fabs(x[1]), std::fabs(x[2])});
 }
@@ -234,23 +209,6 @@ TEST(SurfaceContact, StopsABlockWithItsWholeMomentum) {
     }
 }
 
-struct Bodies {
-    GridBody floor, block;
-};
-
-// A rigid floor seven cells long in so many facets, and a block at a gap above it that comes down.
-Bodies block_above_floor(int facets, double gap, double speed) {
-    Bodies out;
-    add_face(out.floor, false, 0.0, 7.0, facets, [](double, double) { return 3.0; });
-    add_face(out.block, true, 0.0, 7.0, facets, [gap](double, double) { return 3.0 + gap; });
-    out.floor.rigid = true;
-    std::mt19937_64 random(1);
-    out.block.fill(random, 0.0, 0.0);
-    out.block.weigh(0.0, 7.0);
-    for (std::size_t i = 1; i < out.block.v.size(); i += 2) out.block.v[i] = -speed;
-    return out;
-}
-
 TEST(SurfaceContact, ClosesTheGapInTheStepAndNoMore) {
     auto [floor, block] = block_above_floor(7, 0.015, 2.0);
     SurfaceCall call(2);
@@ -380,6 +338,12 @@ TEST(SurfaceContact, ChangesNothingWhereItIsRefusedOrOnlyValidates) {
          [](Meeting&, SurfaceCall& c) { c.options.spacing = std::nan(""); }},
         {"end_spacings must be in [1, 10], got 0.5", GRIT_BAD_CALL,
          [](Meeting&, SurfaceCall& c) { c.options.end_spacings = 0.5; }},
+        {"contact_stiffness must be in [0, 1e30] (stress / length), got -1", GRIT_BAD_CALL,
+         [](Meeting&, SurfaceCall& c) { c.options.contact_stiffness = -1.0; }},
+        {"relaxation_time must be in [0, 1e30] (time), got nan", GRIT_BAD_CALL,
+         [](Meeting&, SurfaceCall& c) { c.options.relaxation_time = std::nan(""); }},
+        {"relaxation_time needs a contact_stiffness, got 2 without", GRIT_BAD_CALL,
+         [](Meeting&, SurfaceCall& c) { c.options.relaxation_time = 2.0; }},
         {"surface a facet 4: spacing must be in (0, 1e30] (length), got 0", GRIT_BAD_STATE,
          [](Meeting& x, SurfaceCall&) {
              x.a.spacing.assign(x.a.facet.size(), 1.0);

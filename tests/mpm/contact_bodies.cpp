@@ -71,7 +71,7 @@ TEST(BlocksOnSprings, ThinnerThanACellStayWhereTheyTouch) {
         ContactLaw law = contact_law(GRIT_CONTACT_GEO, 0.0);
         law.gated = true;
         law.normal = normal;
-        stiffen(law, 1.0, E, h);
+        law.options.contact_stiffness = contact_stiffness(1.0, E, h);
         simulation.add_contact(law);
         for (int i = 0; i < 40; ++i) simulation.step();
         EXPECT_LT(simulation.energy().kinetic, 1e-20 * E * h * h) << normal;

@@ -65,6 +65,16 @@ TEST(SurfaceContactOfBodies, PunchesAsStifflyAsFiniteElementsWhateverCellsAreEls
     EXPECT_NEAR(punch.stiffness() / 11.10e6, 1.0, 0.02);
 }
 
+// (C9) where the surface is: what overlaps for want of exact sums over steps is pressed out again.
+TEST(SurfaceContactOfBodies, PunchesAsStifflyAsFiniteElementsOnAStiffLayer) {
+    for (const double cells : {4.0, 4.4, 8.0}) {
+        Punch punch;
+        punch.kind = ContactKind::surface_10;
+        punch.cells = cells;
+        EXPECT_NEAR(punch.stiffness() / 11.10e6, 1.0, 0.006) << cells;
+    }
+}
+
 // A particle below the edge that soil beside the punch covers for two thirds bears with the rest: 5 % too soft where it
 // does not.
 TEST(SurfaceContactOfBodies, PunchesAlikeWhereverParticlesBelowItsEdgeEnd) {

@@ -91,7 +91,7 @@ TEST(SpaceContact, WithSpringsLeavesBodiesAloneThatAreThinnerThanACell) {
         ContactLaw law = nodal_law(GRIT_CONTACT_GEO, 0.0, 0, 1);
         law.gated = true;
         law.normal = normal;
-        grit::mpm::stiffen(law, 1.0, E, h);
+        law.options.contact_stiffness = grit::mpm::contact_stiffness(1.0, E, h);
         simulation.add_contact(law);
         for (int i = 0; i < 20; ++i) simulation.step();
         EXPECT_LT(simulation.energy().kinetic, 1e-20 * E * h * h * h) << normal;

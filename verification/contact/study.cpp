@@ -194,10 +194,11 @@ void punch() {
         double power = 0.0;  // k; 0: its default
     };
     for (const Law& law :
-         {Law{ContactKind::surface}, Law{ContactKind::surface_1}, Law{ContactKind::geo},
-          Law{ContactKind::geo_ungated}, Law{ContactKind::geo_spring},
-          Law{ContactKind::geo_spring_10}, Law{ContactKind::geo_spring_10, 2.0},
-          Law{ContactKind::frictional}, Law{ContactKind::penalty}})
+         {Law{ContactKind::surface}, Law{ContactKind::surface_1}, Law{ContactKind::surface_10},
+          Law{ContactKind::surface_20}, Law{ContactKind::geo}, Law{ContactKind::geo_ungated},
+          Law{ContactKind::geo_spring}, Law{ContactKind::geo_spring_10},
+          Law{ContactKind::geo_spring_10, 2.0}, Law{ContactKind::frictional},
+          Law{ContactKind::penalty}})
         for (const double first : {4.0, 4.2, 4.4, 4.6, 4.8})
             for (const int finer : {1, 2, 4}) {
                 const std::string name =

@@ -8,7 +8,8 @@ again.
 
 LAW: published; rate (a relaxation time of 15 us, half the step at CFL 0.4), spring (that, and 0.1 M/h); rate_30us (the whole
 step), dashpot_30us (implicit, without a spring worth the name), spring_{3,10,30}_30us (that, and percents of M/h),
-spring_10_60us; frictional; surface. With _musl behind it: stresses by velocities mapped back (numerics.scheme). Default: all."""
+spring_10_60us; frictional; surface; surface_{1,10}_{1,01}ms (a stiffness of that multiple of M/h, a relaxation time of 1 or 0.1
+ms). With _musl behind it: stresses by velocities mapped back (numerics.scheme). Default: all."""
 import math
 import pathlib
 import statistics
@@ -33,6 +34,10 @@ LAWS = {law: keys | {"contact.1.gated": "true", "contact.1.penalty_power": 2} fo
 CONTACT = 'stiff = "pile", soft = "sand", friction_coefficient = 0.3'
 LAWS["frictional"] = {"contact": f'[{{{CONTACT}, law = "frictional", gated = true}}]'}
 LAWS["surface"] = {"contact": f'[{{{CONTACT}, law = "surface"}}]'}
+for name, multiple, tau in (("surface_1_1ms", 1, 1e-3), ("surface_10", 10, 0), ("surface_10_01ms", 10, 1e-4),
+                            ("surface_10_1ms", 10, 1e-3)):
+    LAWS[name] = {"contact": f'[{{{CONTACT}, law = "surface", modulus_kPa = 5e4, contact_stiffness_multiple = {multiple}, '
+                             f'relaxation_time_s = {tau}}}]'}
 LAWS |= {f"{law}_musl": keys | {"numerics.scheme": '"musl"'} for law, keys in LAWS.items()}
 ALL = {"stage.self_weight.until.time_s": END, "stage.drive.until.time_s": 1e-4}
 CELLS = (4, 90)  # of two_blows.toml

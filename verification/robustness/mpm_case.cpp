@@ -258,7 +258,13 @@ class Writer {
             case 3:
                 line("law = \"surface\"");
                 maybe(4, "pressure_spacing_cells = {:.17g}", random.log_uniform(1.0, 4.0));
-                maybe(4, "after_damping = true");
+                if (one_in(random, 4)) {
+                    line("contact_stiffness_multiple = {:.17g}\nmodulus_kPa = {:.17g}",
+                         random.log_uniform(0.01, 100.0), soft.modulus);
+                    maybe(2, "relaxation_time_s = {:.17g}", random.log_uniform(1e-6, 1e-2));
+                } else {
+                    maybe(4, "after_damping = true");
+                }
                 return;
             default: penalty(stiff, soft); return;
         }

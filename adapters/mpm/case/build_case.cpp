@@ -82,6 +82,7 @@ void add_surface_contact(const Case& plan, const ContactPlan& contact, Simulatio
     law.line_a = contact.surface_line;
     law.spacing = contact.pressure_spacing;
     law.after_damping = contact.after_damping;
+    add_layer(contact, simulation.shortest_cell(), law.options);
     law.a = plan.body(contact.stiff);
     law.b = plan.body(contact.soft);
     simulation.add_contact(law);
@@ -187,6 +188,13 @@ std::function<Vector2(double)> edge_stress(const Case& plan, const TractionPlan&
     };
 }
 
+void add_layer(const ContactPlan& contact, double shortest_cell, grit_surface_options& options) {
+    options.relaxation_time = contact.relaxation_time;
+    if (contact.contact_stiffness_multiple > 0.0)
+        options.contact_stiffness =
+            contact_stiffness(contact.contact_stiffness_multiple, contact.modulus, shortest_cell);
+}
+
 ContactLaw nodal_law(const Case& plan, const ContactPlan& contact, double shortest_cell) {
     ContactLaw law = contact_law(contact.law, contact.friction_coefficient, contact.penalty_power);
     law.a = plan.body(contact.stiff);
@@ -196,7 +204,8 @@ ContactLaw nodal_law(const Case& plan, const ContactPlan& contact, double shorte
     law.gated = contact.gated;
     law.options.relaxation_time = contact.relaxation_time;
     if (contact.contact_stiffness_multiple > 0.0)
-        stiffen(law, contact.contact_stiffness_multiple, contact.modulus, shortest_cell);
+        law.options.contact_stiffness =
+            contact_stiffness(contact.contact_stiffness_multiple, contact.modulus, shortest_cell);
     return law;
 }
 

@@ -135,7 +135,7 @@ struct ContactPlan {
     double friction_coefficient = 0.0, penalty_power = GRIT_CONTACT_DEFAULT_PENALTY_POWER;
     int normal = 0, measure = 0;  // GRIT_CONTACT_...
     bool gated = true;
-    double relaxation_time = 0.0;  // of the Geo-contact [s]; 0: a step
+    double relaxation_time = 0.0;  // of the Geo-contact [s], 0: a step; of a surface's stiffness
     // Of modulus / shortest cell against overlap, 0: none; P-wave modulus of the softer body [Pa].
     double contact_stiffness_multiple = 0.0, modulus = unlimited;
     std::optional<PenaltyPlan> penalty = {};  // in place of a nodal law

@@ -125,9 +125,10 @@ constexpr FixKeyword keywords[] = {
      "STIFF SOFT {contact.law} MU [`power` K] [`normal` {contact.normal}] [`distance` "
      "{contact.distance}] [`gated` `yes`|`no`] [`relaxation_time` TAU] [`stiffness_multiple` X "
      "`modulus` M] [`pressure_spacing` CELLS] [`after_damping` `yes`|`no`]",
-     "`power`, TAU [s] and X of M [Pa] / shortest cell of the geo law alone, X with gate, "
-     "`distance` not without gate where it is frictional; `surface` has none of these but "
-     "`pressure_spacing` and `after_damping`, which it has alone"},
+     "`power` of the geo law alone, TAU [s] and X of M [Pa] / shortest cell of geo, X with gate, "
+     "and "
+     "surface, `distance` not without gate where it is frictional; `surface` has no gate, distance "
+     "and normal, but `pressure_spacing` and `after_damping`, which it has alone"},
     {"stages", "N NAME...",
      "all stages, in order; default: one, `run`; names: letters, digits, _ and -"},
     {"driven", "NAME {history.depth_of}", "the body of the history; default: the first"}};

@@ -307,11 +307,14 @@ inline constexpr CaseWord all[] = {
     choice("contact", "normal", normals, "of whose gradient"),
     choice("contact", "distance", distances, "none if frictional and not gated"),
     yes_or_no("contact", "gated", "bodies apart are left alone"),
-    number("contact", "relaxation_time_s", time_range, second,
-           "of geo: f_p is of this time, whatever the step; 0: of the step, as published"),
-    number("contact", "contact_stiffness_multiple", {0.0, 1e6}, none,
-           "of geo, gated: a spring of that multiple of modulus / shortest cell against overlap, "
-           "with f_p as its dashpot; 0: none"),
+    number(
+        "contact", "relaxation_time_s", time_range, second,
+        "of geo: f_p is of this time, whatever the step; 0: of the step, as published. Of surface: "
+        "within which overlap is pressed out by `contact_stiffness_multiple`"),
+    number(
+        "contact", "contact_stiffness_multiple", {0.0, 1e6}, none,
+        "of geo, gated, and surface: a spring of that multiple of modulus / shortest cell against "
+        "overlap, with f_p as the dashpot of geo; 0: none"),
     number(
         "contact", "pressure_spacing_cells", {1.0, 4.0}, none,
         "of surface: between points that know its pressure; next to ends of a smooth stretch two "

@@ -27,6 +27,18 @@ Objections objection_to_another(const Plans& plans, const std::string& name, con
 
 bool is_implicit(const BodyPlan& body) { return body.water && body.water->implicit; }
 
+Objections objection_to_stiffness(const ContactPlan& contact, const IsGiven& given) {
+    if (contact.contact_stiffness_multiple > 0.0) {
+        if (!given("modulus_kPa"))
+            return Objection{"contact_stiffness_multiple",
+                             " needs the P-wave modulus of the softer body"};
+    } else if (given("modulus_kPa") && !given("contact_stiffness_multiple")) {
+        return Objection{"modulus_kPa",
+                         " belongs to a stiffness of the contact, and there is none"};
+    }
+    return {};
+}
+
 }  // namespace
 
 Objections objection_to_name(const std::string& name) {
@@ -180,6 +192,10 @@ Objections objection_to_contact(const Case& plan, std::size_t contact, const Key
             return Objection{"after_damping", std::string(": ") + what + ", in \"" + body +
                                                   "\", knows surface contact before damping alone"};
         if (!water->implicit) continue;
+        if (c.at_surfaces && c.contact_stiffness_multiple > 0.0)
+            return Objection{"contact_stiffness_multiple", ": implicit pore pressure, in \"" +
+                                                               body +
+                                                               "\", knows rigid surfaces alone"};
         if (c.at_surfaces && plan.has_side(Boundary::platen))
             return Objection{"law", ": implicit pore pressure, in \"" + body +
                                         "\", knows no surface contact beside a platen"};
@@ -202,29 +218,35 @@ Objections objection_to_contact(const Case& plan, std::size_t contact, const Key
 
 Objections objection_to(const ContactPlan& contact, const IsGiven& given) {
     if (contact.at_surfaces) {
-        for (const char* key : {"penalty_power", "normal", "distance", "gated", "relaxation_time_s",
-                                "contact_stiffness_multiple", "modulus_kPa"})
+        for (const char* key : {"penalty_power", "normal", "distance", "gated"})
             if (given(key))
                 return Objection{key, " belongs to laws at nodes, not to the surface one"};
-        return {};
+        if (contact.contact_stiffness_multiple > 0.0) {
+            if (contact.after_damping)
+                return Objection{"after_damping", ": a stiffness would act twice in a step"};
+        } else if (contact.relaxation_time > 0.0) {
+            return Objection{
+                "relaxation_time_s",
+                " of surfaces belongs to a stiffness of the contact, and there is none"};
+        }
+        return objection_to_stiffness(contact, given);
     }
     for (const char* key : {"pressure_spacing_cells", "after_damping"})
         if (given(key)) return Objection{key, " belongs to the surface law"};
     if (contact.penalty) return {};
-    if (contact.contact_stiffness_multiple > 0.0 && contact.law == GRIT_CONTACT_GEO) {
-        if (!contact.gated)
+    if (contact.law == GRIT_CONTACT_GEO) {
+        if (contact.contact_stiffness_multiple > 0.0 && !contact.gated)
             return Objection{"contact_stiffness_multiple",
                              " needs a gap: the contact is not gated"};
-        if (!given("modulus_kPa"))
-            return Objection{"contact_stiffness_multiple",
-                             " needs the P-wave modulus of the softer body"};
-    } else if (given("modulus_kPa") && !given("contact_stiffness_multiple")) {
-        return Objection{"modulus_kPa",
-                         " belongs to a stiffness of the contact, and there is none"};
+        return objection_to_stiffness(contact, given);
     }
-    if (contact.law != GRIT_CONTACT_FRICTIONAL) return {};
-    for (const char* key : {"penalty_power", "relaxation_time_s", "contact_stiffness_multiple"})
-        if (given(key)) return Objection{key, " belongs to the geo law, not to the frictional one"};
+    if (given("penalty_power"))
+        return Objection{"penalty_power", " belongs to the geo law, not to the frictional one"};
+    for (const char* key : {"relaxation_time_s", "contact_stiffness_multiple"})
+        if (given(key))
+            return Objection{key,
+                             " belongs to the laws geo and surface, not to the frictional one"};
+    if (const auto objection = objection_to_stiffness(contact, given)) return objection;
     if (given("distance") && !contact.gated)
         return Objection{"distance", ": the frictional law measures none unless it is gated"};
     return {};

@@ -75,6 +75,7 @@ void contact_words(const Simulation& s, std::ostream& out) {
             << ", friction coefficient " << law.options.friction_coefficient;
         if (law.spacing != SurfaceLaw{}.spacing)
             out << ", pressures " << law.spacing << " cells apart";
+        out << word_of_layer(law.options);
         if (law.after_damping) out << ", after damping too";
         if (!law.line_a.points.empty()) out << (law.line_a.closed ? ", closed line" : ", line");
         for (const Vector2& x : law.line_a.points) out << ' ' << x[0] << ' ' << x[1];
@@ -115,6 +116,15 @@ std::string word_of_contact(const ContactLaw& law) {
         << law.normal << ", measure " << law.measure << (law.gated ? ", gated" : "");
     if (o.relaxation_time > 0.0) out << ", relaxation time " << o.relaxation_time << " s";
     if (o.contact_stiffness > 0.0) out << ", stiffness " << o.contact_stiffness << " Pa/m";
+    return out.str();
+}
+
+std::string word_of_layer(const grit_surface_options& options) {
+    std::ostringstream out;
+    out.precision(17);
+    if (options.contact_stiffness > 0.0)
+        out << ", stiffness " << options.contact_stiffness << " Pa/m, relaxation time "
+            << options.relaxation_time << " s";
     return out.str();
 }
 

@@ -25,9 +25,11 @@ ContactLaw contact_law(int law, double friction_coefficient, double penalty_powe
     return out;
 }
 
-void stiffen(ContactLaw& law, double multiple, double modulus, double cell) {
-    if (grit_penalty_stiffness(multiple, modulus, cell, &law.options.contact_stiffness) != GRIT_OK)
+double contact_stiffness(double multiple, double modulus, double cell) {
+    double out = 0.0;
+    if (grit_penalty_stiffness(multiple, modulus, cell, &out) != GRIT_OK)
         throw std::invalid_argument("contact: no stiffness of this modulus [Pa] and cell [m]");
+    return out;
 }
 
 ContactPair::ContactPair(const ContactLaw& law, const Settings& settings, const GridView& grid,

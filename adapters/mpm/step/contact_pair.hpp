@@ -27,8 +27,8 @@ struct ContactLaw {
 // GRIT_CONTACT_GEO or _FRICTIONAL.
 ContactLaw contact_law(int law, double friction_coefficient,
                        double penalty_power = GRIT_CONTACT_DEFAULT_PENALTY_POWER);
-// Gives the Geo-contact the stiffness of a multiple of modulus / cell [Pa], [m], (C9).
-void stiffen(ContactLaw& law, double multiple, double modulus, double cell);
+// Of a multiple of modulus / cell [Pa], [m]: the Geo-contact's (C9) and the surface contact's (V8) [Pa/m].
+double contact_stiffness(double multiple, double modulus, double cell);
 
 struct ContactBody {
     const NodeRecord* records;

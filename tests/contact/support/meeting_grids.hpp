@@ -172,4 +172,46 @@ struct SurfaceCall {
     }
 };
 
+// A wavy interface through the cells, closed or nearly so, its sides of unlike facets.
+struct Meeting {
+    GridBody a, b;
+    Meeting(int components, std::uint64_t seed, double mass_spread = 3.0) {
+        std::mt19937_64 random(seed);
+        const auto dice = [&](double low, double high) {
+            return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
+        };
+        const double level = dice(3.0, 4.0), high = dice(0.0, 0.2), phase = dice(0.0, 6.0);
+        const double gap = seed % 2 == 0 ? 0.0 : dice(-0.1, 0.02);
+        const auto wave = [=](double x, double y) {
+            return level + high * std::sin(0.9 * x + 0.7 * y + phase);
+        };
+        a.components = b.components = components;
+        const int n_a = components == 2 ? 11 : 4, n_b = components == 2 ? 7 : 5;
+        add_face(a, false, 0.5, 6.4, n_a, wave);
+        add_face(b, true, 0.2, 6.1, n_b, [&](double x, double y) { return wave(x, y) + gap; });
+        a.fill(random, 1.0, mass_spread);
+        b.fill(random, 1.0, mass_spread);
+        for (GridBody* body : {&a, &b})  // some nodes are held in a direction
+            for (int& mask : body->fixed)
+                if (random() % 20 == 0) mask = 1 << random() % static_cast<unsigned>(components);
+    }
+};
+
+struct BlockAndFloor {
+    GridBody floor, block;
+};
+
+// A rigid floor seven cells long in so many facets, and a block at a gap above it that comes down.
+inline BlockAndFloor block_above_floor(int facets, double gap, double speed) {
+    BlockAndFloor out;
+    add_face(out.floor, false, 0.0, 7.0, facets, [](double, double) { return 3.0; });
+    add_face(out.block, true, 0.0, 7.0, facets, [gap](double, double) { return 3.0 + gap; });
+    out.floor.rigid = true;
+    std::mt19937_64 random(1);
+    out.block.fill(random, 0.0, 0.0);
+    out.block.weigh(0.0, 7.0);
+    for (std::size_t i = 1; i < out.block.v.size(); i += 2) out.block.v[i] = -speed;
+    return out;
+}
+
 }  // namespace tests

@@ -17,7 +17,9 @@ enum class ContactKind {
     frictional_ungated,
     penalty,
     surface,
-    surface_1,  // pressures a cell apart
+    surface_1,   // pressures a cell apart
+    surface_10,  // with a stiffness of that multiple of M/h, and 1 ms
+    surface_20,
 };
 
 inline const char* name_of(ContactKind kind) {
@@ -30,6 +32,8 @@ inline const char* name_of(ContactKind kind) {
         case ContactKind::frictional_ungated: return "FCA";
         case ContactKind::penalty: return "PCA";
         case ContactKind::surface_1: return "surface, 1 cell";
+        case ContactKind::surface_10: return "surface, 10 M/h";
+        case ContactKind::surface_20: return "surface, 20 M/h";
         default: return "surface";
     }
 }
@@ -45,7 +49,8 @@ struct PenaltyNeeds {
 };
 
 inline bool is_at_surfaces(ContactKind kind) {
-    return kind == ContactKind::surface || kind == ContactKind::surface_1;
+    return kind == ContactKind::surface || kind == ContactKind::surface_1 ||
+           kind == ContactKind::surface_10 || kind == ContactKind::surface_20;
 }
 
 // Between bodies 0 and 1; 0 is the stiffer one. power: k of the Geo-contact; 0: its default.
@@ -54,6 +59,11 @@ inline void add_contact(Simulation& simulation, ContactKind kind, double mu,
     if (is_at_surfaces(kind)) {
         SurfaceLaw law = surface_law(mu);
         if (kind == ContactKind::surface_1) law.spacing = 1.0;
+        if (kind == ContactKind::surface_10 || kind == ContactKind::surface_20) {
+            const double multiple = kind == ContactKind::surface_10 ? 10.0 : 20.0;
+            law.options.contact_stiffness = contact_stiffness(multiple, needs.modulus, needs.cell);
+            law.options.relaxation_time = 1e-3;
+        }
         simulation.add_contact(law);
     } else if (kind == ContactKind::penalty) {
         PenaltyLaw law = penalty_law(mu, 1.0, needs.modulus, needs.cell);
@@ -66,7 +76,8 @@ inline void add_contact(Simulation& simulation, ContactKind kind, double mu,
         if (power > 0.0) law.options.penalty_power = power;
         law.gated = kind != ContactKind::geo_ungated && kind != ContactKind::frictional_ungated;
         if (kind == ContactKind::geo_spring || kind == ContactKind::geo_spring_10)
-            stiffen(law, kind == ContactKind::geo_spring ? 1.0 : 10.0, needs.modulus, needs.cell);
+            law.options.contact_stiffness = contact_stiffness(
+                kind == ContactKind::geo_spring ? 1.0 : 10.0, needs.modulus, needs.cell);
         simulation.add_contact(law);
     }
 }

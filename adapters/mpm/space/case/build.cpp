@@ -131,12 +131,13 @@ TriangleMesh mesh_of(const ClosedSurface& surface) {
     return out;
 }
 
-SurfaceLaw surface_law_of(const Case& plan, const ContactPlan& contact) {
+SurfaceLaw surface_law_of(const Case& plan, const ContactPlan& contact, double shortest_cell) {
     SurfaceLaw law = surface_law(contact.friction_coefficient);
     law.a = plan.body(contact.stiff);
     law.b = plan.body(contact.soft);
     if (contact.surface_mesh) law.mesh_a = mesh_of(*contact.surface_mesh);
     law.spacing = contact.pressure_spacing;
+    add_layer(contact, shortest_cell, law.options);
     return law;
 }
 
@@ -162,7 +163,7 @@ void add_contacts(const Case& plan, Simulation& simulation) {
             throw std::invalid_argument("contact of " + contact.stiff + " and " + contact.soft +
                                         ": penalty contact is not there in space");
         if (contact.at_surfaces) {
-            simulation.add_contact(surface_law_of(plan, contact));
+            simulation.add_contact(surface_law_of(plan, contact, simulation.shortest_cell()));
             continue;
         }
         const bool pushes = std::any_of(plan.bodies.begin(), plan.bodies.end(), [&](const auto& b) {
