@@ -64,6 +64,14 @@ void tell_cost(Runner& runner) {
         say("{}: {} and {} vertices of penalty lines\n", runner.description().name,
             pair.vertices(0).size() / 2, pair.vertices(1).size() / 2);
     }
+    const Water& water = simulation.pore_water();
+    for (std::size_t i = 0; i < simulation.bodies(); ++i)
+        if (water.is_implicit(i))
+            say("{}: {}: pore pressure by {:.1f} iterations a step; what bears did not settle {} "
+                "times\n",
+                runner.description().name, runner.description().bodies[i].name,
+                static_cast<double>(water.iterations(i)) / static_cast<double>(spent.steps),
+                water.unsettled(i));
 }
 
 ExitCode convert(const MpmRequest& request, const Case& plan) {

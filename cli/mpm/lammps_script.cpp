@@ -186,26 +186,22 @@ void add_contacts(const Case& plan, FixWords& fix) {
         if (!contact.surface_line.points.empty())
             throw BadInput(
                 "fix grit/mpm of LAMMPS has no stiff_line: surfaces are free edges there");
-        const bool geo = contact.law == GRIT_CONTACT_GEO;
+        const int law = words::law_of(contact);
+        const std::string_view word = word_of(words::contact_laws, law);
         std::string more;
         for (const Member<ContactPlan>& member : contact_members()) {
+            const std::string_view laws = laws_with(member.word->key);
             const double value = member.get(contact);
             const bool is_none =
                 member.word->kind == Kind::number && (value == 0.0 || !std::isfinite(value));
-            const bool is_of_surface =
-                member.fix == "after_damping" || member.fix == "pressure_spacing";
-            const bool is_of_both = member.fix == "relaxation_time" ||
-                                    member.fix == "stiffness_multiple" || member.fix == "modulus";
-            if (member.fix.empty() || is_none ||
-                (!is_of_both && contact.at_surfaces != is_of_surface) ||
-                (is_of_surface && value == member.get(ContactPlan{})) ||
-                (member.fix == "power" && !geo) ||
-                (member.fix == "distance" && !geo && !contact.gated))
+            if (member.fix.empty() || is_none || (!laws.empty() && laws.find(word) == laws.npos) ||
+                (laws == "surface" && value == member.get(ContactPlan{})) ||
+                (member.fix == "modulus" && contact.contact_stiffness_multiple == 0.0) ||
+                (member.fix == "distance" && law == GRIT_CONTACT_FRICTIONAL && !contact.gated))
                 continue;
             more += fmt::format(" {} {}", member.fix, value_of(member, contact));
         }
-        fix.add("contact {} {} {} {}{}", contact.stiff, contact.soft,
-                word_of(words::contact_laws, words::law_of(contact)),
+        fix.add("contact {} {} {} {}{}", contact.stiff, contact.soft, word,
                 exact(contact.friction_coefficient), more);
     }
 }

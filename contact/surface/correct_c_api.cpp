@@ -89,6 +89,7 @@ template <int C> class Call {
     // Points of integration whose gap the step overruns, or nearly.
     bool find_points() {
         const std::ptrdiff_t n_b = b.given->facets;
+        const Layer layer{o.time_step, o.contact_stiffness, o.relaxation_time};
         smallest_gap = arena.take<double>(a.given->facets);
         friction = arena.take<Vector<double, C>>(a.given->facets);
         auto* boxes = arena.take<Box<C>>(n_b);
@@ -109,7 +110,9 @@ template <int C> class Call {
                 smallest_gap[f] = std::min(smallest_gap[f], p.gap);
                 const auto v =
                     a.velocity_at(p.facet_a, p.place_a) - b.velocity_at(p.facet_b, p.place_b);
-                if (p.gap - o.time_step * dot(v, a.facet[f].n) > closed * o.reach) return;
+                const double at_end = p.gap - o.time_step * dot(v, a.facet[f].n);
+                const double decides = o.contact_stiffness > 0.0 ? std::min(p.gap, at_end) : at_end;
+                p.size *= layer.weight(decides / (closed * o.reach));
                 if (o.axisymmetric) p.size *= radius(p);
                 if (p.size > 0.0) found.add(p);
             });

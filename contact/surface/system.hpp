@@ -23,6 +23,12 @@ struct Layer {
     double dt;
     double stiffness = 0.0, relaxation_time = 0.0;  // (V8); 0: rigid
 
+    // How much of a point counts whose gap is so many of the widest one that counts as closed: with a stiffness points come and go
+    // little by little, for what is open within a mean pulls.
+    double weight(double gap) const {
+        if (stiffness > 0.0) return std::clamp(2.0 - gap, 0.0, 1.0);
+        return gap <= 1.0 ? 1.0 : 0.0;
+    }
     // The approach at which a mean gap bears nothing.
     double bound(double gap) const {
         if (stiffness > 0.0 && gap < 0.0) return gap / (dt + relaxation_time);
@@ -539,7 +545,8 @@ template <int C> class System {
         }
         return largest;
     }
-    // Impulses that friction's unfinished sweeps made too large: scaled until no energy is gained but what the layer gives.
+    // Impulses that friction's unfinished sweeps made too large: scaled until no kinetic energy is gained but what the layer
+    // gives at these.
     void keep_energy() {
         double work = 0.0, twice_kinetic = 0.0;  // J . w_before; J . (w_before - w_after)
         double given = 0.0;
@@ -554,7 +561,9 @@ template <int C> class System {
                 add(rows[r].water_impulse[body], rows[r].water_before[body],
                     seepage(rows[r], body, &Node::seepage));
             const double overlap = layer.dt * approach(rows[r], 0, &Node::v) - rows[r].gap;
-            given += layer.energy(rows[r].size, -rows[r].gap) - layer.energy(rows[r].size, overlap);
+            if (rows[r].impulse[0] > 0.0)
+                given +=
+                    layer.energy(rows[r].size, -rows[r].gap) - layer.energy(rows[r].size, overlap);
         }
         given = std::max(given, 0.0);
         if (!(twice_kinetic > 2.0 * (work + given)) || !(twice_kinetic > 0.0)) return;

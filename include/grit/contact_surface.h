@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * Surface contact: impulses between the true surfaces of two bodies that live on a grid, in the plane,
- * in axisymmetry and in space. No stiffness and no power to choose, no strip of the grid that moves
- * along with the surface. Equations (V1)-(V5), (V8) and decisions: docs/contact.md.
+ * in axisymmetry and in space. No stiffness and no power that must be chosen, no strip of the grid that
+ * moves along with the surface. Equations (V1)-(V5), (V8) and decisions: docs/contact.md.
  *
  *   surfaces as facets, their vertices with the shape functions that move them
  *     ->  grit_surface_correct after the momentum update  ->  velocities of the nodes, in place
@@ -45,8 +45,8 @@ typedef struct grit_surface_options {
     double
         contact_stiffness; /* eps [stress / length] in [0, 1e30], default 0: rigid, and overlap that is
                        there stays. Else the pressure is eps (overlap + relaxation_time its rate) at
-                       the end of the step, implicit, (V8): an elastic layer, or the Geo-contact's
-                       spring and dashpot (C9) where the surface is */
+                       the end of the step, implicit, (V8): an elastic layer, the spring of (C9) where the
+                       surface is, with a dashpot eps tau */
     double
         relaxation_time; /* tau [time] in [0, 1e30], default 0: overlap that nothing presses leaves at
                        overlap / (tau + time_step), no faster; needs a contact_stiffness */
@@ -130,13 +130,14 @@ typedef struct grit_surface_totals {
     double normal_impulse; /* sum of p A dt [force time] */
     double area;           /* in contact */
     double
-        dissipation_normal; /* J . (w_old + w_new) / 2 [energy]; with previous_velocity of all that */
+        dissipation_normal; /* J . (w_old + w_new) / 2 [energy], what a contact_stiffness takes up and
+                               gives back with it; with previous_velocity of all that */
     double dissipation_tangential; /* are not rigid, else 0 */
     double smallest_gap;           /* of all facets; +infinity: none within reach [length] */
-    double largest_approach; /* by which the gap would be overrun without contact [length / time] */
-    double residual;         /* largest change of a velocity in the last sweep [length / time] */
-    ptrdiff_t points;        /* of integration in contact */
-    ptrdiff_t pressures;     /* that are > 0 */
+    double largest_approach;       /* beyond the bound, without contact [length / time] */
+    double residual;     /* largest change of a velocity in the last sweep [length / time] */
+    ptrdiff_t points;    /* of integration in contact */
+    ptrdiff_t pressures; /* that are > 0 */
     ptrdiff_t sweeps;
     /* In the workspace, until it is used again; null on failure. */
     const grit_surface_row* row;
@@ -152,7 +153,7 @@ typedef struct grit_surface_totals {
  * aligned; nothing is kept in it between calls. */
 GRIT_API size_t grit_surface_workspace_size(const grit_surface* a, const grit_surface* b);
 
-/* Velocities after contact, (V1)-(V5), in place.
+/* Velocities after contact, (V1)-(V5), (V7), (V8), in place.
  *   where     every point of A sees the facet of B that comes first along A's normal, from as deep in A
  *             as reach is to as far outside: a layer of B inside of A hides what is behind it.
  *   when      it is in contact if its gap is overrun at the end of the step, or less than a fiftieth of
@@ -162,7 +163,8 @@ GRIT_API size_t grit_surface_workspace_size(const grit_surface* a, const grit_su
  *             them is what closes the gap; friction opposes the slip that is left, <= mu times what of it
  *             pore water does not bear.
  *   Both bodies feel the same impulses at the same points: linear momentum is kept to roundoff, and no
- *   energy is made in the frame of a rigid body, however many sweeps were taken.
+ *   energy is made in the frame of a rigid body, however many sweeps were taken; with a contact_stiffness
+ *   kinetic energy grows by no more than the surfaces held.
  *   All or nothing: on failure nothing is written; error->point is the vertex, facet or node, the
  *   message says whose. GRIT_BAD_CALL: a struct, a view, a list, the workspace; GRIT_BAD_STATE: numbers.
  *   needed: bytes of workspace to try next, where that is what failed; else 0. May be null.

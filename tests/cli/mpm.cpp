@@ -413,6 +413,42 @@ TEST_F(LammpsFiles, AreWrittenByOneAtATime) {
     EXPECT_TRUE(answer.says("another run of grit is writing this file")) << answer.text;
 }
 
+// What a law has, and nothing else: the fix refuses the rest.
+TEST_F(LammpsFiles, HaveTheWordsOfTheLawOfAContact) {
+    struct Law {
+        std::string of_case, words;
+    };
+    const std::string layer = "\ncontact_stiffness_multiple = 10\nmodulus_kPa = "
+                              "5e4\nrelaxation_time_s = 0.0009765625",
+                      none = "\ncontact_stiffness_multiple = 0\nmodulus_kPa = 5e4";
+    const std::string of_layer = " relaxation_time 0.0009765625 stiffness_multiple 10 ";
+    for (const Law& law : {Law{"geo" + none, " power 6 normal stiff distance support gated yes"},
+                           {"geo" + layer, " power 6 normal stiff distance support gated yes" +
+                                               of_layer + "modulus 50000000"},
+                           {"frictional", " normal stiff distance support gated yes"},
+                           {"surface" + none, ""},
+                           {"surface" + layer, of_layer + "modulus 50000000"},
+                           {"surface" + layer + "\npressure_spacing_cells = 1",
+                            of_layer + "pressure_spacing 1 modulus 50000000"}}) {
+        std::string contact = law.of_case;
+        contact.insert(contact.find('\n') == contact.npos ? contact.size() : contact.find('\n'),
+                       "'");
+        std::replace(contact.begin(), contact.end(), '\n', ',');
+        here.write("law.toml", "base = '" GRIT_MPM_CASES
+                               "/pile_push.toml'\n[override]\n'contact' = [{stiff = 'pile', "
+                               "soft = 'soil', friction_coefficient = 0.5, law = '" +
+                                   contact + "}]\n");
+        const Answer answer = here.grit("mpm --quiet --to-lammps law law.toml");
+        ASSERT_EQ(answer.status, 0) << answer.text;
+        const std::string fix = here.text("law/law.fix");
+        const std::string name = law.of_case.substr(0, law.of_case.find('\n'));
+        EXPECT_NE(fix.find("contact pile soil " + name + " 0.5" + law.words + " &\n"),
+                  std::string::npos)
+            << law.words << " in\n"
+            << fix;
+    }
+}
+
 constexpr const char* saturated =
     "base = '" GRIT_SATURATED_CASES "/terzaghi.toml'\n[override]\n"
     "'stage.consolidate.until.time_s' = 1e-3\n'fields.interval_s' = 0\n";

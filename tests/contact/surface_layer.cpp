@@ -104,6 +104,48 @@ TEST(SurfaceLayer, GivesBackWhatItTookAndNoMore) {
         }
 }
 
+// Points that part from a row leave it little by little: no step of the force, whatever the slope. Where they left at once, for
+// being a fiftieth of the reach away, what they pulled went with them: nearly half of the force.
+TEST(SurfaceLayer, CarriesNoLessAndNoMoreAtOnceWhereSurfacesPart) {
+    for (const double slope : {0.02, 0.05, 0.2})
+        for (const bool axisymmetric : {false, true}) {
+            const double eps = 1.0, dt = 1e-3, by = 1e-4;
+            double before = -1.0, largest = 0.0, step = 0.0;
+            for (double level = -0.2; level < 0.1; level += by) {
+                GridBody floor, block;
+                add_face(floor, false, 0.0, 7.0, 14, [](double, double) { return 3.0; });
+                add_face(block, true, 0.0, 7.0, 14,
+                         [&](double x, double) { return 3.0 + level + slope * x; });
+                floor.rigid = true;
+                std::mt19937_64 random(1);
+                block.fill(random, 0.0, 0.0);
+                block.weigh(0.0, 7.0);
+                SurfaceCall call = with_layer(dt, eps, 0.0);
+                call.options.axisymmetric = axisymmetric;
+                ASSERT_EQ(call(floor, block), GRIT_OK) << call.error.message;
+                const double force = call.totals.normal_impulse / dt;
+                if (before >= 0.0) step = std::max(step, std::fabs(force - before));
+                before = force;
+                largest = std::max(largest, force);
+            }
+            EXPECT_GT(largest, 10.0 * step);
+            // What a point of all may change by, four times over.
+            EXPECT_LT(step, 4.0 * eps * by * (axisymmetric ? 24.5 : 7.0)) << slope;
+        }
+}
+
+// Around the axis as in the plane, by r.
+TEST(SurfaceLayer, PressesEveryPlaceAlikeInAxisymmetry) {
+    auto [floor, block] = block_over(-0.1, 0.0);
+    for (std::size_t i = 0; i < block.mass.size(); ++i) block.mass[i] *= 1e6;
+    SurfaceCall call = with_layer(1e-2, 1e3, 0.0);
+    call.options.axisymmetric = 1;
+    ASSERT_EQ(call(floor, block), GRIT_OK);
+    EXPECT_NEAR(call.totals.normal_impulse, 1e-2 * 1e3 * 0.1 * 24.5, 1e-3);
+    for (const grit_surface_report& r : call.reports)
+        EXPECT_NEAR(r.normal_force, 1e3 * 0.1 * r.area, 1e-3 * 1e3 * 0.1 * r.area);
+}
+
 // Nothing flies faster than that, however deep it is and however stiff the layer.
 TEST(SurfaceLayer, PressesOutWithinItsRelaxationTime) {
     for (const auto& [tau, mu] : {std::pair{0.0, 0.0}, {1e-3, 0.0}, {1.0, 0.0}, {1e-3, 0.3}}) {

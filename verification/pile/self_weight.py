@@ -8,7 +8,7 @@ again.
 
 LAW: published; rate (a relaxation time of 15 us, half the step at CFL 0.4), spring (that, and 0.1 M/h); rate_30us (the whole
 step), dashpot_30us (implicit, without a spring worth the name), spring_{3,10,30}_30us (that, and percents of M/h),
-spring_10_60us; frictional; surface; surface_{1,10}_{1,01}ms (a stiffness of that multiple of M/h, a relaxation time of 1 or 0.1
+spring_10_60us; frictional; surface; surface_{1_1ms,10,10_01ms,10_1ms} (a stiffness of 1 or 10 M/h, a relaxation time of none, 1 or 0.1
 ms). With _musl behind it: stresses by velocities mapped back (numerics.scheme). Default: all."""
 import math
 import pathlib

@@ -34,7 +34,7 @@ const Vocabulary words = {
      "change of velocity in the last sweep, over the largest approach"},
     {"results are finite", "a refused call writes nothing", "a status is one of a call",
      "the same call gives the same bits, whatever is in its workspace", "momentum is kept to 1e-12",
-     "energy does not grow by more than 1e-12", "no facet pulls",
+     "energy does not grow by more than 1e-12 and what surfaces held", "no facet pulls",
      "a node that is held keeps its velocity in that direction",
      "a call that lacks memory says how much, at most three times"}};
 
@@ -274,10 +274,11 @@ void judge_motion(const Call& before, const Call& call, Findings& out) {
         }
     }
     out.demand(holds_what_is_held, held, program);
-    if (call.options.contact_stiffness == 0.0) {  // else of what its layer held
-        out.measure(energy_gain, gain / energy);
-        out.demand(gains_no_energy, gain <= 1e-12 * energy, program);
-    }
+    const double overlap = std::max(-call.totals.smallest_gap, 0.0);
+    const double stored =
+        0.5 * call.options.contact_stiffness * overlap * overlap * call.totals.area;
+    if (stored == 0.0) out.measure(energy_gain, gain / energy);
+    out.demand(gains_no_energy, gain <= 1e-12 * energy + (1.0 + 1e-9) * stored, program);
     if (rigid || any_held) return;
     const double error = std::fabs(change[0]) + std::fabs(change[1]) + std::fabs(change[2]);
     out.measure(momentum_error, error / size);

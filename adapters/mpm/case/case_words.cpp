@@ -63,6 +63,17 @@ constexpr Member<ContactPlan> of_contact[] = {
                                                      "after_damping"),
     member<ContactPlan, &ContactPlan::modulus>(case_word("contact", "modulus_kPa"), "modulus")};
 
+constexpr struct {
+    std::string_view key, laws;
+} laws_of_keys[] = {{"penalty_power", "geo"},
+                    {"normal", "geo and frictional"},
+                    {"distance", "geo and frictional"},
+                    {"gated", "geo and frictional"},
+                    {"relaxation_time_s", "geo and surface"},
+                    {"contact_stiffness_multiple", "geo and surface"},
+                    {"pressure_spacing_cells", "surface"},
+                    {"after_damping", "surface"}};
+
 constexpr Member<WaterPlan> of_water[] = {
     member<WaterPlan, &WaterPlan::implicit>(case_word("body.water", "pressure"), "pressure"),
     member<WaterPlan, &WaterPlan::porosity>(case_word("body.water", "porosity"), "porosity"),
@@ -125,10 +136,12 @@ constexpr FixKeyword keywords[] = {
      "STIFF SOFT {contact.law} MU [`power` K] [`normal` {contact.normal}] [`distance` "
      "{contact.distance}] [`gated` `yes`|`no`] [`relaxation_time` TAU] [`stiffness_multiple` X "
      "`modulus` M] [`pressure_spacing` CELLS] [`after_damping` `yes`|`no`]",
-     "`power` of the geo law alone, TAU [s] and X of M [Pa] / shortest cell of geo, X with gate, "
-     "and "
-     "surface, `distance` not without gate where it is frictional; `surface` has no gate, distance "
-     "and normal, but `pressure_spacing` and `after_damping`, which it has alone"},
+     "geo and frictional have `normal`, `distance` and `gated`, geo `power` besides, surface "
+     "`pressure_spacing` and `after_damping`; geo and surface TAU [s] and X of M [Pa] / shortest "
+     "cell: of geo X "
+     "with gate, of surface TAU with X, X without `after_damping`; `distance` not without gate "
+     "where it is "
+     "frictional"},
     {"stages", "N NAME...",
      "all stages, in order; default: one, `run`; names: letters, digits, _ and -"},
     {"driven", "NAME {history.depth_of}", "the body of the history; default: the first"}};
@@ -275,6 +288,11 @@ double CaseWord::otherwise_number() const {
 
 std::span<const Member<Case>> numerics_members() { return of_numerics; }
 std::span<const Member<ContactPlan>> contact_members() { return of_contact; }
+std::string_view laws_with(std::string_view key) {
+    for (const auto& of : laws_of_keys)
+        if (of.key == key) return of.laws;
+    return {};
+}
 std::span<const Member<WaterPlan>> water_members() { return of_water; }
 std::span<const Member<StagePlan>> stage_members() { return of_stage; }
 std::span<const Member<StageEnd>> end_members() { return of_end; }

@@ -391,7 +391,9 @@ template <class Plan> struct Member {
 };
 
 std::span<const Member<Case>> numerics_members();
-std::span<const Member<ContactPlan>> contact_members();  // of nodal laws
+std::span<const Member<ContactPlan>> contact_members();
+// Of a contact, the laws that have a key: "geo and surface"; empty: all of them.
+std::string_view laws_with(std::string_view key);
 std::span<const Member<WaterPlan>> water_members();
 std::span<const Member<StagePlan>> stage_members();
 std::span<const Member<StageEnd>> end_members();

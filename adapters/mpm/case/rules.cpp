@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "adapters/mpm/case/case_words.hpp"
 #include "adapters/mpm/case/spellings.hpp"
 #include "adapters/mpm/step/text.hpp"
 
@@ -26,18 +27,6 @@ Objections objection_to_another(const Plans& plans, const std::string& name, con
 }
 
 bool is_implicit(const BodyPlan& body) { return body.water && body.water->implicit; }
-
-Objections objection_to_stiffness(const ContactPlan& contact, const IsGiven& given) {
-    if (contact.contact_stiffness_multiple > 0.0) {
-        if (!given("modulus_kPa"))
-            return Objection{"contact_stiffness_multiple",
-                             " needs the P-wave modulus of the softer body"};
-    } else if (given("modulus_kPa") && !given("contact_stiffness_multiple")) {
-        return Objection{"modulus_kPa",
-                         " belongs to a stiffness of the contact, and there is none"};
-    }
-    return {};
-}
 
 }  // namespace
 
@@ -217,37 +206,33 @@ Objections objection_to_contact(const Case& plan, std::size_t contact, const Key
 }
 
 Objections objection_to(const ContactPlan& contact, const IsGiven& given) {
+    const std::string law(word_of(words::contact_laws, words::law_of(contact)));
+    for (const Member<ContactPlan>& member : contact_members()) {
+        const std::string_view key = member.word->key, laws = laws_with(key);
+        if (laws.empty() || !given(key) || laws.find(law) != laws.npos) continue;
+        const bool several = laws.find(' ') != laws.npos;
+        return Objection{key, (several ? " belongs to the laws " : " belongs to the law ") +
+                                  std::string(laws) + ", not to " + law};
+    }
+    const bool is_elastic = contact.contact_stiffness_multiple > 0.0;
+    if (is_elastic && !given("modulus_kPa"))
+        return Objection{"contact_stiffness_multiple",
+                         " needs the P-wave modulus of the softer body"};
+    if (given("modulus_kPa") && !given("contact_stiffness_multiple"))
+        return Objection{"modulus_kPa",
+                         " belongs to a stiffness of the contact, and there is none"};
     if (contact.at_surfaces) {
-        for (const char* key : {"penalty_power", "normal", "distance", "gated"})
-            if (given(key))
-                return Objection{key, " belongs to laws at nodes, not to the surface one"};
-        if (contact.contact_stiffness_multiple > 0.0) {
-            if (contact.after_damping)
-                return Objection{"after_damping", ": a stiffness would act twice in a step"};
-        } else if (contact.relaxation_time > 0.0) {
+        if (is_elastic && contact.after_damping)
+            return Objection{"after_damping", ": a stiffness would act twice in a step"};
+        if (!is_elastic && contact.relaxation_time > 0.0)
             return Objection{
                 "relaxation_time_s",
                 " of surfaces belongs to a stiffness of the contact, and there is none"};
-        }
-        return objection_to_stiffness(contact, given);
+        return {};
     }
-    for (const char* key : {"pressure_spacing_cells", "after_damping"})
-        if (given(key)) return Objection{key, " belongs to the surface law"};
-    if (contact.penalty) return {};
-    if (contact.law == GRIT_CONTACT_GEO) {
-        if (contact.contact_stiffness_multiple > 0.0 && !contact.gated)
-            return Objection{"contact_stiffness_multiple",
-                             " needs a gap: the contact is not gated"};
-        return objection_to_stiffness(contact, given);
-    }
-    if (given("penalty_power"))
-        return Objection{"penalty_power", " belongs to the geo law, not to the frictional one"};
-    for (const char* key : {"relaxation_time_s", "contact_stiffness_multiple"})
-        if (given(key))
-            return Objection{key,
-                             " belongs to the laws geo and surface, not to the frictional one"};
-    if (const auto objection = objection_to_stiffness(contact, given)) return objection;
-    if (given("distance") && !contact.gated)
+    if (is_elastic && !contact.gated)
+        return Objection{"contact_stiffness_multiple", " needs a gap: the contact is not gated"};
+    if (contact.law == GRIT_CONTACT_FRICTIONAL && given("distance") && !contact.gated)
         return Objection{"distance", ": the frictional law measures none unless it is gated"};
     return {};
 }

@@ -316,7 +316,8 @@ void ImplicitPressure::solve(const PoreWater& water, const GridView& grid, Parti
         compact.add(&CompactAnswer::to_change, values.data(), flow.data());
         for (std::size_t c = 0; c < cells.size(); ++c) swelling[c] += flow[c] / dt;
     };
-    for (int change = 0; change < most_changes; ++change) {
+    bool settled = false;
+    for (int change = 0; change < most_changes && !settled; ++change) {
         // Cells that do not bear go to the largest tension, which the others see as a load.
         for (std::size_t c = 0; c < cells.size(); ++c)
             values[c] = cells[c].compliance > 0.0 ? 0.0 : cells[c].reached - cells[c].pressure;
@@ -346,8 +347,9 @@ void ImplicitPressure::solve(const PoreWater& water, const GridView& grid, Parti
             if (cells[c].compliance > 0.0)
                 values[c] = cells[c].scale * x[static_cast<Eigen::Index>(c)];
         move();
-        if (!find_laws(water, dt)) break;
+        settled = !find_laws(water, dt);
     }
+    if (!settled) ++not_settled;
     std::fill(flow_of_grid.begin(), flow_of_grid.end(), 0.0);
     for (std::size_t c = 0; c < cells.size(); ++c) flow_of_grid[patched[c].patch] = flow[c];
     push(values.data(), impulses);

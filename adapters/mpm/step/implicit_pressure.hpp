@@ -71,6 +71,8 @@ class ImplicitPressure {
     void remember(double dt);
     // Of all solutions since it was built.
     long iterations() const { return iterated; }
+    // Of these, those whose cells at the largest tension were not the same twice.
+    long unsettled() const { return not_settled; }
 
     template <class Self, class Archive> static void visit(Self& of, Archive& archive) {
         IntegerRecords::visit(of.rows_of_patches, archive);
@@ -136,7 +138,7 @@ class ImplicitPressure {
         flow_of_grid;  // what leaves cells by the pressures before [m3]
     // Of cells, at the first of their nodes: how fast values changed in the last two steps [Pa/s].
     std::vector<Vector2> rates;
-    long iterated = 0;
+    long iterated = 0, not_settled = 0;
 };
 
 }  // namespace grit::mpm

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "adapters/mpm/grid/grid_point.hpp"
@@ -35,6 +36,8 @@ SurfaceLaw surface_law(double friction_coefficient) {
 SurfacePair::SurfacePair(const SurfaceLaw& law, double shortest_cell, ContactZone of_both,
                          bool axisymmetric, const Particles& a)
     : pair_law(law), zone(std::move(of_both)), line_a(law.line_a, 0.5 * shortest_cell, a) {
+    if (law.after_damping && law.options.contact_stiffness > 0.0)
+        throw std::invalid_argument("surface contact: a stiffness would act twice in a step");
     pair_law.options.axisymmetric = axisymmetric;
     pair_law.options.end_spacings = std::max(at_ends / law.spacing, 1.0);
     step_rows.a = law.a;

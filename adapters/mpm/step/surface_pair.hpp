@@ -28,7 +28,7 @@ SurfaceLaw surface_law(double friction_coefficient);
 
 class SurfacePair {
   public:
-    // a: its particles, at the start.
+    // a: its particles, at the start. Throws std::invalid_argument where a stiffness would act after damping too.
     SurfacePair(const SurfaceLaw& law, double shortest_cell, ContactZone zone, bool axisymmetric,
                 const Particles& a);
     // False where no node of this process is reached by both bodies.

@@ -639,8 +639,8 @@ void Water::change(std::size_t i, std::vector<Pressed>& pressed,
     hold_platens(i);
     hold_surfaces(i, surfaces);
     Part& part = model.parts[i];
-    bool again = false;
-    for (int change = 0; change < most_changes; ++change) {
+    bool again = false, settled = false;
+    for (int change = 0; change < most_changes && !settled; ++change) {
         if (!body.held.empty()) body.held.factor();
         std::vector<Vector2>& u = body.held.empty() ? body.volume_velocity : body.held_velocity;
         if (!body.held.empty()) {
@@ -650,8 +650,9 @@ void Water::change(std::size_t i, std::vector<Pressed>& pressed,
         body.implicit->solve(*part.body.water, model.grid(), part.body.particles, model.dt, u,
                              body.all_answers, again, body.impulse);
         again = true;
-        if (body.held.empty() || !body.held.find_impulses(body.impulse)) break;
+        settled = body.held.empty() || !body.held.find_impulses(body.impulse);
     }
+    if (!settled) ++body.unsettled;
     body.implicit->remember(model.dt);
     push_surfaces(body.held);
     push_platens(i);

@@ -100,6 +100,10 @@ class Water {
     }
     // Of its solver, since it was built.
     long iterations(std::size_t body) const { return bodies[body].implicit->iterations(); }
+    // Times that what bears, cells or points along surfaces, was not the same twice.
+    long unsettled(std::size_t body) const {
+        return bodies[body].implicit->unsettled() + bodies[body].unsettled;
+    }
     // After contact, of a body with implicit pressure: it gets what the pressure changes by in the step.
     // surfaces: of its contacts at these, whose rows get the impulses of the end.
     void change(std::size_t body, std::vector<Pressed>& pressed,
@@ -164,6 +168,7 @@ class Water {
         std::vector<WaterSums> sums = {};  // of each strip
         std::vector<double> speed2 = {};
         std::optional<ImplicitPressure> implicit = {};
+        long unsettled = 0;  // of points along surfaces
         std::vector<Vector2> volume_velocity = {}, held_velocity = {}, impulse = {};
         std::vector<std::array<Answer, 2>> answers = {};  // of a node along r, z
         Answers all_answers = {};                         // as the pressure's equation has them

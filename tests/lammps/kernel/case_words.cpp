@@ -126,13 +126,19 @@ TEST(CaseWords, ThatTheFixDoesNotHaveAreRefusedWithThoseThatItHas) {
               "the law of a contact must be one of geo, frictional, surface, got \"penalty\"");
 }
 
-TEST(CaseWords, OfLawsAtNodesAreRefusedBySurfaceContact) {
-    for (const std::vector<std::string>& more :
-         {std::vector<std::string>{"power", "6"}, {"normal", "soft"}, {"gated", "no"}}) {
-        std::vector<std::string> words{"plane_strain", "contact", "a", "b", "surface", "0.3"};
-        words.insert(words.end(), more.begin(), more.end());
-        EXPECT_EQ(refusal_of(words), more[0] + " belongs to laws at nodes, not to the surface one");
-    }
+TEST(CaseWords, OfOtherLawsAreRefusedByAContactWithThoseThatHaveThem) {
+    const auto of = [](const std::string& law, const std::string& word, const std::string& value) {
+        return refusal_of({"plane_strain", "contact", "a", "b", law, "0.3", word, value});
+    };
+    EXPECT_EQ(of("surface", "power", "6"), "power belongs to the law geo, not to surface");
+    EXPECT_EQ(of("surface", "normal", "soft"),
+              "normal belongs to the laws geo and frictional, not to surface");
+    EXPECT_EQ(of("surface", "gated", "no"),
+              "gated belongs to the laws geo and frictional, not to surface");
+    EXPECT_EQ(of("geo", "after_damping", "yes"),
+              "after_damping belongs to the law surface, not to geo");
+    EXPECT_EQ(of("frictional", "stiffness_multiple", "1"),
+              "stiffness_multiple belongs to the laws geo and surface, not to frictional");
 }
 
 }  // namespace

@@ -161,8 +161,7 @@ TEST(LammpsRanges, OfWordsThatMustFitTogetherAreThoseOfCaseFiles) {
                       smooth = "contact plate block frictional 0";
     EXPECT_EQ(plane(geo + " power 4 distance edge gated no"), "");
     EXPECT_EQ(plane(smooth + " distance edge"), "");
-    EXPECT_EQ(plane(smooth + " power 4"),
-              "power belongs to the geo law, not to the frictional one");
+    EXPECT_EQ(plane(smooth + " power 4"), "power belongs to the law geo, not to frictional");
     EXPECT_EQ(plane(smooth + " distance edge gated no"),
               "distance: the frictional law measures none unless it is gated");
     EXPECT_EQ(plane(geo + " contact block plate geo 0.1"),
@@ -266,9 +265,9 @@ const Change changes[] = {
      "stages", "contact block other geo 0 stages", ""},
     {"\"geo\"", "\"geo\"\npenalty_power = 6", "geo 0", "geo 0 power 6", ""},
     {"\"geo\"", "\"frictional\"\npenalty_power = 6", "geo 0", "frictional 0 power 6",
-     " belongs to the geo law, not to the frictional one"},
+     " belongs to the law geo, not to frictional"},
     {"\"geo\"", "\"frictional\"\nrelaxation_time_s = 1", "geo 0", "frictional 0 relaxation_time 1",
-     " belongs to the laws geo and surface, not to the frictional one"},
+     " belongs to the laws geo and surface, not to frictional"},
     {"\"geo\"", "\"surface\"\nrelaxation_time_s = 1", "geo 0", "surface 0 relaxation_time 1",
      " of surfaces belongs to a stiffness of the contact, and there is none"},
     {"\"geo\"",
@@ -279,11 +278,11 @@ const Change changes[] = {
      "surface 0 after_damping yes stiffness_multiple 1 modulus 1000",
      ": a stiffness would act twice in a step"},
     {"\"geo\"", "\"geo\"\npressure_spacing_cells = 1", "geo 0", "geo 0 pressure_spacing 1",
-     " belongs to the surface law"},
+     " belongs to the law surface, not to geo"},
     {"\"geo\"", "\"surface\"\npressure_spacing_cells = 1", "geo 0", "surface 0 pressure_spacing 1",
      ""},
     {"\"geo\"", "\"geo\"\nafter_damping = true", "geo 0", "geo 0 after_damping yes",
-     " belongs to the surface law"},
+     " belongs to the law surface, not to geo"},
     {"\"geo\"", "\"surface\"\nafter_damping = true", "geo 0", "surface 0 after_damping yes", ""},
     {"\"geo\"", "\"geo\"\ncontact_stiffness_multiple = 1", "geo 0", "geo 0 stiffness_multiple 1",
      " needs the P-wave modulus of the softer body"},
