@@ -49,6 +49,15 @@ TEST(LammpsPile, WithContactAtSurfacesHasTheBitsOfTheDriverToo) {
     EXPECT_EQ(first_difference(driver, hosts.in_lammps(2, 2)), "");
 }
 
+TEST(LammpsPile, WithAStiffnessOfSurfacesHasTheBitsOfTheDriverToo) {
+    const BothHosts hosts(replaced(case_text(), "law = \"geo\"",
+                                   "law = \"surface\"\ncontact_stiffness_multiple = 10\n"
+                                   "modulus_kPa = 5e4\nrelaxation_time_s = 1e-3"));
+    const Told driver = hosts.in_driver(all);
+    ASSERT_GT(driver.rows.size(), 500u);
+    EXPECT_EQ(first_difference(driver, hosts.in_lammps(2, 2)), "");
+}
+
 TEST(LammpsPile, GoesOnOnFourProcessesFromTheRestartFileOfTwo) {
     const BothHosts hosts(case_text());
     const Told before = hosts.in_lammps(2, 1, "restart 500 blows\n" + hosts.script());
