@@ -89,7 +89,6 @@ template <int C> class Call {
     // Points of integration whose gap the step overruns, or nearly.
     bool find_points() {
         const std::ptrdiff_t n_b = b.given->facets;
-        const Layer layer{o.time_step, o.contact_stiffness, o.relaxation_time};
         smallest_gap = arena.take<double>(a.given->facets);
         friction = arena.take<Vector<double, C>>(a.given->facets);
         auto* boxes = arena.take<Box<C>>(n_b);
@@ -111,8 +110,7 @@ template <int C> class Call {
                 const auto v =
                     a.velocity_at(p.facet_a, p.place_a) - b.velocity_at(p.facet_b, p.place_b);
                 const double at_end = p.gap - o.time_step * dot(v, a.facet[f].n);
-                const double decides = o.contact_stiffness > 0.0 ? std::min(p.gap, at_end) : at_end;
-                p.size *= layer.weight(decides / (closed * o.reach));
+                p.size *= layer.weight(p.gap, at_end, closed * o.reach);
                 if (o.axisymmetric) p.size *= radius(p);
                 if (p.size > 0.0) found.add(p);
             });
@@ -149,7 +147,6 @@ template <int C> class Call {
         return !arena.is_overrun();
     }
     bool solve() {
-        const Layer layer{o.time_step, o.contact_stiffness, o.relaxation_time};
         if (!system.build(points, n_points, shares, n_shares, layer)) return false;
         if (!system.make_lists()) return false;
         outcome = system.sweep(o.friction_coefficient, o.sweep_limit, o.sweep_tolerance);
@@ -157,6 +154,7 @@ template <int C> class Call {
     }
 
     const grit_surface_options& o;
+    const Layer layer{o.time_step, o.contact_stiffness, o.relaxation_time};
     Arena& arena;
     Skin<C> a, b;
     Pressures<C> pressures;

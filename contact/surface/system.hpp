@@ -23,11 +23,11 @@ struct Layer {
     double dt;
     double stiffness = 0.0, relaxation_time = 0.0;  // (V8); 0: rigid
 
-    // How much of a point counts whose gap is so many of the widest one that counts as closed: with a stiffness points come and go
-    // little by little, for what is open within a mean pulls.
-    double weight(double gap) const {
-        if (stiffness > 0.0) return std::clamp(2.0 - gap, 0.0, 1.0);
-        return gap <= 1.0 ? 1.0 : 0.0;
+    // How much of a point counts with this gap now and at the end of the step; closed: the widest one that does. With a stiffness
+    // points come and go little by little, up to twice that, for what is open within a mean pulls.
+    double weight(double gap, double at_end, double closed) const {
+        if (stiffness > 0.0) return std::clamp(2.0 - std::min(gap, at_end) / closed, 0.0, 1.0);
+        return at_end <= closed ? 1.0 : 0.0;
     }
     // The approach at which a mean gap bears nothing.
     double bound(double gap) const {

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""push.py [--grit FILE] [--out DIR] [--jobs N] [--members N] [CASE ...]: pushes of this folder and the tables of docs/push.md.
+"""push.py [--grit FILE] [--out DIR] [--jobs N] [--members N] [--frames] [CASE ...]: pushes of this folder and the tables of docs/push.md.
 
 CASE: files of this folder without .toml; default: all. What has ended in DIR (results/push) is not run again.
 --members: N runs of each case that differ by choices that are none, in DIR/members, and the table of their means ± standard
-deviations; stresses beside the shaft are means over the frames of the last 0.1 m as well."""
+deviations; stresses beside the shaft are means over the frames of the last 0.1 m as well. --frames: what presses on the shaft in each
+frame instead."""
 import math
 import pathlib
 import statistics
@@ -55,20 +56,31 @@ def tip_of(pile):
     return min(z for corners in pile.corners for _, z in corners)
 
 
+def soil_frames(out, case):
+    return sorted(out.glob(f"{case}_??????_soil.vtu"))
+
+
+def of_frame(soil):
+    """(z of the tip, of each ring within a quarter of a diameter of one diameter above it: mean -sigma_rr by K0 gamma z, e,
+    share without stress, the sand); none where that is above the ground."""
+    tip = tip_of(Frame(str(soil).replace("_soil", "_pile")))
+    sand = Frame(soil)
+    level = tip + 2 * RADIUS
+    of_rings = [] if level > -0.5 * RADIUS else beside_shaft(sand, RADIUS, level - 0.5 * RADIUS, level + 0.5 * RADIUS)
+    return tip, [(stress / (K0 * GAMMA * -level), void_ratio, free) for stress, void_ratio, free in of_rings], sand
+
+
 def rings(out, case, last=0.0):
     """In the frames of the last metres, or the last one, within a quarter of a diameter of one diameter above the tip, for each
     ring: mean -sigma_rr by K0 gamma z, e, share without stress; and the particles inside the pile's shaft, at most."""
     found, within = [], 0
     lowest = None
-    for soil in reversed(sorted(out.glob(f"{case}_??????_soil.vtu"))):
-        tip = tip_of(Frame(str(soil).replace("_soil", "_pile")))
+    for soil in reversed(soil_frames(out, case)):
+        tip, of_rings, sand = of_frame(soil)
         lowest = tip if lowest is None else lowest
         if found and tip - lowest > last:
             break
-        sand = Frame(soil)
-        at_rest = K0 * GAMMA * -(tip + 2 * RADIUS)
-        found.append([(stress / at_rest, void_ratio, free) for stress, void_ratio, free in
-                      beside_shaft(sand, RADIUS, tip + 1.5 * RADIUS, tip + 2.5 * RADIUS)])
+        found.append(of_rings)
         within = max(within, sum(1 for r, z in sand.centres() if r < 0.95 * RADIUS and z > tip + RADIUS))
         if last == 0.0:
             break
@@ -97,6 +109,15 @@ def print_cases(cases, out):
         print("| " + " | ".join(columns) + f" | {within} |")
 
 
+def print_frames(cases, out):
+    print_header(["case", "tip [m]", BESIDE[0]])
+    for case in cases:
+        for soil in soil_frames(out, case):
+            tip, of_rings, _ = of_frame(soil)
+            if of_rings:
+                print(f"| {case} | {tip:.2f} | " + ", ".join(f"{stress:.2f}" for stress, _, _ in of_rings) + " |", flush=True)
+
+
 def with_scatter(values, digits):
     if any(math.isnan(x) for x in values):
         return ""
@@ -122,6 +143,7 @@ def print_members(cases, out):
 def main():
     parser = command_line(__doc__, "push")
     parser.add_argument("--members", type=int, default=0, choices=range(len(NEUTRAL) + 1), metavar="N")
+    parser.add_argument("--frames", action="store_true")
     parser.add_argument("cases", nargs="*", metavar="CASE")
     args = parser.parse_args()
     cases = chosen(args.cases, sorted(file.stem for file in HERE.glob("*.toml")))
@@ -132,6 +154,9 @@ def main():
     if args.members:  # the first members of all cases come first
         files = [file for same in zip(*(write_members(case, args.members, args.out) for case in cases)) for file in same]
     run_all(args, [file for file in files if not (args.out / f"{file.stem}.csv").exists()])
+    if args.frames:
+        print_frames([file.stem for file in files], args.out)
+        return
     (print_members if args.members else print_cases)(cases, args.out)
 
 

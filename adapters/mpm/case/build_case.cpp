@@ -65,6 +65,11 @@ void add_tractions(const Case& plan, const Axis& r, const Axis& z, const BuiltCa
     }
 }
 
+double stiffness_of(const ContactPlan& contact, double shortest_cell) {
+    if (!(contact.contact_stiffness_multiple > 0.0)) return 0.0;
+    return contact_stiffness(contact.contact_stiffness_multiple, contact.modulus, shortest_cell);
+}
+
 void add_penalty_contact(const Case& plan, const ContactPlan& contact, Simulation& simulation) {
     const PenaltyPlan& given = *contact.penalty;
     const double cell = simulation.shortest_cell();
@@ -190,9 +195,7 @@ std::function<Vector2(double)> edge_stress(const Case& plan, const TractionPlan&
 
 void add_layer(const ContactPlan& contact, double shortest_cell, grit_surface_options& options) {
     options.relaxation_time = contact.relaxation_time;
-    if (contact.contact_stiffness_multiple > 0.0)
-        options.contact_stiffness =
-            contact_stiffness(contact.contact_stiffness_multiple, contact.modulus, shortest_cell);
+    options.contact_stiffness = stiffness_of(contact, shortest_cell);
 }
 
 ContactLaw nodal_law(const Case& plan, const ContactPlan& contact, double shortest_cell) {
@@ -203,9 +206,7 @@ ContactLaw nodal_law(const Case& plan, const ContactPlan& contact, double shorte
     law.measure = contact.measure;
     law.gated = contact.gated;
     law.options.relaxation_time = contact.relaxation_time;
-    if (contact.contact_stiffness_multiple > 0.0)
-        law.options.contact_stiffness =
-            contact_stiffness(contact.contact_stiffness_multiple, contact.modulus, shortest_cell);
+    law.options.contact_stiffness = stiffness_of(contact, shortest_cell);
     return law;
 }
 

@@ -138,10 +138,8 @@ constexpr FixKeyword keywords[] = {
      "`modulus` M] [`pressure_spacing` CELLS] [`after_damping` `yes`|`no`]",
      "geo and frictional have `normal`, `distance` and `gated`, geo `power` besides, surface "
      "`pressure_spacing` and `after_damping`; geo and surface TAU [s] and X of M [Pa] / shortest "
-     "cell: of geo X "
-     "with gate, of surface TAU with X, X without `after_damping`; `distance` not without gate "
-     "where it is "
-     "frictional"},
+     "cell: of geo X with gate, of surface TAU with X, X without `after_damping`; `distance` not "
+     "without gate where it is frictional"},
     {"stages", "N NAME...",
      "all stages, in order; default: one, `run`; names: letters, digits, _ and -"},
     {"driven", "NAME {history.depth_of}", "the body of the history; default: the first"}};
