@@ -190,12 +190,12 @@ void add_contacts(const Case& plan, FixWords& fix) {
         const std::string_view word = word_of(words::contact_laws, law);
         std::string more;
         for (const Member<ContactPlan>& member : contact_members()) {
-            const std::string_view laws = laws_with(member.word->key);
+            const std::string_view key = member.word->key;
             const double value = member.get(contact);
             const bool is_none =
                 member.word->kind == Kind::number && (value == 0.0 || !std::isfinite(value));
-            if (member.fix.empty() || is_none || (!laws.empty() && laws.find(word) == laws.npos) ||
-                (laws == "surface" && value == member.get(ContactPlan{})) ||
+            if (member.fix.empty() || is_none || !has_key(word, key) ||
+                (laws_with(key) == "surface" && value == member.get(ContactPlan{})) ||
                 (member.fix == "modulus" && contact.contact_stiffness_multiple == 0.0) ||
                 (member.fix == "distance" && law == GRIT_CONTACT_FRICTIONAL && !contact.gated))
                 continue;

@@ -111,6 +111,7 @@ template <int C> class Call {
                     a.velocity_at(p.facet_a, p.place_a) - b.velocity_at(p.facet_b, p.place_b);
                 const double at_end = p.gap - o.time_step * dot(v, a.facet[f].n);
                 p.size *= layer.weight(p.gap, at_end, closed * o.reach);
+                if (p.size == 0.0) return;
                 if (o.axisymmetric) p.size *= radius(p);
                 if (p.size > 0.0) found.add(p);
             });

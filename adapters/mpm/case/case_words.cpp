@@ -291,6 +291,10 @@ std::string_view laws_with(std::string_view key) {
         if (of.key == key) return of.laws;
     return {};
 }
+bool has_key(std::string_view law, std::string_view key) {
+    const std::string_view laws = laws_with(key);
+    return laws.empty() || laws.find(law) != laws.npos;
+}
 std::span<const Member<WaterPlan>> water_members() { return of_water; }
 std::span<const Member<StagePlan>> stage_members() { return of_stage; }
 std::span<const Member<StageEnd>> end_members() { return of_end; }

@@ -394,6 +394,7 @@ std::span<const Member<Case>> numerics_members();
 std::span<const Member<ContactPlan>> contact_members();
 // Of a contact, the laws that have a key: "geo and surface"; empty: all of them.
 std::string_view laws_with(std::string_view key);
+bool has_key(std::string_view law, std::string_view key);
 std::span<const Member<WaterPlan>> water_members();
 std::span<const Member<StagePlan>> stage_members();
 std::span<const Member<StageEnd>> end_members();

@@ -209,7 +209,7 @@ Objections objection_to(const ContactPlan& contact, const IsGiven& given) {
     const std::string law(word_of(words::contact_laws, words::law_of(contact)));
     for (const Member<ContactPlan>& member : contact_members()) {
         const std::string_view key = member.word->key, laws = laws_with(key);
-        if (laws.empty() || !given(key) || laws.find(law) != laws.npos) continue;
+        if (!given(key) || has_key(law, key)) continue;
         const bool several = laws.find(' ') != laws.npos;
         return Objection{key, (several ? " belongs to the laws " : " belongs to the law ") +
                                   std::string(laws) + ", not to " + law};
