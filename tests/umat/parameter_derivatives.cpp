@@ -353,6 +353,27 @@ struct Refusal {
     }
 };
 
+// A point that cannot be integrated keeps its derivatives, as it keeps its stress and state.
+TEST(ParameterDerivatives, StayWhereThePointFails) {
+    Random random(211);
+    const std::vector<int>& directions = all_directions();
+    grit_sand_options few = options_with();
+    few.evaluation_limit = 8;
+    for (const Sand& each : four_sands())
+        for (int i = 0; i < 10; ++i) {
+            const StrainPath path = random_path(each, random, 1, 0.05, 0.2);
+            Differentiated x(path.start, static_cast<int>(directions.size()));
+            x.slopes.setRandom();
+            const Differentiated before = x;
+            const StrainSlopes none = StrainSlopes::Zero(6, x.slopes.cols());
+            const Outcome out =
+                update(each, x, voigt_strain(path.increments[0]).data(), directions, none, few);
+            EXPECT_EQ(out.status, GRIT_NOT_CONVERGED);
+            EXPECT_TRUE(same_bits(x.point, before.point));
+            EXPECT_EQ(x.slopes, before.slopes);
+        }
+}
+
 TEST(ParameterDerivatives, RefuseWhatMakesNoSense) {
     const auto expect = [](const char* part, auto change) {
         Refusal r;

@@ -97,6 +97,18 @@ TEST(Rotation, ByNothingChangesNoBit) {
     }
 }
 
+TEST(Rotation, ByNothingChangesNoBitOfAStrainedBatchEither) {
+    const double identity_matrix[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    for (const Sand& each : four_sands()) {
+        Batch turned = random_batch(each, 64, 53), still = turned;
+        grit_sand_points q = turned.views();
+        q.rotation_increment = grit_view_of(identity_matrix, 0, 1);
+        ASSERT_EQ(turned.update(each, options_with(), q), still.update(each, options_with()));
+        for (std::size_t i = 0; i < 64; ++i)
+            EXPECT_TRUE(same_bits(turned.points[i], still.points[i])) << i;
+    }
+}
+
 TEST(Rotation, WithoutStrainTurnsStressAndMemoryOnly) {
     Random random(63);
     const Full Q = random.rotation();

@@ -476,6 +476,7 @@ void follow_advice(const Call& call, const Point& before, const Point& failed, F
     if (call.options.evaluation_limit < 2000 || call.options.tolerance < 1e-8) return;
     out.count(retried);
     Point x = before;
+    Call part = call;
     double left = 1.0, share = std::clamp(failed.report.step_reduction, 1e-6, 0.9);
     int steps = 0;
     constexpr int most_steps = 100000;
@@ -483,10 +484,11 @@ void follow_advice(const Call& call, const Point& before, const Point& failed, F
         Point next = x;
         const double taken = std::min(share, left);
         for (int c = 0; c < 6; ++c) next.strain[c] = taken * before.strain[c];
-        update(call, next);
+        update(part, next);
         ++steps;
         if (next.report.status == GRIT_OK) {
             x = next;
+            part.rotated = false;  // it has been turned
             left = taken == left ? 0.0 : left - taken;
             share = 1.5 * taken;
         } else if (next.report.status == GRIT_NOT_CONVERGED && next.report.step_reduction > 0.0 &&
