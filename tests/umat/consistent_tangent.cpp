@@ -88,6 +88,25 @@ TEST(ConsistentTangent, IsTheDerivativeOfTheExactResponseWithinTenTolerances) {
         }
 }
 
+// Turned back exactly, h goes through 0, or past it at the distance of roundoff, or of a small turn.
+TEST(ConsistentTangent, IsTheDerivativeWhereAnExactReversalCrossesNoMemory) {
+    for (const Sand& sand : four_sands()) {
+        const double R = sand.p.elastic_strain_radius;
+        Random random(173);
+        for (int i = 0; i < 40; ++i) {
+            const Vec D = random.direction();
+            State x = random_state(sand, random, 50.0, 500.0);
+            x.h = -random.uniform(0.2, 1.0) * R * D;
+            if (i % 2) x.h += random.log_uniform(1e-16, 1e-8) * R * random.direction();
+            if (x.h.norm() > R) x.h *= R / x.h.norm();
+            const Vec dE = random.uniform(2.0, 10.0) * R * D;
+            const Mat exact = central_differences(sand, x, dE, 1e-4 * dE.norm(), 1e-10);
+            const Mat C = with_tangent(sand, x, dE, 2e-4).tangent;
+            EXPECT_LE((C - exact).norm(), 1e-3 * exact.norm()) << sand.name << ", path " << i;
+        }
+    }
+}
+
 TEST(ConsistentTangent, ComesWithTheSameStressAsWithout) {
     for (const Sand& sand : four_sands()) {
         Random random(174);

@@ -27,6 +27,8 @@ template <class Real> GRIT_INLINE Real void_ratio(const StraightPath<Real>& path
     return fma(1.0 + path.e_0, exp(s * path.tr_D), -1.0);  // (H9)
 }
 
+constexpr double along_the_strain = 1e-16;  // tau:tau up to which |tau| has no derivative
+
 template <class Real>
 GRIT_INLINE StraightPath<Real> straight_path(const MaterialOf<Real>& m,
                                              const Tensor<Real>& strain_increment,
@@ -39,6 +41,11 @@ GRIT_INLINE StraightPath<Real> straight_path(const MaterialOf<Real>& m,
     path.u_0 = contract(h_R, path.D_hat);
     path.tau = scaled_sum(-path.u_0, path.D_hat, h_R);
     path.tau_sq = square(path.tau);
+    // Turned back as exactly as roundoff lets it, h passes 0 at the distance of what roundoff left across: slopes at 0
+    // would be by that, without bound, though what they add up to vanishes with it.
+    if constexpr (!std::is_same_v<Real, PlainOf<Real>>)
+        path.tau_sq = select(value(path.tau_sq) <= PlainOf<Real>(along_the_strain),
+                             Real(value(path.tau_sq)), path.tau_sq);
     path.e_0 = e;
     path.e_end = void_ratio(path, path.length);
     return path;
