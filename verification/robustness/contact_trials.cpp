@@ -97,7 +97,7 @@ struct Call {
 };
 
 constexpr int longest_batch = 31;
-constexpr double smallest_speed = 1e-290;  // below, numbers have fewer digits
+constexpr double smallest_number = 1e-290;  // below, numbers have fewer digits
 
 Call random_call(Random& random) {
     Call call;
@@ -346,7 +346,7 @@ void judge(const Call& call, const Node& x, const Node& y, Findings& out) {
     out.demand(finite, all_finite(y.v_a) && all_finite(y.v_b) && all_finite(J), program);
     const bool springs = call.options.contact_stiffness > 0.0;
     const double speeds = norm(x.v_a) + norm(x.v_b);
-    if (speeds < smallest_speed) return;
+    if (speeds < smallest_number) return;
     const double m_r = call.options.rigid == GRIT_CONTACT_A_RIGID   ? x.m_b
                        : call.options.rigid == GRIT_CONTACT_B_RIGID ? x.m_a
                                                                     : x.m_r();
@@ -370,9 +370,9 @@ void judge(const Call& call, const Node& x, const Node& y, Findings& out) {
         out.measure(energy_gain, gain - roundoff);
         out.demand(gains_no_energy, gain <= 1e-14 + roundoff, program);
     }
-    // Impulses over m_r |w|, whose squares may be too small for numbers; those below 1e-290 have lost digits of their own.
+    // Impulses over m_r |w|, whose squares may be too small for numbers.
     const double size = m_r * before, w_n = dot(x.w(), x.normal);
-    if (!(size > 1e-290)) return;
+    if (!(size > smallest_number)) return;
     const Vec share = {J[0] / size, J[1] / size, J[2] / size};
     const double J_n = dot(share, x.normal), J_t = norm(plus(share, -J_n, x.normal));
     out.demand(pushes_only, J_n >= -1e-14, program);
@@ -405,7 +405,7 @@ void judge_in_other_words(const Call& call, const Node& x, const Node& y, Random
     const auto program = [&] { return program_of(call, x); };
     // A spring gives what was not there.
     const double speeds = std::max(norm(x.v_a) + norm(x.v_b), norm(y.v_a) + norm(y.v_b));
-    if (norm(x.v_a) + norm(x.v_b) < smallest_speed) return;
+    if (norm(x.v_a) + norm(x.v_b) < smallest_number) return;
 
     Node exchanged = x;
     std::swap(exchanged.m_a, exchanged.m_b);
@@ -433,8 +433,7 @@ void judge_in_other_words(const Call& call, const Node& x, const Node& y, Random
             apart(y, plus(moving.v_a, -1.0, common), plus(moving.v_b, -1.0, common)) /
             (speeds + norm(common));
         out.measure(galilei_error, seen);
-        out.demand(does_not_see_common_velocity,
-                   seen <= 1e-14 * (1.0 + call.options.friction_coefficient), program);
+        out.demand(does_not_see_common_velocity, seen <= 1e-14 * rough, program);
     }
 
     const double angle = random.uniform(0.0, 6.283185307179586), cosine = std::cos(angle),
@@ -448,7 +447,7 @@ void judge_in_other_words(const Call& call, const Node& x, const Node& y, Random
     if (aside.report.state != y.report.state) return;
     const double off = apart(aside, turned(y.v_a), turned(y.v_b)) / speeds;
     out.measure(turn_error, off);
-    out.demand(turns_along, off <= 1e-13 * (1.0 + call.options.friction_coefficient), program);
+    out.demand(turns_along, off <= 1e-13 * rough, program);
 }
 
 // Two to five bodies at a node, in pairs of random normals.
