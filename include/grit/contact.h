@@ -66,7 +66,8 @@ typedef struct grit_contact_nodes {
     const ptrdiff_t* index; /* [n] nodes to be taken, all distinct; null: 0 ... n-1 */
     grit_view mass_a;       /* [1] nodal mass of body A [mass] in [0, 1e100] */
     grit_view mass_b;       /* [1] of body B */
-    grit_view normal;       /* [c] unit normal A -> B [-], |n|^2 within 1e-6 of 1 */
+    grit_view normal;       /* [c] unit normal A -> B [-], |n|^2 within 1e-6 of 1: what is left of an
+                                       approach is off by as much, as a share of it */
     grit_view distance;     /* [1] s [length]: surface of the stiffer body to the node, negative
                                        inside the body; +infinity: none (GEO only) */
     grit_view cell_size;    /* [1] d [length] > 0, the cell along n (GEO only); or ... */

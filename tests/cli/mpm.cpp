@@ -201,9 +201,7 @@ TEST(MaterialPointCommand, EndsAfterTheStepWhenItIsInterrupted) {
     const Workplace here;
     here.write("x.toml", column("1000"));
     for (const char* signal : {"INT", "TERM", "HUP"}) {
-        const Answer answer =
-            here.grit(std::string("mpm --no-plot --out out x.toml & sleep 0.2; kill -") + signal +
-                      " $!; wait $!; exit $?");
+        const Answer answer = here.interrupted("mpm --no-plot --out out x.toml", signal);
         EXPECT_EQ(answer.status, 1) << answer.text;
         EXPECT_TRUE(answer.says("grit: x: interrupted (after step ")) << answer.text;
         EXPECT_EQ(here.files("out"), (Names{"x.checkpoint", "x.csv"}));
@@ -224,9 +222,7 @@ TEST(MaterialPointCommand, GoesOnWithoutItsTerminalWhereItIsToldTo) {
 TEST(MaterialPointCommand, LeavesNoHalfFilesWhereItIsToQuit) {
     const Workplace here;
     here.write("x.toml", column("1000"));
-    const Answer answer = here.grit(
-        "--version > /dev/null; ulimit -c 0; " GRIT_CLI
-        " mpm --no-plot --quiet --out out x.toml & sleep 0.2; kill -QUIT $!; wait $!; exit $?");
+    const Answer answer = here.interrupted("mpm --no-plot --quiet --out out x.toml", "QUIT");
     EXPECT_EQ(answer.status, 128 + 3);
     EXPECT_EQ(here.files("out"), Names{});
 }
@@ -238,10 +234,7 @@ TEST(MaterialPointCommand, GoesOnFromACheckpointToTheHistoryOfARunThatNeverStopp
     ASSERT_EQ(here.grit("mpm --no-plot --quiet --out whole x.toml").status, 0);
     const std::string run = "mpm --no-plot --quiet --checkpoint-minutes 1e-3 --out parts x.toml";
     const auto killed = [&](const std::string& arguments, const std::string& signal) {
-        here.grit(arguments +
-                  " & sleep 0.1; until [ -e parts/x.checkpoint ]; do sleep 0.02; done; "
-                  "kill -" +
-                  signal + " $!; wait $!");
+        here.interrupted(arguments, signal, "parts/x.checkpoint");
         EXPECT_TRUE(here.files("parts").contains("x.checkpoint"));
     };
     killed(run, "KILL");
@@ -263,7 +256,7 @@ TEST(MaterialPointCommand, RefusesACheckpointThatIsMissingOrOfAnotherCase) {
     Answer answer = here.grit("mpm --no-plot --quiet --restart --out out x.toml");
     EXPECT_EQ(answer.status, 2);
     EXPECT_TRUE(answer.says("x.checkpoint: cannot read this checkpoint")) << answer.text;
-    here.grit("mpm --no-plot --quiet --out out x.toml & sleep 0.2; kill -TERM $!; wait $!");
+    here.interrupted("mpm --no-plot --quiet --out out x.toml", "TERM");
     here.write("x.toml", column("1000", "fixed_point = true\n"));
     answer = here.grit("mpm --no-plot --quiet --restart --out out x.toml");
     EXPECT_EQ(answer.status, 2);
@@ -274,7 +267,7 @@ TEST(MaterialPointCommand, RefusesACheckpointThatIsMissingOrOfAnotherCase) {
 TEST(MaterialPointCommand, RefusesACheckpointOfAnotherMaterialAndNamesTheDifference) {
     const Workplace here;
     here.write("x.toml", column("1000"));
-    here.grit("mpm --no-plot --quiet --out out x.toml & sleep 0.2; kill -TERM $!; wait $!");
+    here.interrupted("mpm --no-plot --quiet --out out x.toml", "TERM");
     std::string stiffer = column("0.01");
     stiffer.replace(stiffer.find("_kPa = 1000"), 11, "_kPa = 4000");
     const std::pair<std::string, std::string> others[] = {
@@ -297,7 +290,7 @@ TEST(MaterialPointCommand, KeepsHistoryAndOldCheckpointIfNoneCanBeWrittenWhenInt
     here.write("y.toml", column("1000"));
     here.write("x.toml", "base = \"y.toml\"\n[override]\n\"history.interval_s\" = 10\n");
     const std::string run = "mpm --no-plot --quiet --out out x.toml";
-    here.grit(run + " & sleep 0.2; kill -INT $!; wait $!");
+    here.interrupted(run, "INT");
     const std::string before = here.text("out/x.checkpoint");
     EXPECT_GT(before.size(), 40U * 1024);
     const Answer answer = here.grit(little_room + run +

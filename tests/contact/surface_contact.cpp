@@ -258,6 +258,30 @@ TEST(SurfaceContact, IsTheSameInAMovingAndATurnedFrame) {
     }
 }
 
+// A rigid surface that moves, too: its vertices' velocities stand beside them.
+TEST(SurfaceContact, OnARigidBodyIsTheSameInAMovingFrame) {
+    for (const int components : {2, 3})
+        for (std::uint64_t seed = 0; seed < 12; ++seed) {
+            Meeting still(components, seed, 1.0), moving(components, seed, 1.0);
+            for (Meeting* m : {&still, &moving}) {
+                m->a.rigid = true;
+                std::fill(m->b.fixed.begin(), m->b.fixed.end(), 0);
+            }
+            const auto n = static_cast<std::size_t>(components);
+            const auto of_frame = [n](std::size_t i) { return i % n == 0 ? 3.0 : -2.0; };
+            for (std::size_t i = 0; i < moving.b.v.size(); ++i) moving.b.v[i] += of_frame(i);
+            for (std::size_t i = 0; i < moving.a.vertex_velocity.size(); ++i)
+                moving.a.vertex_velocity[i] = of_frame(i);
+            SurfaceCall call(components, 0.3), other(components, 0.3);
+            call.options.spacing = other.options.spacing = 1.7;
+            ASSERT_EQ(call(still.a, still.b), GRIT_OK) << call.error.message;
+            ASSERT_EQ(other(moving.a, moving.b), GRIT_OK) << other.error.message;
+            ASSERT_GT(call.totals.pressures, 0);
+            for (std::size_t i = 0; i < still.b.v.size(); ++i)
+                EXPECT_NEAR(moving.b.v[i] - of_frame(i), still.b.v[i], 1e-9);
+        }
+}
+
 // Pressures are as far apart as the facets say, whatever the options do.
 TEST(SurfaceContact, TakesTheSpacingOfFacetsBeforeThatOfTheOptions) {
     for (const int components : {2, 3}) {

@@ -173,6 +173,28 @@ TEST(SurfaceOfWetBody, RubsWithWhatItsGrainsCarry) {
     EXPECT_LT(friction, 0.9 * of_drier);
 }
 
+// Suction presses the grains together where the surfaces meet, and does nothing where they part.
+TEST(SurfaceOfWetBody, RubsBySuctionOnlyWhereItIsPressed) {
+    double sucked = 0.0, dry = 0.0;
+    int open = 0;
+    for (std::uint64_t seed = 1; seed < 20; ++seed)
+        for (const double pressure : {0.0, -100.0}) {
+            WetMeeting m(2, seed, 1.0);
+            m.b.pressure.assign(m.b.facet.size() / 2, pressure);
+            SurfaceCall call(2, 0.35);
+            ASSERT_EQ(call(m.a, m.b), GRIT_OK);
+            for (std::ptrdiff_t r = 0; r < call.totals.rows; ++r) {
+                const grit_surface_row& row = call.totals.row[r];
+                (pressure < 0.0 ? sucked : dry) += std::fabs(row.impulse[1]);
+                if (row.impulse[0] > 0.0) continue;
+                ++open;
+                EXPECT_EQ(row.impulse[1], 0.0) << seed;
+            }
+        }
+    EXPECT_GT(open, 0);
+    EXPECT_GT(sucked, 1.1 * dry);
+}
+
 // A host that gives the rows' impulses to the velocities it began with has those that the call left.
 TEST(SurfaceOfWetBody, TellsWhatEachOfItsPointsDid) {
     WetMeeting m(2, 7, 0.0);

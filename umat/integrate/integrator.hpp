@@ -133,7 +133,6 @@ template <class Real, bool igs> class Integrator {
         }
         const Mask beyond =
             active & to_end & !((value(dq) <= 1.1 * step) & (search.lowest() <= 1.1 * step));
-        open = open & !beyond;
         if (any(beyond | open)) {
             dq = select(beyond, Real(step), select(open, Real(search.lowest()), dq));
             to_end = to_end & !(beyond | open);

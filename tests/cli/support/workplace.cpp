@@ -46,6 +46,15 @@ Answer Workplace::grit(const std::string& arguments) const {
     return out;
 }
 
+Answer Workplace::interrupted(const std::string& arguments, const std::string& signal,
+                              const std::string& file) const {
+    const std::string stamp = "\"$(stat -c '%i %y' " + file + " 2> /dev/null)\"";
+    return grit("--version > /dev/null; old=" + stamp + "; " GRIT_CLI " " + arguments +
+                " & grit=$!; now=$old; while kill -0 $grit && [ \"${now:-$old}\" = \"$old\" ]; do "
+                "sleep 0.02; now=" +
+                stamp + "; done; sleep 0.2; kill -" + signal + " $grit; wait $grit; exit $?");
+}
+
 Answer Workplace::run(const std::string& name, const std::string& options) const {
     return grit("element --no-plot --out out " + options + " " + name + ".toml");
 }

@@ -29,6 +29,10 @@ class Workplace {
     void write_case(const std::string& name, const std::string& stages) const;
     // grit with these arguments, in the folder.
     Answer grit(const std::string& arguments) const;
+    // The same in the background, sent this signal 0.2 s after it has written this file anew: by default the lock that
+    // a run into the folder out begins with.
+    Answer interrupted(const std::string& arguments, const std::string& signal,
+                       const std::string& file = "out/.grit-lock") const;
     // grit element on NAME.toml, without pictures, into the folder out.
     Answer run(const std::string& name, const std::string& options = "") const;
     // Columns of out/NAME.csv by name without unit.
