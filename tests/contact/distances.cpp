@@ -162,6 +162,17 @@ TEST(ContactDistance, HasTheSameBitsInAnyOrderOneByOneAndMergedFromParts) {
     }
 }
 
+TEST(ContactDistance, MergesTheMinimaOfTwoBodiesAndNothingBesideThem) {
+    std::vector<double> mine{3.0, 5.0, 7.0, 1.0, 2.0, 7.0}, other{4.0, 2.0, 6.0, 0.5, 3.0, 6.0};
+    Dice dice(1);
+    Surfaces x = random_surfaces(2, 2, dice);
+    grit_contact_surfaces into = x.views(), from = x.views();
+    into.surface = into.centre = grit_mutable_view_of(mine.data(), 3, 1);
+    from.surface = from.centre = grit_mutable_view_of(other.data(), 3, 1);
+    ASSERT_EQ(grit_contact_surfaces_merge(&into, &from, nullptr), GRIT_OK);
+    EXPECT_EQ(mine, (std::vector<double>{3.0, 2.0, 7.0, 0.5, 2.0, 7.0}));
+}
+
 TEST(ContactDistance, OfParticlesWithoutASizeIsThatOfTheirCentres) {
     Surfaces s(3, {{1.0, 2.0, 3.0}}, {Vec3::UnitZ()});
     Domains points(0, {{{0.0, 0.0, 2.5}, no_sides, {0}}, {{1.0, 2.0, 2.0}, no_sides, {0}}});

@@ -49,6 +49,25 @@ TEST(ManyBodies, NeverGainEnergy) {
         EXPECT_LE(energy(bodies.node[i]), energy(before[i]) * (1.0 + 1e-14));
 }
 
+// Nor press by the last bit alone, where a pair that closed at first is opened by the others.
+TEST(ManyBodies, NeverPull) {
+    BodiesAtNodes bodies(7, 10000, 71);
+    for (auto& o : bodies.options) {
+        o.law = GRIT_CONTACT_FRICTIONAL;
+        o.friction_coefficient = 0.0;
+    }
+    ASSERT_EQ(bodies.correct(), GRIT_OK) << bodies.error.message;
+    std::size_t pressed = 0;
+    for (std::size_t i = 0; i < bodies.reports.size(); ++i) {
+        const grit_contact_report& r = bodies.reports[i];
+        const Vec& n = bodies.node[i / bodies.who.size()].n[i % bodies.who.size()];
+        const double J = r.impulse[0] * n[0] + r.impulse[1] * n[1] + r.impulse[2] * n[2];
+        EXPECT_TRUE(J == 0.0 || J > 1e-14) << i << ": " << J;
+        pressed += J > 0.0;
+    }
+    EXPECT_GT(pressed, bodies.node.size());
+}
+
 TEST(ManyBodies, OfWhichTwoMeetAreAPair) {
     BodiesAtNodes bodies(3, 1000, 63);
     Nodes pair;

@@ -115,6 +115,10 @@ TEST(PenaltyBadCall, VerticesThatCannotBeAreNamed) {
              "surface b vertex 1: position y must be within +-1e30 (length), got inf", 1},
             {[](Call& c) { c.b.x[2] = c.b.x[1]; },
              "surface b vertex 1: the segment to vertex 2 must be longer than", 1},
+            {[](Call& c) { c.b.x[0][0] = -2000.0, c.b.x[2] = c.b.x[1]; },
+             "surface b vertex 1: the segment to vertex 2 must be longer than 2e-09 (length), got "
+             "0",
+             1},
             {[](Call& c) { c.view_a.closed = 1, c.a.x.back() = c.a.x.front(); },
              "surface a vertex 6: the segment to vertex 0 must be longer than", 6},
             {[](Call& c) { c.o.axisymmetric = 1; },

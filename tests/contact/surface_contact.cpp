@@ -320,20 +320,30 @@ TEST(SurfaceContact, KeepsItsPressuresAwayFromTheEndsOfAStretch) {
 
 // What lies behind the nearest facet is not met.
 TEST(SurfaceContact, MeetsTheNearestOfSeveralLayers) {
-    GridBody floor, block;
-    add_face(floor, false, 0.0, 7.0, 7, [](double, double) { return 3.0; });
-    add_face(block, true, 0.0, 7.0, 7, [](double, double) { return 3.0; });
-    add_face(block, true, 0.0, 7.0, 5, [](double, double) { return 3.4; });
-    floor.rigid = true;
-    std::mt19937_64 random(1);
-    block.fill(random, 0.0, 0.0);
-    block.weigh(0.0, 7.0);
-    for (std::size_t i = 1; i < block.v.size(); i += 2) block.v[i] = -1.0;
-    SurfaceCall call(2);
-    ASSERT_EQ(call(floor, block), GRIT_OK);
-    EXPECT_NEAR(call.totals.area, 7.0, 1e-12);
-    for (const std::ptrdiff_t i : {24, 28, 31}) EXPECT_NEAR(block.v[2 * i + 1], 0.0, 1e-9);
-    EXPECT_EQ(block.v[2 * 36 + 1], -1.0);  // nodes of the other layer's upper line
+    for (const int components : {2, 3}) {
+        GridBody floor, block;
+        floor.components = block.components = components;
+        add_face(floor, false, 0.0, 7.0, 7, [](double, double) { return 3.0; });
+        add_face(block, true, 0.0, 7.0, 7, [](double, double) { return 3.0; });
+        add_face(block, true, 0.0, 7.0, 5, [](double, double) { return 3.005; });
+        floor.rigid = true;
+        std::mt19937_64 random(1);
+        block.fill(random, 0.0, 0.0);
+        block.weigh(0.0, 7.0);
+        const auto n = static_cast<std::size_t>(components);
+        for (std::size_t i = n - 1; i < block.v.size(); i += n) block.v[i] = -1.0;
+        SurfaceCall call(components);
+        ASSERT_EQ(call(floor, block), GRIT_OK) << call.error.message;
+        EXPECT_NEAR(call.totals.area, components == 2 ? 7.0 : 49.0, 1e-12);
+        // Nodes of the layers' lines, at the middle and the ends of the first, along its height.
+        const std::size_t plane = components == 2 ? 8 : 64, row = components == 2 ? 0 : 32;
+        const auto at = [&](std::size_t x, std::size_t z) {
+            return block.v[n * (x + row + z * plane) + n - 1];
+        };
+        for (const std::size_t x : {0u, 4u, 7u})
+            EXPECT_NEAR(at(x, 3), 0.0, components == 2 ? 1e-9 : 0.08);
+        EXPECT_EQ(at(4, 4), -1.0);  // of the other layer's upper line
+    }
 }
 
 TEST(SurfaceContact, ChangesNothingWhereItIsRefusedOrOnlyValidates) {
