@@ -27,11 +27,11 @@ struct Remainder {
 
 Remainder send_pulse(bool shear, bool absorbs) {
     constexpr int cells = 100;
-    constexpr double width = 0.02;
+    constexpr double width = 0.02, foot = 0.5;
     const double c = shear ? c_s : c_p, duration = 0.2 * L / c;
-    Simulation simulation(Axis::uniform(0.0, width, 2), Axis::uniform(0.0, 1.1, 110),
+    Simulation simulation(Axis::uniform(0.0, width, 2), Axis::uniform(foot, foot + 1.1, 110),
                           {.axisymmetric = false, .cfl = 0.2});
-    simulation.add_body(make_box({0.0, width, 0.0, L, 4, 2 * cells, rho}, false,
+    simulation.add_body(make_box({0.0, width, foot, foot + L, 4, 2 * cells, rho}, false,
                                  std::make_unique<LinearElastic>(E, nu)));
     for (int i = 0; i < 4; ++i)
         simulation.add_traction(
@@ -42,7 +42,7 @@ Remainder send_pulse(bool shear, bool absorbs) {
              }});
     simulation.fix_above(shear ? 1 : 0, -1.0);  // nothing moves across the wave
     if (absorbs) simulation.absorb_first(1, {c_p, c_s});
-    else simulation.fix_below(1, 0.0, Hold::both);
+    else simulation.fix_below(1, foot, Hold::both);
     while (simulation.time() < 1.6 * L / c) simulation.step();
     const Energy energy = simulation.energy();
     return {(energy.kinetic + energy.stored) / energy.external_work,

@@ -95,6 +95,22 @@ TEST(PenaltyLine, EndsTheStepByNameWhereItsBodyMovesByNoNumber) {
 }
 
 // A line is split as its body stretches, and no vertex leaves it.
+// By which the nodes are found whose mass is asked for.
+TEST(PenaltyLine, TellsTheHeightsOfWhatPresses) {
+    PenaltyLaw law = penalty_law(0.0, 1.0, 1e6, 0.1);
+    law.line_a.points = {{0.5, 0.0}, {0.5, 1.0}};
+    law.line_b.points = {{0.499, 1.0}, {0.499, 0.0}};
+    PenaltyPair pair(law, false, 1);
+    pair.find_forces(0.0);
+    std::vector<double> told, heights;
+    pair.each_pressed([&](double z) { told.push_back(z); });
+    for (const int line : {0, 1})
+        for (std::size_t i = 1; i < pair.vertices(line).size(); i += 2)
+            heights.push_back(pair.vertices(line)[i]);
+    EXPECT_GE(heights.size(), 20u);
+    EXPECT_EQ(told, heights);
+}
+
 TEST(PenaltyLine, FollowsABodyThatStretches) {
     constexpr double h = 0.1, rate = 2.0;
     Settings settings{.axisymmetric = false, .cfl = 0.2};

@@ -263,6 +263,18 @@ TEST(ImplicitPressure, IsNotSoughtInRoundoff) {
     EXPECT_LT(built.simulation->pore_water().iterations(0), 20 * steps);
 }
 
+// Each step begins with what the two before lead to: a consolidation needs little more than that.
+TEST(ImplicitPressure, GoesOnFromTheStepsBefore) {
+    constexpr int steps = 200;
+    const Column column{
+        .cells = 32, .conductivity = 1e-3, .implicit = true, .load = 1e4, .ramp = 0.02};
+    BuiltCase built = build_case(column.plan());
+    for (int i = 0; i < steps; ++i) built.simulation->step();
+    const long begun = built.simulation->pore_water().iterations(0);
+    for (int i = 0; i < steps; ++i) built.simulation->step();
+    EXPECT_LT(built.simulation->pore_water().iterations(0) - begun, 20 * steps);  // 32 from nothing
+}
+
 // Damping comes before the pressure, or it would take the volume's balance away again.
 TEST(ImplicitPressure, IsStableWithLocalDamping) {
     constexpr double load = 1e4;
