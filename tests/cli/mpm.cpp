@@ -283,7 +283,7 @@ TEST(MaterialPointCommand, RefusesACheckpointOfAnotherMaterialAndNamesTheDiffere
 }
 
 // Files of 20 KiB at most: the checkpoint is larger, the history is not.
-constexpr const char* little_room = "--version > /dev/null; ulimit -f 40; " GRIT_CLI " ";
+constexpr const char* little_room = "ulimit -f 40";
 
 TEST(MaterialPointCommand, KeepsHistoryAndOldCheckpointIfNoneCanBeWrittenWhenInterrupted) {
     const Workplace here;
@@ -293,9 +293,8 @@ TEST(MaterialPointCommand, KeepsHistoryAndOldCheckpointIfNoneCanBeWrittenWhenInt
     here.interrupted(run, "INT");
     const std::string before = here.text("out/x.checkpoint");
     EXPECT_GT(before.size(), 40U * 1024);
-    const Answer answer = here.grit(little_room + run +
-                                    " --restart & sleep 0.5; kill -INT $!; "
-                                    "wait $!; exit $?");
+    const Answer answer =
+        here.interrupted(run + " --restart", "INT", "out/.grit-lock", little_room);
     EXPECT_EQ(answer.status, 1);
     const std::string problem = "; the checkpoint could not be written: out/x.checkpoint: cannot "
                                 "write this file: File too large";
@@ -312,7 +311,9 @@ TEST(MaterialPointCommand, GoesOnIfACheckpointBetweenCannotBeWritten) {
     here.write("x.toml", "base = \"y.toml\"\n[override]\n\"history.interval_s\" = 1\n");
     const std::string run = "mpm --no-plot --quiet --out ";
     ASSERT_EQ(here.grit(run + "whole x.toml").status, 0);
-    const Answer answer = here.grit(little_room + run + "out x.toml --checkpoint-minutes 1e-3");
+    const Answer answer =
+        here.grit(std::string("--version > /dev/null; ") + little_room + "; " GRIT_CLI " " + run +
+                  "out x.toml --checkpoint-minutes 1e-3");
     EXPECT_EQ(answer.status, 0) << answer.text;
     EXPECT_TRUE(answer.says("grit: x: the checkpoint could not be written: out/x.checkpoint: "))
         << answer.text;

@@ -47,9 +47,10 @@ Answer Workplace::grit(const std::string& arguments) const {
 }
 
 Answer Workplace::interrupted(const std::string& arguments, const std::string& signal,
-                              const std::string& file) const {
+                              const std::string& file, const std::string& first) const {
     const std::string stamp = "\"$(stat -c '%i %y' " + file + " 2> /dev/null)\"";
-    return grit("--version > /dev/null; old=" + stamp + "; " GRIT_CLI " " + arguments +
+    return grit("--version > /dev/null; " + first + "; old=" + stamp + "; " GRIT_CLI " " +
+                arguments +
                 " & grit=$!; now=$old; while kill -0 $grit && [ \"${now:-$old}\" = \"$old\" ]; do "
                 "sleep 0.02; now=" +
                 stamp + "; done; sleep 0.2; kill -" + signal + " $grit; wait $grit; exit $?");

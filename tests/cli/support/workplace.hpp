@@ -30,9 +30,10 @@ class Workplace {
     // grit with these arguments, in the folder.
     Answer grit(const std::string& arguments) const;
     // The same in the background, sent this signal 0.2 s after it has written this file anew: by default the lock that
-    // a run into the folder out begins with.
+    // a run into the folder out begins with. The shell does these commands first.
     Answer interrupted(const std::string& arguments, const std::string& signal,
-                       const std::string& file = "out/.grit-lock") const;
+                       const std::string& file = "out/.grit-lock",
+                       const std::string& first = "true") const;
     // grit element on NAME.toml, without pictures, into the folder out.
     Answer run(const std::string& name, const std::string& options = "") const;
     // Columns of out/NAME.csv by name without unit.
