@@ -60,14 +60,14 @@ GRIT_API grit_status grit_contact_options_init(grit_contact_options* options, si
 /* n nodes as the host stores them, c = components. Zero-initialise, set struct_size, then what is
  * needed. Optional views are off with a null base. A node is inactive unless both masses exceed
  * 1e-200 and mass_tolerance times their sum (with a rigid body: 1e-200 only): its other numbers may be
- * anything, NaN too, but their memory must exist, and velocities may be rewritten with the same bits. Inputs may repeat (point_stride 0); what is written may not overlap. */
+ * anything, NaN too, but their memory must exist, and velocities may be rewritten with the same bits. Inputs may repeat (point_stride 0); what is written may not overlap.
+ * By as much as |n|^2 is off 1, what is left of an approach is off, as a share of it. */
 typedef struct grit_contact_nodes {
     size_t struct_size;
     const ptrdiff_t* index; /* [n] nodes to be taken, all distinct; null: 0 ... n-1 */
     grit_view mass_a;       /* [1] nodal mass of body A [mass] in [0, 1e100] */
     grit_view mass_b;       /* [1] of body B */
-    grit_view normal;       /* [c] unit normal A -> B [-], |n|^2 within 1e-6 of 1: what is left of an
-                                       approach is off by as much, as a share of it */
+    grit_view normal;       /* [c] unit normal A -> B [-], |n|^2 within 1e-6 of 1 (see above) */
     grit_view distance;     /* [1] s [length]: surface of the stiffer body to the node, negative
                                        inside the body; +infinity: none (GEO only) */
     grit_view cell_size;    /* [1] d [length] > 0, the cell along n (GEO only); or ... */
