@@ -222,7 +222,8 @@ TEST(MaterialPointCommand, GoesOnWithoutItsTerminalWhereItIsToldTo) {
 TEST(MaterialPointCommand, LeavesNoHalfFilesWhereItIsToQuit) {
     const Workplace here;
     here.write("x.toml", column("1000"));
-    const Answer answer = here.interrupted("mpm --no-plot --quiet --out out x.toml", "QUIT");
+    const Answer answer = here.interrupted("mpm --no-plot --quiet --out out x.toml", "QUIT",
+                                           "out/.grit-lock", "ulimit -c 0");
     EXPECT_EQ(answer.status, 128 + 3);
     EXPECT_EQ(here.files("out"), Names{});
 }

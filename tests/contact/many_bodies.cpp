@@ -61,7 +61,7 @@ TEST(ManyBodies, NeverPull) {
     for (std::size_t i = 0; i < bodies.reports.size(); ++i) {
         const grit_contact_report& r = bodies.reports[i];
         const Vec& n = bodies.node[i / bodies.who.size()].n[i % bodies.who.size()];
-        const double J = r.impulse[0] * n[0] + r.impulse[1] * n[1] + r.impulse[2] * n[2];
+        const double J = dot({r.impulse[0], r.impulse[1], r.impulse[2]}, n);
         EXPECT_TRUE(J == 0.0 || J > 1e-14) << i << ": " << J;
         pressed += J > 0.0;
     }

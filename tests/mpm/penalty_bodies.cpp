@@ -94,7 +94,6 @@ TEST(PenaltyLine, EndsTheStepByNameWhereItsBodyMovesByNoNumber) {
     }
 }
 
-// A line is split as its body stretches, and no vertex leaves it.
 // By which the nodes are found whose mass is asked for.
 TEST(PenaltyLine, TellsTheHeightsOfWhatPresses) {
     PenaltyLaw law = penalty_law(0.0, 1.0, 1e6, 0.1);
@@ -111,6 +110,7 @@ TEST(PenaltyLine, TellsTheHeightsOfWhatPresses) {
     EXPECT_EQ(told, heights);
 }
 
+// A line is split as its body stretches, and no vertex leaves it.
 TEST(PenaltyLine, FollowsABodyThatStretches) {
     constexpr double h = 0.1, rate = 2.0;
     Settings settings{.axisymmetric = false, .cfl = 0.2};
