@@ -21,11 +21,17 @@ elseif(GRIT_SANITIZE)
   set(GRIT_INSTRUMENTATION -fsanitize=address,undefined)
 endif()
 if(GRIT_COVERAGE)
-  list(APPEND GRIT_INSTRUMENTATION --coverage)
+  list(APPEND GRIT_INSTRUMENTATION -fprofile-instr-generate -fcoverage-mapping)
 endif()
 set(GRIT_INSTRUMENTED OFF)
 if(GRIT_INSTRUMENTATION)
   set(GRIT_INSTRUMENTED ON)
+endif()
+
+# What a library for hosts leaves open is an error; the sanitizers of clang are in the program that loads it.
+set(GRIT_COMPLETE_LIBRARY -Wl,--no-undefined)
+if(GRIT_INSTRUMENTED AND CMAKE_CXX_COMPILER_ID MATCHES Clang)
+  set(GRIT_COMPLETE_LIBRARY)
 endif()
 
 # Flags of some compilers only, into the list RESULT: what this one understands of them.
@@ -47,21 +53,32 @@ endfunction()
 grit_flags_of_this_compiler(GRIT_VECTOR_FLAGS -Wno-psabi -Wno-ignored-attributes -Wno-bitwise-instead-of-logical)
 # A pass over whole functions that takes a fifth of the time to compile a kernel, and makes none faster.
 grit_flags_of_this_compiler(GRIT_KERNEL_FLAGS -fno-gcse)
-# Instrumented kernels take minutes to optimise, a fifth of it for where pointers point to.
-grit_flags_of_this_compiler(GRIT_QUICK_FLAGS -fno-tree-pta)
-# Every load of an unrolled kernel would be checked in place, in several ways: the address sanitizer is called
-# instead, and sees what the checks of pointers would see. Its guards around each local pack cost three quarters of
-# the time to compile; the bounds of local arrays are checked without them.
+# What is to be fast. Instrumented kernels take g++ minutes to optimise, a fifth of it for where pointers point to.
+set(GRIT_FAST_FLAGS -O3)
+if(GRIT_INSTRUMENTED AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  set(GRIT_FAST_FLAGS -O1 -fno-tree-pta)
+endif()
+# Bad pointers are what the address sanitizer sees: checks of them by the other take a third of the time to compile, of
+# pointers that run over nine tenths of that of a kernel. How what they point to is aligned, readers of files are asked:
+# the fuzzers. Hosts call an entry by a type of their own.
+set(GRIT_UNCHECKED null,object-size)
+if(NOT GRIT_BUILD_FUZZERS)
+  string(APPEND GRIT_UNCHECKED ,alignment)
+endif()
+if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+  string(APPEND GRIT_UNCHECKED ,pointer-overflow,function)
+endif()
+# Every load of an unrolled kernel would be checked in place: the sanitizer is called instead. Its guards around each
+# local pack cost three quarters of the time to compile; the bounds of local arrays are checked without them.
 if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
   set(GRIT_SANITIZED_KERNEL_FLAGS -mllvm -asan-instrumentation-with-call-threshold=0 -mllvm -asan-stack=0)
 else()
   set(GRIT_SANITIZED_KERNEL_FLAGS --param=asan-instrumentation-with-call-threshold=0 --param=asan-stack=0)
 endif()
-list(APPEND GRIT_SANITIZED_KERNEL_FLAGS -fno-sanitize=null,alignment,object-size)
-# Fuzzers count the ways through what judges a call; those through a kernel are too many to compile, as are checks of
-# its arithmetic, which the other preset has.
+list(APPEND GRIT_SANITIZED_KERNEL_FLAGS -fno-sanitize=alignment)
+# Fuzzers count the ways through what judges a call; those through a kernel are too many to compile.
 if(GRIT_BUILD_FUZZERS)
-  list(APPEND GRIT_SANITIZED_KERNEL_FLAGS -fno-sanitize=fuzzer-no-link,undefined,float-cast-overflow)
+  list(APPEND GRIT_SANITIZED_KERNEL_FLAGS -fno-sanitize=fuzzer-no-link)
 endif()
 # Structs are copied in whole registers: half of one that was just stored whole, or the reverse, waits for
 # the cache. GCC's default is 16 bytes.
@@ -74,10 +91,10 @@ function(grit_warnings target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow $<$<BOOL:${PROJECT_IS_TOP_LEVEL}>:-Werror>)
   if(GRIT_SANITIZE)
-    target_compile_options(${target} PRIVATE -fsanitize=${GRIT_SANITIZERS} -fno-sanitize-recover=all)
+    target_compile_options(${target} PRIVATE -fsanitize=${GRIT_SANITIZERS} -fno-sanitize=${GRIT_UNCHECKED} -fno-sanitize-recover=all)
   endif()
   if(GRIT_COVERAGE)
-    target_compile_options(${target} PRIVATE --coverage)
+    target_compile_options(${target} PRIVATE -fprofile-instr-generate -fcoverage-mapping)
   endif()
   target_link_options(${target} PRIVATE ${GRIT_INSTRUMENTATION})
   if(GRIT_BUILD_FUZZERS)
@@ -103,8 +120,8 @@ function(grit_library_part target)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/include)
   target_compile_definitions(${target} PRIVATE GRIT_BUILDING)
   target_compile_options(
-    ${target} PRIVATE "$<IF:$<BOOL:${GRIT_INSTRUMENTED}>,-O1;${GRIT_QUICK_FLAGS},-O3>" -ffp-contract=off
-                      -fno-math-errno -fno-trapping-math ${GRIT_VECTOR_FLAGS} ${GRIT_KERNEL_FLAGS})
+    ${target} PRIVATE ${GRIT_FAST_FLAGS} -ffp-contract=off -fno-math-errno -fno-trapping-math ${GRIT_VECTOR_FLAGS}
+                      ${GRIT_KERNEL_FLAGS})
   grit_hidden(${target})
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   if(GRIT_X86_KERNELS)
@@ -153,7 +170,7 @@ function(grit_add_libraries)
   add_library(grit SHARED ${objects})
   add_library(grit_static STATIC ${objects})
   set_target_properties(grit PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${GRIT_SOVERSION})
-  target_link_options(grit PRIVATE -Wl,--no-undefined,--as-needed)
+  target_link_options(grit PRIVATE ${GRIT_COMPLETE_LIBRARY} -Wl,--as-needed)
   set_target_properties(grit_static PROPERTIES OUTPUT_NAME grit) # as -static looks for it
   target_link_libraries(grit_static INTERFACE m)
   foreach(library grit grit_static)

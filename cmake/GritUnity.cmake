@@ -1,14 +1,6 @@
 # Many files as one: most of what a file costs to compile is the headers and templates that its neighbours ask
-# for too. The presets that build everything do so; dev does not, for there one file changes at a time. By clang
-# the tests only, so that every file of the library and the program is seen to compile by itself, as for users.
-set(GRIT_UNITY
-    OFF
-    CACHE STRING "Compile the files of a target in batches: OFF, TESTS or ON")
-set_property(CACHE GRIT_UNITY PROPERTY STRINGS OFF TESTS ON)
-set(GRIT_UNITY_PARTS OFF)
-if(GRIT_UNITY AND NOT GRIT_UNITY STREQUAL "TESTS")
-  set(GRIT_UNITY_PARTS ON)
-endif()
+# for too. Not so in dev, where one file changes at a time.
+option(GRIT_UNITY "Compile the files of a target in batches" ON)
 
 # A library or program: what its files keep to themselves must not clash in a batch. A file that shares a name
 # with another, or costs as much as a batch, stands after EXCEPT and is compiled alone.
@@ -17,7 +9,7 @@ function(grit_unity target)
   if(NOT unity_BATCH)
     set(unity_BATCH 24)
   endif()
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${GRIT_UNITY_PARTS} UNITY_BUILD_BATCH_SIZE ${unity_BATCH})
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${GRIT_UNITY} UNITY_BUILD_BATCH_SIZE ${unity_BATCH})
   set_source_files_properties(${unity_EXCEPT} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 

@@ -48,7 +48,7 @@ class BuildWithCMake(build_ext):
                                "-DCMAKE_BUILD_TYPE=Release", "-DGRIT_BUILD_PYTHON=ON",
                                # The C++ library of the compiler goes into the module: the wheel needs that of C only.
                                "-DCMAKE_MODULE_LINKER_FLAGS=-static-libstdc++ -static-libgcc",
-                               "-DGRIT_UNITY=ON", f"-DPython_EXECUTABLE={sys.executable}"])
+                               f"-DPython_EXECUTABLE={sys.executable}"])
         jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", str(os.cpu_count() or 1))
         subprocess.check_call(["cmake", "--build", build, "--target", "grit_python",
                                "--parallel", jobs])
