@@ -206,7 +206,7 @@ TEST(MaterialPointCommand, EndsAfterTheStepWhenItIsInterrupted) {
         EXPECT_TRUE(answer.says("grit: x: interrupted (after step ")) << answer.text;
         EXPECT_EQ(here.files("out"), (Names{"x.checkpoint", "x.csv"}));
         EXPECT_NE(here.text("out/x.csv").find("# STOPPED EARLY: interrupted"), std::string::npos);
-        EXPECT_GT(here.result("x").at("t").size(), 2U);
+        EXPECT_FALSE(here.result("x").at("t").empty());
     }
 }
 

@@ -396,6 +396,14 @@ TEST(SurfaceContact, ChangesNothingWhereItIsRefusedOrOnlyValidates) {
          [](Meeting& x, SurfaceCall&) { x.b.node[0] = 64; }},
         {"surface b vertex 0: the weights must add up to 1 within 1e-6", GRIT_BAD_STATE,
          [](Meeting& x, SurfaceCall&) { x.b.weight[0] *= 0.5; }},
+        {"surface b vertex 0: weight must be in [0, 1], got -0.5", GRIT_BAD_STATE,
+         [](Meeting& x, SurfaceCall&) { x.b.weight[0] = -0.5; }},
+        {"surface b 3: vertex velocity 1 must be within +-1e30 (length / time), got nan",
+         GRIT_BAD_STATE,
+         [](Meeting& x, SurfaceCall&) {
+             x.b.rigid = true;
+             x.b.vertex_velocity[7] = std::nan("");
+         }},
         {"surface a vertex 2: position 1 must be within +-1e30 (length), got inf", GRIT_BAD_STATE,
          [](Meeting& x, SurfaceCall&) {
              x.a.position[5] = std::numeric_limits<double>::infinity();

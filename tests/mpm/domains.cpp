@@ -163,6 +163,7 @@ TEST(Particle, ThatCrossesTheAxisComesBackAsItsMirrorImage) {
     q[column::F_rz] = 0.2;
     q[column::F_zr] = -0.1;
     q[column::S_rz] = 7.0;
+    q[column::b_r] = 3.0;
     LinearElastic material(1e-3, 0.0);
     std::vector<NodeMotion> field = motions(q, -1.0, 0.5, 0.0);
     for (NodeMotion& m : field) m[motion::other_r] = m[motion::v_r];
@@ -177,6 +178,7 @@ TEST(Particle, ThatCrossesTheAxisComesBackAsItsMirrorImage) {
     EXPECT_LT(q[column::F_rz], 0.0);
     EXPECT_GT(q[column::F_zr], 0.0);
     EXPECT_LT(q[column::S_rz], 0.0);
+    EXPECT_EQ(q[column::b_r], -3.0);
 }
 
 TEST(Particle, ThatLeavesTheGridOrIsNotANumberStopsTheRun) {

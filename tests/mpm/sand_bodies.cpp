@@ -63,6 +63,63 @@ TEST(SandBody, GivesEachPointWhatTheLibraryGivesIt) {
     }
 }
 
+// Beyond the axis: mirrored and then strained as strained and then mirrored, with the memory of sand and the water in its pores.
+TEST(SandBody, BeyondTheAxisGoesOnAsItsMirrorImage) {
+    const PoreWater water{.flows = true};
+    Body body = make_box({0.0, 1.0, 0.0, 1.0, 5, 10, 2000.0}, true,
+                         std::make_unique<Sand>(lausitz(), sand_options()), water);
+    std::mt19937 generator(6);
+    std::uniform_real_distribution<double> any(-1.0, 1.0);
+    Increments d{}, mirrored{};
+    ParticleView q = body.particles.view();
+    for (int i = 0; i < 50; ++i) {
+        for (const int c : {column::S_rr, column::S_zz, column::S_tt})
+            q[c][i] = -100e3 * (1.5 + 0.5 * any(generator));
+        q[column::S_rz][i] = 2e4 * any(generator);
+        q[Sand::state + GRIT_SAND_VOID_RATIO][i] = 0.65;
+        for (const int h : {GRIT_SAND_H11, GRIT_SAND_H22, GRIT_SAND_H33, GRIT_SAND_H12})
+            q[Sand::state + h][i] = 3e-5 * any(generator);
+        const int w = body.water->velocity_column();
+        for (const int c : std::initializer_list<int>{column::v_r, column::v_z, w, w + 1})
+            q[c][i] = any(generator);
+        for (auto& strain : d.strain) strain[i] = 1e-4 * any(generator);
+        const double angle = 1e-2 * any(generator);
+        d.rotation[0][i] = d.rotation[4][i] = std::cos(angle);
+        d.rotation[1][i] = std::sin(angle);
+        d.rotation[3][i] = -std::sin(angle);
+        d.rotation[8][i] = 1.0;
+    }
+    mirrored = d;
+    for (int i = 0; i < 50; ++i) {
+        mirrored.strain[3][i] = -d.strain[3][i];
+        mirrored.rotation[1][i] = d.rotation[3][i];
+        mirrored.rotation[3][i] = d.rotation[1][i];
+    }
+    const auto mirror = [&](Particles& particles) {
+        for (std::ptrdiff_t p = 0; p < 50; ++p) {
+            reflect(*body.material, particles.view(), p);
+            reflect(*body.water, particles.view(), p);
+        }
+    };
+    Particles first = body.particles;
+    mirror(first);
+    body.material->update({first.view(), 0, 50}, mirrored);
+    body.material->update({q, 0, 50}, d);
+    for (int i = 0; i < 50; ++i) {
+        // Of the water itself, not of its way against the grains.
+        const double w_r = q[column::v_r][i] + q[body.water->velocity_column()][i];
+        const double w_z = q[column::v_z][i] + q[body.water->velocity_column() + 1][i];
+        const ParticleView a = first.view();
+        EXPECT_EQ(a[column::v_r][i] + a[body.water->velocity_column()][i], -w_r);
+        EXPECT_EQ(a[column::v_z][i] + a[body.water->velocity_column() + 1][i], w_z);
+    }
+    mirror(body.particles);
+    q = body.particles.view();
+    for (int c = 0; c < body.particles.column_count(); ++c)
+        for (int i = 0; i < 50; ++i)
+            EXPECT_NEAR(first.view()[c][i], q[c][i], 1e-13 * std::fabs(q[c][i])) << "column " << c;
+}
+
 // Driven down by a rigid plate: void ratio follows the volume, the sand pushes back, energy is kept.
 TEST(SandColumn, PressedByAPlateDensifiesAndTakesTheWorkOfThePlate) {
     constexpr double rho = 1700.0, width = 0.25, speed = 0.05;

@@ -115,4 +115,19 @@ TEST(Views, FourComponentsAreThePlanePartOfSix) {
     }
 }
 
+TEST(Views, OfFourComponentsAreRefusedWhereAMemoryLeavesThePlane) {
+    for (const int h : {GRIT_SAND_H13, GRIT_SAND_H23}) {
+        Batch batch = random_batch(sand, n, 43, true);
+        batch.points[2].state[h] = 1e-6;
+        const Batch start = batch;
+        grit_sand_points q = batch.views();
+        q.components = 4;
+        EXPECT_EQ(batch.update(sand, options_with(), q), GRIT_BAD_STATE);
+        EXPECT_TRUE(same_bits(batch.points[2], start.points[2]));
+        EXPECT_EQ(batch.error.point, 2);
+        const std::string said = h == GRIT_SAND_H13 ? "got 1e-06 and 0" : "got 0 and 1e-06";
+        EXPECT_EQ(batch.error.message, "point 2: h13 and h23 must be 0 with 4 components, " + said);
+    }
+}
+
 }  // namespace

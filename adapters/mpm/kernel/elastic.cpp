@@ -24,7 +24,7 @@ LameConstants lame_constants(double E, double nu) {
 }
 
 void reflect(const Material& material, const ParticleView& q, std::ptrdiff_t p) {
-    for (const int odd : {c::r, c::v_r, c::F_rz, c::F_zr, c::S_rz}) q[odd][p] = -q[odd][p];
+    for (const int odd : {c::r, c::v_r, c::F_rz, c::F_zr, c::S_rz, c::b_r}) q[odd][p] = -q[odd][p];
     material.reflect(q, p);
 }
 
