@@ -201,12 +201,14 @@ TEST(MaterialPointCommand, EndsAfterTheStepWhenItIsInterrupted) {
     const Workplace here;
     here.write("x.toml", column("1000"));
     for (const char* signal : {"INT", "TERM", "HUP"}) {
-        const Answer answer = here.interrupted("mpm --no-plot --out out x.toml", signal);
+        // A first checkpoint is written after many steps.
+        const Answer answer = here.interrupted(
+            "mpm --no-plot --checkpoint-minutes 1e-3 --out out x.toml", signal, "out/x.checkpoint");
         EXPECT_EQ(answer.status, 1) << answer.text;
         EXPECT_TRUE(answer.says("grit: x: interrupted (after step ")) << answer.text;
         EXPECT_EQ(here.files("out"), (Names{"x.checkpoint", "x.csv"}));
         EXPECT_NE(here.text("out/x.csv").find("# STOPPED EARLY: interrupted"), std::string::npos);
-        EXPECT_FALSE(here.result("x").at("t").empty());
+        EXPECT_GT(here.result("x").at("t").size(), 2U);
     }
 }
 

@@ -13,6 +13,21 @@ namespace {
 
 using namespace mpm_test;
 
+// Point i under a random stress, and a random strain and turn of it.
+void press_and_strain(const ParticleView& q, Increments& d, int i,
+                      std::uniform_real_distribution<double>& any, std::mt19937& generator) {
+    for (const int c : {column::S_rr, column::S_zz, column::S_tt})
+        q[c][i] = -100e3 * (1.5 + 0.5 * any(generator));
+    q[column::S_rz][i] = 2e4 * any(generator);
+    q[Sand::state + GRIT_SAND_VOID_RATIO][i] = 0.65;
+    for (auto& strain : d.strain) strain[i] = 1e-4 * any(generator);
+    const double angle = 1e-2 * any(generator);
+    d.rotation[0][i] = d.rotation[4][i] = std::cos(angle);
+    d.rotation[1][i] = std::sin(angle);
+    d.rotation[3][i] = -std::sin(angle);
+    d.rotation[8][i] = 1.0;
+}
+
 TEST(SandBody, GivesEachPointWhatTheLibraryGivesIt) {
     Sand material(lausitz(), sand_options());
     Body body = make_box({0.0, 1.0, 0.0, 1.0, 5, 10, 2000.0}, true,
@@ -22,16 +37,7 @@ TEST(SandBody, GivesEachPointWhatTheLibraryGivesIt) {
     std::uniform_real_distribution<double> any(-1.0, 1.0);
     Increments d{};
     for (int i = 0; i < 50; ++i) {
-        for (const int c : {column::S_rr, column::S_zz, column::S_tt})
-            q[c][i] = -100e3 * (1.5 + 0.5 * any(generator));
-        q[column::S_rz][i] = 2e4 * any(generator);
-        q[Sand::state + GRIT_SAND_VOID_RATIO][i] = 0.65;
-        for (auto& strain : d.strain) strain[i] = 1e-4 * any(generator);
-        const double angle = 1e-2 * any(generator);
-        d.rotation[0][i] = d.rotation[4][i] = std::cos(angle);
-        d.rotation[1][i] = std::sin(angle);
-        d.rotation[3][i] = -std::sin(angle);
-        d.rotation[8][i] = 1.0;
+        press_and_strain(q, d, i, any, generator);
     }
     Particles alone = body.particles;
     material.update({q, 0, 50}, d);
@@ -73,21 +79,12 @@ TEST(SandBody, BeyondTheAxisGoesOnAsItsMirrorImage) {
     Increments d{}, mirrored{};
     ParticleView q = body.particles.view();
     for (int i = 0; i < 50; ++i) {
-        for (const int c : {column::S_rr, column::S_zz, column::S_tt})
-            q[c][i] = -100e3 * (1.5 + 0.5 * any(generator));
-        q[column::S_rz][i] = 2e4 * any(generator);
-        q[Sand::state + GRIT_SAND_VOID_RATIO][i] = 0.65;
+        press_and_strain(q, d, i, any, generator);
         for (const int h : {GRIT_SAND_H11, GRIT_SAND_H22, GRIT_SAND_H33, GRIT_SAND_H12})
             q[Sand::state + h][i] = 3e-5 * any(generator);
         const int w = body.water->velocity_column();
         for (const int c : std::initializer_list<int>{column::v_r, column::v_z, w, w + 1})
             q[c][i] = any(generator);
-        for (auto& strain : d.strain) strain[i] = 1e-4 * any(generator);
-        const double angle = 1e-2 * any(generator);
-        d.rotation[0][i] = d.rotation[4][i] = std::cos(angle);
-        d.rotation[1][i] = std::sin(angle);
-        d.rotation[3][i] = -std::sin(angle);
-        d.rotation[8][i] = 1.0;
     }
     mirrored = d;
     for (int i = 0; i < 50; ++i) {
