@@ -33,4 +33,13 @@ TEST(DiskOnASlope, RollsBetterWithPressuresACellApart) {
     EXPECT_NEAR(disk.run(8).way, 1.0, 0.022);
 }
 
+// Springs: -4.6, +0.3 and +1.0 %; contacts at nodes: -9.4, -2.4 and -0.9 %.
+TEST(DiskOnASlope, RollsNoWorseThanBySpringsWhereItsSurfaceGivesBack) {
+    RollingDisk disk;
+    disk.kind = ContactKind::surface_1_10;
+    EXPECT_NEAR(disk.run(4).way, 1.0, 0.045);
+    EXPECT_NEAR(disk.run(8).way, 1.0, 0.0028);
+    EXPECT_NEAR(disk.run(16).way, 1.0, 0.0087);
+}
+
 }  // namespace

@@ -63,12 +63,16 @@ void print_table() {
         literal.measure = GRIT_CONTACT_NEAREST_CENTRE;
         print_row("GCA k 6, s to a centre", gate, literal);
     }
-    for (const double multiple : {0.1, 1.0, 10.0}) {
-        char name[40];
-        std::snprintf(name, sizeof name, "PCA %g E/cell", multiple);
-        print_row(name, "-", penalty_contact(impact_penalty_stiffness(multiple)));
-    }
+    const auto print_stiff_rows = [](const char* law, const auto& contact_of) {
+        for (const double multiple : {0.1, 1.0, 10.0}) {
+            char name[40];
+            std::snprintf(name, sizeof name, "%s %g E/cell", law, multiple);
+            print_row(name, "-", contact_of(impact_stiffness(multiple)));
+        }
+    };
+    print_stiff_rows("PCA", penalty_contact);
     print_row("surface", "-", surface_contact(0.0));
+    print_stiff_rows("surface", [](double stiffness) { return surface_contact(0.0, stiffness); });
 }
 
 void write_histories(std::ostream& out) {
@@ -79,7 +83,7 @@ void write_histories(std::ostream& out) {
                            impact(literal, 0.3),
                            impact(frictional_contact(true), 0.3),
                            impact(frictional_contact(false), 0.3),
-                           impact(penalty_contact(impact_penalty_stiffness(1.0)), 0.3),
+                           impact(penalty_contact(impact_stiffness(1.0)), 0.3),
                            impact(surface_contact(0.0), 0.3)};
     out << "time,gca_gated,gca_ungated,gca_literal,fca_gated,fca_ungated,pca,surface\n";
     for (std::size_t i = 0; i < runs[0].history.size(); ++i) {

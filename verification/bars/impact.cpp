@@ -24,7 +24,7 @@ double mean_force(const std::vector<Impact::Sample>& history, double from, doubl
 
 }  // namespace
 
-double impact_penalty_stiffness(double multiple) {
+double impact_stiffness(double multiple) {
     double stiffness = 0.0;
     grit_penalty_stiffness(multiple, E, cell, &stiffness);
     return stiffness;

@@ -25,7 +25,7 @@ struct Impact {
 // offset: of both bars against the grid [cells].
 Impact impact(const Contact& contact, double offset);
 
-// Penalty stiffness of a multiple of E / cell [Pa/m].
-double impact_penalty_stiffness(double multiple);
+// Of a contact, as a multiple of E / cell [Pa/m].
+double impact_stiffness(double multiple);
 
 }  // namespace bars

@@ -36,14 +36,15 @@ Contact geo_contact(double k, bool gated) {
 Contact penalty_contact(double stiffness) {
     Contact contact;
     contact.method = Method::penalty;
-    contact.penalty_stiffness = stiffness;
+    contact.stiffness = stiffness;
     return contact;
 }
 
-Contact surface_contact(double friction) {
+Contact surface_contact(double friction, double stiffness) {
     Contact contact;
     contact.method = Method::surface;
     contact.friction = friction;
+    contact.stiffness = stiffness;
     return contact;
 }
 
@@ -189,7 +190,7 @@ StepReport Line::push(const Bar& a, const Bar& b, const Contact& contact, double
     double force_a[4] = {}, force_b[4] = {};
     grit_penalty_options options;
     grit_penalty_options_init(&options, sizeof options);
-    options.normal_stiffness = contact.penalty_stiffness;
+    options.normal_stiffness = contact.stiffness;
     options.depth_max = h;
     options.time_step = dt;
     const auto line = [](const double* x, double* force) {
@@ -262,6 +263,7 @@ StepReport Line::meet(const Bar& a, const Bar& b, const Contact& contact, double
     grit_surface_options options;
     grit_surface_options_init(&options, sizeof options);
     options.friction_coefficient = contact.friction;
+    options.contact_stiffness = contact.stiffness;
     options.time_step = dt;
     options.spacing = 2.0;  // one pressure on the face
     options.reach = h;

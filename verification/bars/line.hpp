@@ -22,14 +22,14 @@ struct Contact {
     grit_contact_options options{};  // nodal: law, k, friction, rigid bodies
     bool gated = true;               // nodal: by the gap
     int measure = GRIT_CONTACT_SUPPORT;
-    double penalty_stiffness = 0.0;  // penalty: eps_n [Pa/m]
+    double stiffness = 0.0;          // penalty, surface: eps [Pa/m]; a surface may have none
     double friction = 0.0;           // surface: mu [-]
 };
 
 Contact geo_contact(double k, bool gated);
 Contact frictional_contact(bool gated);
 Contact penalty_contact(double stiffness);
-Contact surface_contact(double friction);
+Contact surface_contact(double friction, double stiffness = 0.0);
 
 // What contact did in a step.
 struct StepReport {

@@ -20,6 +20,7 @@ enum class ContactKind {
     surface_1,   // pressures a cell apart
     surface_10,  // with a stiffness of that multiple of M/h, and 1 ms
     surface_20,
+    surface_1_10,  // pressures a cell apart, 10 M/h, 0.1 ms
 };
 
 inline const char* name_of(ContactKind kind) {
@@ -34,6 +35,7 @@ inline const char* name_of(ContactKind kind) {
         case ContactKind::surface_1: return "surface, 1 cell";
         case ContactKind::surface_10: return "surface, 10 M/h";
         case ContactKind::surface_20: return "surface, 20 M/h";
+        case ContactKind::surface_1_10: return "surface, 1 cell, 10 M/h";
         default: return "surface";
     }
 }
@@ -50,7 +52,8 @@ struct PenaltyNeeds {
 
 inline bool is_at_surfaces(ContactKind kind) {
     return kind == ContactKind::surface || kind == ContactKind::surface_1 ||
-           kind == ContactKind::surface_10 || kind == ContactKind::surface_20;
+           kind == ContactKind::surface_10 || kind == ContactKind::surface_20 ||
+           kind == ContactKind::surface_1_10;
 }
 
 // Between bodies 0 and 1; 0 is the stiffer one. power: k of the Geo-contact; 0: its default.
@@ -58,11 +61,12 @@ inline void add_contact(Simulation& simulation, ContactKind kind, double mu,
                         const PenaltyNeeds& needs, double power = 0.0) {
     if (is_at_surfaces(kind)) {
         SurfaceLaw law = surface_law(mu);
-        if (kind == ContactKind::surface_1) law.spacing = 1.0;
-        if (kind == ContactKind::surface_10 || kind == ContactKind::surface_20) {
-            const double multiple = kind == ContactKind::surface_10 ? 10.0 : 20.0;
+        const bool close = kind == ContactKind::surface_1 || kind == ContactKind::surface_1_10;
+        if (close) law.spacing = 1.0;
+        if (kind != ContactKind::surface && kind != ContactKind::surface_1) {
+            const double multiple = kind == ContactKind::surface_20 ? 20.0 : 10.0;
             law.options.contact_stiffness = contact_stiffness(multiple, needs.modulus, needs.cell);
-            law.options.relaxation_time = 1e-3;
+            law.options.relaxation_time = close ? 1e-4 : 1e-3;
         }
         simulation.add_contact(law);
     } else if (kind == ContactKind::penalty) {
