@@ -33,15 +33,17 @@ template <int C> class Call {
         auto* along = friction;
         std::fill_n(along, a.given->facets, Vector<double, C>{});
         system.each_row([&](const Row<C>& row) {
-            system.each_share(row, [&](const MeetingPoint<C>& p, double share) {
+            const auto add = [&](const MeetingPoint<C>& p, double share,
+                                 const Directions<C>& direction) {
                 const double size = share * p.size / dt;
-                const auto normal = size * system.traction(row, p.facet_a, 0, 1);
-                const auto tangential = size * system.traction(row, p.facet_a, 1, C);
+                const auto normal = size * system.traction(row, direction, 0, 1);
+                const auto tangential = size * system.traction(row, direction, 1, C);
                 grit_surface_report& r = reports[p.facet_a];
                 r.normal_force -= dot(normal, a.facet[p.facet_a].n);
                 along[p.facet_a] = along[p.facet_a] + tangential;
                 for (int c = 0; c < C; ++c) r.force[c] += normal[c] + tangential[c];
-            });
+            };
+            system.each_share(row.pressure, add);
         });
         for (std::ptrdiff_t f = 0; f < a.given->facets; ++f)
             reports[f].friction_force = norm(along[f]);
@@ -60,10 +62,12 @@ template <int C> class Call {
             const Vector2 work = has_old ? system.dissipation(row) : Vector2{0.0, 0.0};
             t.dissipation_normal += work[0];
             t.dissipation_tangential += work[1];
-            system.each_share(row, [&](const MeetingPoint<C>& p, double share) {
-                const auto impulse = share * p.size * system.traction(row, p.facet_a, 0, C);
+            const auto add = [&](const MeetingPoint<C>& p, double share,
+                                 const Directions<C>& direction) {
+                const auto impulse = share * p.size * system.traction(row, direction, 0, C);
                 for (int c = 0; c < C; ++c) t.impulse_on_a[c] += impulse[c];
-            });
+            };
+            system.each_share(row.pressure, add);
         });
         for (int c = 0; c < C; ++c) t.impulse_on_b[c] = -t.impulse_on_a[c];
         t.largest_approach = outcome.largest_approach;

@@ -15,9 +15,10 @@ inline Vector3 cross(const Vector3& a, const Vector3& b) {
 }
 
 template <int C> struct Facet {
-    Vector<double, C> x[C];  // its vertices
-    Vector<double, C> n;     // outward unit normal
-    double size;             // length or area
+    Vector<double, C> x[C];          // its vertices
+    Vector<double, C> n;             // outward unit normal
+    double size;                     // length or area
+    Vector<double, C> share[C - 1];  // gradients of the shares of all vertices but the first
 
     // Normal times size; twice that of a triangle.
     Vector<double, C> area_vector() const {
@@ -82,6 +83,13 @@ template <int C> Skin<C> read_skin(Arena& arena, const grit_surface& s) {
         const double length = norm(area);
         facet.size = C == 2 ? length : 0.5 * length;
         facet.n = length > 0.0 ? area / length : Vector<double, C>{};
+        const Vector<double, C> e = facet.x[1] - facet.x[0];
+        if constexpr (C == 2) {
+            facet.share[0] = e / (length * length);
+        } else {
+            facet.share[0] = cross(facet.x[2] - facet.x[0], area) / dot(area, area);
+            facet.share[1] = cross(area, e) / dot(area, area);
+        }
     }
     for (std::ptrdiff_t corner = 0; corner < C * s.facets; ++corner)
         skin.velocity[s.facet[corner]] = at_vertex<C>(s, read_only(s.velocity), s.facet[corner]);

@@ -74,7 +74,7 @@ template <> class Meeting<2> {
     };
     void find_opposite(const Facet<2>& facet, const std::ptrdiff_t* candidates, std::ptrdiff_t n) {
         n_opposite = n_cuts = n_begun = n_active = 0;
-        const Vector2 along = (facet.x[1] - facet.x[0]) / (facet.size * facet.size);
+        const Vector2 along = facet.share[0];
         for (std::ptrdiff_t i = 0; i < n; ++i) {
             const Facet<2>& other = b.facet[candidates[i]];
             if (!(other.size > 0.0) || dot(facet.n, other.n) > most_facing) continue;
@@ -139,6 +139,7 @@ template <> class Meeting<3> {
             const Facet<3>& other = b.facet[candidates[i]];
             if (!(other.size > 0.0) || dot(facet.n, other.n) > most_facing) continue;
             Polygon piece = shadow(facet, other);
+            if (is_beside(piece)) continue;
             clip(piece);
             for (const double side : {-1.0, 1.0})  // within reach
                 cut(piece, [&](const Place& q) { return reach - side * gap_at(facet, other, q); });
@@ -173,15 +174,23 @@ template <> class Meeting<3> {
 
     // Shares of a point, along A's normal.
     static Place place_on(const Facet<3>& facet, const Vector3& x) {
-        const Vector3 e = facet.x[1] - facet.x[0], d = facet.x[2] - facet.x[0];
-        const Vector3 y = x - facet.x[0], area = surface::cross(e, d);
-        const double det = dot(area, area);
-        return {dot(surface::cross(y, d), area) / det, dot(surface::cross(e, y), area) / det};
+        const Vector3 y = x - facet.x[0];
+        return {dot(y, facet.share[0]), dot(y, facet.share[1])};
     }
     static Polygon shadow(const Facet<3>& facet, const Facet<3>& other) {
         Polygon p{{}, 3};
         for (int i = 0; i < 3; ++i) p.at[i] = place_on(facet, other.x[i]);
         return p;
+    }
+    // Beyond one of the facet's sides with all its corners.
+    static bool is_beside(const Polygon& p) {
+        bool beyond[3] = {true, true, true};
+        for (int i = 0; i < p.corners; ++i) {
+            const Place& q = p.at[i];
+            for (int k = 0; k < 2; ++k) beyond[k] = beyond[k] && q[k] < 0.0;
+            beyond[2] = beyond[2] && 1.0 - q[0] - q[1] < 0.0;
+        }
+        return beyond[0] || beyond[1] || beyond[2];
     }
     // What of it lies on the facet: shares >= 0 (Sutherland and Hodgman).
     static void clip(Polygon& p) {

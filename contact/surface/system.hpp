@@ -72,6 +72,7 @@ template <int C> struct Row {
     double water_effective[2], water_impulse[2], water_before[2];
     double pore_impulse;  // of water, which does not rub
 };
+template <int C> struct Directions { Vector<double, C> d[C]; };
 template <int C> struct Term {
     std::ptrdiff_t node;
     Vector<double, C> d[C];  // approach = sum d . v
@@ -141,15 +142,21 @@ template <int C> class System {
         return out;
     }
     // Impulse per share of a point's area, on A.
-    Vector<double, C> traction(const Row<C>& row, std::ptrdiff_t facet, int first, int last) const {
-        Vector<double, C> direction[C], out{};
-        directions(row.pressure, facet, direction);
-        for (int k = first; k < last; ++k) out = out - (row.impulse[k] / row.size) * direction[k];
+    static Vector<double, C> traction(const Row<C>& row, const Directions<C>& direction, int first,
+                                      int last) {
+        Vector<double, C> out{};
+        for (int k = first; k < last; ++k) out = out - (row.impulse[k] / row.size) * direction.d[k];
         return out;
     }
-    template <class Take> void each_share(const Row<C>& row, const Take& take) const {
-        for (std::ptrdiff_t i = start[row.pressure]; i < start[row.pressure + 1]; ++i)
-            take(points[shares[order[i]].point], shares[order[i]].share);
+    // take(point, share, directions there) of what gives to a point that carries pressure.
+    template <class Take> void each_share(std::ptrdiff_t pressure, const Take& take) const {
+        Directions<C> direction;
+        std::ptrdiff_t facet = -1;  // points of a facet follow each other
+        for (std::ptrdiff_t i = start[pressure]; i < start[pressure + 1]; ++i) {
+            const MeetingPoint<C>& p = points[shares[order[i]].point];
+            if (p.facet_a != facet) direction = directions(pressure, facet = p.facet_a);
+            take(p, shares[order[i]].share, direction);
+        }
     }
     // Velocities back to the nodes.
     void write() const {
@@ -225,7 +232,7 @@ template <int C> class System {
         for (int body = 0; body < 2; ++body) {
             const grit_surface& s = *skin[body]->given;
             place[body] = arena.take<std::ptrdiff_t>(s.vertices);
-            sum[body] = arena.take<Directions>(s.vertices);
+            sum[body] = arena.take<Directions<C>>(s.vertices);
             if (arena.is_overrun()) return false;
             std::fill_n(place[body], s.vertices, -1);
             std::ptrdiff_t used = 0;
@@ -258,7 +265,7 @@ template <int C> class System {
             first_node[body + 1] = first_node[body] + (last[body] - from);
         }
         nodes = arena.take<Node>(first_node[2]);
-        node_sum = arena.take<Directions>(first_node[2]);
+        node_sum = arena.take<Directions<C>>(first_node[2]);
         is_touched = arena.take<bool>(first_node[2]);
         touched = arena.take<std::ptrdiff_t>(first_node[2]);
         if (arena.is_overrun()) return false;
@@ -324,16 +331,13 @@ template <int C> class System {
         }
     }
 
-    struct Directions {
-        Vector<double, C> d[C];
-    };
     // Normal and tangents of a facet of A around a point that carries pressure.
-    void directions(std::ptrdiff_t pressure, std::ptrdiff_t facet,
-                    Vector<double, C>* direction) const {
+    Directions<C> directions(std::ptrdiff_t pressure, std::ptrdiff_t facet) const {
         const Vector<double, C>& n = skin[0]->facet[facet].n;
-        direction[0] = n;
+        Directions<C> out;
+        out.d[0] = n;
         if constexpr (C == 2) {
-            direction[1] = {-n[1], n[0]};
+            out.d[1] = {-n[1], n[0]};
         } else {
             // Tangents of the point, turned the shortest way from its normal to the facet's.
             const Vector3& m = pressures[pressure].n;
@@ -347,9 +351,10 @@ template <int C> class System {
             const double cosine = dot(m, n);
             if (cosine > -1.0 + 1e-9) t = t - (dot(t, n) / (1.0 + cosine)) * (m + n);
             t = t - dot(t, n) * n;
-            direction[1] = t / norm(t);
-            direction[2] = cross(n, direction[1]);
+            out.d[1] = t / norm(t);
+            out.d[2] = cross(n, out.d[1]);
         }
+        return out;
     }
 
     bool find_rows() {
@@ -360,7 +365,7 @@ template <int C> class System {
                                        arena.take<std::ptrdiff_t>(skin[1]->given->vertices)};
         if (arena.is_overrun()) return false;
         for (int body = 0; body < 2; ++body) {
-            std::fill_n(sum[body], skin[body]->given->vertices, Directions{});
+            std::fill_n(sum[body], skin[body]->given->vertices, Directions<C>{});
             std::fill_n(last_row[body], skin[body]->given->vertices, -1);
         }
         Growing<Term<C>> found(arena);
@@ -373,29 +378,27 @@ template <int C> class System {
             std::ptrdiff_t count[2] = {0, 0};
             double gap = 0.0;
             const bool both = skin[0]->given->pore_pressure && skin[1]->given->pore_pressure;
-            for (std::ptrdiff_t i = start[k]; i < start[k + 1]; ++i) {
-                const MeetingPoint<C>& p = points[shares[order[i]].point];
-                const double size = shares[order[i]].share * p.size;
+            each_share(k, [&](const MeetingPoint<C>& p, double share,
+                              const Directions<C>& direction) {
+                const double size = share * p.size;
                 row.size += size;
                 gap += size * p.gap;
                 for (int body = 0; body < 2; ++body)
                     if (const double* pressure = skin[body]->given->pore_pressure)
                         row.pore_impulse +=
                             (both ? 0.5 : 1.0) * layer.dt * size * pressure[facet_of(p, body)];
-                Vector<double, C> direction[C];
-                directions(k, p.facet_a, direction);
                 for (int body = 0; body < 2; ++body)
                     for (int j = 0; j < C; ++j) {
                         const std::ptrdiff_t v = skin[body]->vertex(facet_of(p, body), j);
-                        Directions& of_vertex = sum[body][v];
+                        Directions<C>& of_vertex = sum[body][v];
                         if (last_row[body][v] != k) vertex[body][count[body]++] = v;
                         last_row[body][v] = k;
                         const double N =
                             (body == 0 ? size : -size) * (body == 0 ? p.place_a[j] : p.place_b[j]);
                         for (int m = 0; m < C; ++m)
-                            of_vertex.d[m] = of_vertex.d[m] + N * direction[m];
+                            of_vertex.d[m] = of_vertex.d[m] + N * direction.d[m];
                     }
-            }
+            });
             if (!(row.size > 0.0)) {
                 clear(vertex, count);
                 continue;
@@ -424,7 +427,7 @@ template <int C> class System {
             const grit_surface& s = *skin[body]->given;
             for (std::ptrdiff_t w = 0; w < count[body]; ++w) {
                 const std::ptrdiff_t v = vertex[body][w];
-                const Directions& of_vertex = sum[body][v];
+                const Directions<C>& of_vertex = sum[body][v];
                 if (s.rigid) {
                     for (int m = 0; m < C; ++m)
                         row.rigid[m] += dot(of_vertex.d[m], skin[body]->velocity[v]) / row.size;
@@ -591,8 +594,8 @@ template <int C> class System {
     std::ptrdiff_t *start = nullptr, *order = nullptr;  // shares by what carries the pressure
     std::ptrdiff_t* place[2] = {};                      // of vertices that are used, in local
     std::ptrdiff_t* local[2] = {};                      // nodes of these
-    Directions* sum[2] = {};
-    Directions* node_sum = nullptr;
+    Directions<C>* sum[2] = {};
+    Directions<C>* node_sum = nullptr;
     bool* is_touched = nullptr;
     std::ptrdiff_t* touched = nullptr;
     Node* nodes = nullptr;
