@@ -12,7 +12,7 @@
 namespace grit::lammps {
 namespace {
 
-constexpr std::uint64_t format = 0x677269746d706d07;  // "gritmpm", 7
+constexpr std::uint64_t format = 0x677269746d706d08;  // "gritmpm", 8
 
 // In front: LAMMPS hands over no length, so that this one must be believed.
 struct Head {

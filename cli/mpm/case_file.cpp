@@ -79,6 +79,25 @@ double kind_interval(const Case& plan) {
     return 0.0;
 }
 
+void read_profile(TomlTable& table, Case& plan) {
+    const auto z = table.numbers_if("profile_z_m", 2);
+    if (!z && table.has("profile_parts"))
+        table.fail("profile_parts", fmt::format("{} needs {}", table.full("profile_parts"),
+                                                table.full("profile_z_m")));
+    if (!z) return;
+    if (!plan.space)
+        table.fail("profile_z_m",
+                   fmt::format("{} is there in space alone", table.full("profile_z_m")));
+    if (!((*z)[0] < (*z)[1]))
+        table.fail("profile_z_m", fmt::format("{} must ascend, got {} and {} m",
+                                              table.full("profile_z_m"), (*z)[0], (*z)[1]));
+    ProfilePlan& profile = plan.history.profile;
+    profile.from = (*z)[0];
+    profile.to = (*z)[1];
+    profile.parts =
+        static_cast<int>(number_or_default(table, case_word("history", "profile_parts")));
+}
+
 void read_history(TomlTable table, Case& plan) {
     if (table.has("body")) plan.history.body = body_name(table, "body", plan);
     if (const auto depth = choice_if(table, case_word("history", "depth_of")))
@@ -89,6 +108,7 @@ void read_history(TomlTable table, Case& plan) {
         table.fail("", fmt::format("{} is missing: no stage has a time_s to take a thousandth of; "
                                    "0 is a row after every step",
                                    table.full("interval_s")));
+    read_profile(table, plan);
     table.finish();
 }
 

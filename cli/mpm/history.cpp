@@ -39,6 +39,9 @@ std::vector<Column> history_columns(const grit::mpm::Case& plan) {
         if (unit == "kN" || unit == "J" || unit == "kg") unit += words.per;
         out.push_back({name, unit, {}, {}});
     }
+    for (int part = 1; part <= plan.history.profile.parts; ++part)
+        for (const char* along : {"x", "y", "z"})
+            out.push_back({fmt::format("profile_{}_{}", along, part), "kN", {}, {}});
     return out;
 }
 
@@ -55,6 +58,7 @@ std::vector<double> history_values(const grit::mpm::Case& plan, const grit::mpm:
     std::vector<double> out;
     for (const HistoryColumn& column : columns_of(plan))
         out.push_back((is_force(column) ? kilonewton : 1.0) * column.value(row));
+    for (const double force : row.profile) out.push_back(kilonewton * force);
     return out;
 }
 
@@ -104,6 +108,12 @@ std::vector<std::string> history_comments(const grit::mpm::Runner& runner,
         "does",
         "how the run ended stands below the last row"};
     out.insert(out.end(), std::begin(more), std::end(more));
+    if (const grit::mpm::ProfilePlan& profile = plan.history.profile; profile.parts > 0)
+        out.insert(
+            out.end() - 1,
+            fmt::format("profile: of all contacts on the driven body, in {} parts of {:.12g} "
+                        "m from z = {:.12g} m up",
+                        profile.parts, profile.height(), profile.from));
     return out;
 }
 

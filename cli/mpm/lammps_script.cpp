@@ -294,6 +294,8 @@ std::string lammps_fix(const Case& plan, const std::string& stem) {
     add_bodies(plan, stem, fix);
     add_tractions(plan, fix);
     add_contacts(plan, fix);
+    if (plan.history.profile.parts > 0)
+        throw BadInput("fix grit/mpm of LAMMPS has no columns by height (profile_z_m)");
     fix.add("driven {} {}", plan.history.body, word_of(words::depths, plan.history.depth_of));
     return fmt::format("neigh_modify once yes\n{}\n\n{}{}"
                        "thermo_style custom step f_mpm[*]\n"

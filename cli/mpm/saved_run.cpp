@@ -13,7 +13,7 @@ namespace {
 using grit::mpm::ByteReader;
 using grit::mpm::ByteWriter;
 
-constexpr std::uint64_t format = 4;  // of these bytes
+constexpr std::uint64_t format = 5;  // of these bytes
 
 }  // namespace
 

@@ -166,9 +166,14 @@ template <> class Meeting<3> {
 
   private:
     using Place = Vector2;  // shares of the second and the third vertex of A's facet
+    // Of a triangle five cuts leave eight corners at most, and a few more by roundoff where it is a sliver.
     struct Polygon {
-        Place at[8];
+        static constexpr int most = 12;
+        Place at[most];
         int corners;
+        void add(const Place& q) {
+            if (corners < most) at[corners++] = q;
+        }
     };
     static double cross(const Place& u, const Place& v) { return u[0] * v[1] - u[1] * v[0]; }
 
@@ -207,9 +212,8 @@ template <> class Meeting<3> {
         for (int i = 0; i < p.corners; ++i) {
             const Place &from = p.at[i], &to = p.at[(i + 1) % p.corners];
             const double d = inside(from), e = inside(to);
-            if (d >= 0.0) out.at[out.corners++] = from;
-            if ((d >= 0.0) != (e >= 0.0))
-                out.at[out.corners++] = from + (d / (d - e)) * (to - from);
+            if (d >= 0.0) out.add(from);
+            if ((d >= 0.0) != (e >= 0.0)) out.add(from + (d / (d - e)) * (to - from));
         }
         p = out;
     }

@@ -71,6 +71,33 @@ TEST(MaterialPointCommand, WritesNoSurfaceContactInSpaceForLammps) {
         << answer.text;
 }
 
+TEST(MaterialPointCommand, WritesNoColumnsByHeightForLammps) {
+    const Workplace here;
+    const Answer answer = here.grit("mpm " + cases + "/../space/monopile.toml --to-lammps out");
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_TRUE(answer.says("fix grit/mpm of LAMMPS has no columns by height")) << answer.text;
+}
+
+// Columns of contact by height are there for each part, and add up to what contacts tell.
+TEST(MaterialPointCommand, WritesContactsByHeightOfTheFileThatExplainsEveryKeyInSpace) {
+    const Workplace here;
+    ASSERT_EQ(
+        here.grit("mpm " + cases +
+                  "/every_key_in_space.toml --no-plot --quiet --set history.body=stamp --out out")
+            .status,
+        0);
+    const std::map<std::string, Values> history = here.result("every_key_in_space");
+    double sum = 0.0;
+    for (int part = 1; part <= 4; ++part)
+        sum += history.at("profile_z_" + std::to_string(part)).back();
+    EXPECT_FALSE(history.contains("profile_z_5"));
+    EXPECT_GT(sum, 0.0);
+    EXPECT_NEAR(sum, history.at("contact_force_z").back(), 1e-6 * sum);
+    EXPECT_NE(
+        here.text("out/every_key_in_space.csv").find("in 4 parts of 0.1 m from z = -0.3 m up"),
+        std::string::npos);
+}
+
 TEST(MaterialPointCommand, RunsACaseThatSaysInWhatItDiffersFromAnother) {
     const Workplace here;
     EXPECT_EQ(

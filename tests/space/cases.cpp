@@ -213,6 +213,59 @@ TEST(SpaceRun, TellsForcesAndMomentsOfContactsInSpace) {
         EXPECT_NEAR(on_sand.contact[k], -row.contact[k], 1e-9 * F) << k;
 }
 
+TEST(ProfilePlan, SharesWhatActsBetweenTwoHeightsBetweenItsParts) {
+    const mpm::ProfilePlan profile{-1.0, 1.0, 4};
+    const auto parts_of = [&](double low, double high) {
+        std::vector<double> impulses(profile.numbers());
+        profile.add(low, high, {0.0, 8.0, 1.0}, impulses);
+        std::vector<double> along_y;
+        for (std::size_t part = 0; part < 4; ++part) {
+            EXPECT_EQ(impulses[3 * part], 0.0);
+            EXPECT_EQ(8.0 * impulses[3 * part + 2], impulses[3 * part + 1]);
+            along_y.push_back(impulses[3 * part + 1]);
+        }
+        return along_y;
+    };
+    using Parts = std::vector<double>;
+    EXPECT_EQ(parts_of(-0.25, 0.75), (Parts{0.0, 2.0, 4.0, 2.0}));
+    EXPECT_EQ(parts_of(-1.5, -0.5), (Parts{4.0, 0.0, 0.0, 0.0}));
+    EXPECT_EQ(parts_of(-3.0, 5.0), Parts(4, 0.5));
+    EXPECT_EQ(parts_of(0.5, 0.5), (Parts{0.0, 0.0, 0.0, 8.0}));
+    EXPECT_EQ(parts_of(1.0, 2.0), Parts(4));
+    EXPECT_EQ(parts_of(-2.0, -1.0), Parts(4));
+}
+
+// A stamp as above, pressed down: all of it about its lower face, at nodes from a cell below it on, and as much as contacts
+// tell.
+TEST(SpaceRun, TellsForcesOfContactsByHeight) {
+    for (const bool at_surfaces : {false, true}) {
+        mpm::Case plan = stamp();
+        plan.contacts[0].at_surfaces = at_surfaces;
+        plan.history.body = "stamp";
+        plan.history.profile = {-0.3, 0.3, 6};
+        mpm::Runner all(plan), first(plan), second(plan);
+        while (!all.finished()) all.step();
+        const mpm::HistoryRow row = all.row();
+        ASSERT_EQ(row.profile.size(), 18U);
+        for (std::size_t k = 0; k < 3; ++k) {
+            double sum = 0.0;
+            for (std::size_t part = 0; part < 6; ++part) sum += row.profile[3 * part + k];
+            EXPECT_NEAR(sum, row.contact[k], 1e-9 * row.contact[2]) << k;
+        }
+        EXPECT_NEAR((at_surfaces ? 0.0 : row.profile[5]) + row.profile[8] + row.profile[11],
+                    row.contact[2], 1e-9 * row.contact[2]);
+        EXPECT_EQ(row.profile[17], 0.0);
+        EXPECT_EQ(all.state().profile, std::vector<double>(18));  // since that row
+        // What has not been told goes on.
+        for (int i = 0; i < 6; ++i) first.step();
+        std::istringstream in(saved(first));
+        second.resume(first.state());
+        second.subject().restore(in, mpm::OtherBits::refused);
+        while (!second.finished()) second.step();
+        EXPECT_EQ(second.row().profile, row.profile);
+    }
+}
+
 TEST(SpaceRun, GoesOnFromACheckpointWithTheBitsOfOneThatNeverStopped) {
     for (const int kind : {0, 1, 2}) {
         mpm::Case plan = stamp();

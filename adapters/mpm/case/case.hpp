@@ -14,6 +14,7 @@
 #include <grit/contact.h>
 #include <grit/sand.h>
 
+#include "adapters/mpm/case/profile.hpp"
 #include "adapters/mpm/case/space_plan.hpp"
 #include "adapters/mpm/case/time_function.hpp"
 #include "adapters/mpm/grid/graded_axis.hpp"
@@ -177,7 +178,8 @@ enum class DepthOf { lowest_point, centre_of_mass };
 struct HistoryPlan {
     std::string body;  // the driven one
     DepthOf depth_of = DepthOf::lowest_point;
-    double interval = 0.0;  // between rows [s]; 0: every step
+    double interval = 0.0;     // between rows [s]; 0: every step
+    ProfilePlan profile = {};  // in space
 };
 
 struct Case {

@@ -366,6 +366,11 @@ inline constexpr CaseWord all[] = {
     choice("history", "depth_of", depths, "", "`lowest_point`"),
     number("history", "interval_s", time_range, second, "between rows; 0: every step",
            "a thousandth of `time_s` of the first stage that has one; needed if none has"),
+    numbers("history", "profile_z_m", metre,
+            "in space: from and to along z; columns of what contacts do to the driven body by "
+            "height",
+            "none"),
+    integer("history", "profile_parts", {1, 1000}, "of equal height", "10"),
 
     number("fields", "interval_s", time_range, second,
            "between .vtu files; 0: the start and the ends of stages alone", "0"),

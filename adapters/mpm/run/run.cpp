@@ -87,6 +87,7 @@ Runner::Runner(Case given, BuiltCase ready)
     measure_bodies();
     check_interval("history.interval_s", plan.history.interval);
     state_now.stage_time = built.clock->began;
+    state_now.profile.assign(plan.history.profile.numbers(), 0.0);
     state_now.start_level = level();
     begin_stage();
 }
@@ -159,6 +160,8 @@ void Runner::step() {
     for (std::size_t k = 0; k < 4; ++k) state_now.impulse[k] += dt * now[k];
     state_now.impulse[4] += forces.damping_impulse;
     for (std::size_t k = 0; k < 6; ++k) state_now.impulse[5 + k] += forces.contact_impulse[k];
+    if (!state_now.profile.empty())
+        simulation.add_profile(driven, plan.history.profile, state_now.profile);
     if (simulation.steps() % look_every == 0) check_energy();
     due = simulation.time() >= state_now.next_row;
     const Ended end = end_of_stage();
@@ -255,6 +258,7 @@ HistoryRow Runner::row_so_far() {
     out.base_force = per_time * state_now.impulse[3];
     out.damping_force = per_time * state_now.impulse[4];
     for (std::size_t k = 0; k < 6; ++k) out.contact[k] = per_time * state_now.impulse[5 + k];
+    for (const double impulse : state_now.profile) out.profile.push_back(per_time * impulse);
     const Energy energy = simulation.energy();
     out.energy = times(energy, whole);
     out.driven_stored = whole * simulation.stored_energy(driven);
@@ -274,6 +278,7 @@ HistoryRow Runner::row_so_far() {
 HistoryRow Runner::row() {
     const HistoryRow out = row_so_far();
     state_now.impulse = {};
+    std::fill(state_now.profile.begin(), state_now.profile.end(), 0.0);
     state_now.row_time = out.t;
     if (plan.history.interval > 0.0)
         state_now.next_row = next_multiple(plan.history.interval, out.t);

@@ -33,6 +33,8 @@ struct HistoryRow {
     // Of particles with pore water [Pa]; NaN: there are none.
     double least_pore_pressure = 0.0, largest_pore_pressure = 0.0;
     double water_mass = 0.0;  // of water that flows [kg]; NaN: none does
+    // Of contacts on the driven body by height, means alike along x, y and z of each part [N].
+    std::vector<double> profile;
 };
 
 // All that a run knows besides its simulation.
@@ -44,6 +46,7 @@ struct RunState {
     // Impulses since the last row [N s]: tip, shaft, hammer, base, damping; those of contacts along x, y and z and their
     // moments [N m s].
     std::array<double, 11> impulse{};
+    std::vector<double> profile;     // ... of contacts by height, x, y and z of each part
     double row_time = 0.0;           // of the last row [s]
     std::vector<double> stage_time;  // when stages began [s]; infinite: not yet
 
@@ -53,6 +56,7 @@ struct RunState {
                              &state.next_row, &state.row_time})
             archive.value(*number);
         archive.value(state.impulse);
+        archive.list(state.profile);
         archive.list(state.stage_time);
     }
 };

@@ -48,6 +48,9 @@ class Subject {
         std::array<double, 6> contact_impulse{};
     };
     virtual Forces forces(std::size_t body) = 0;
+    // Impulses of contacts on a body in the last step, of this process [N s]; in the plane none.
+    virtual void add_profile(std::size_t /*body*/, const ProfilePlan& /*profile*/,
+                             std::vector<double>& /*impulses*/) {}
     virtual double unbalanced_share(double dt) = 0;
     virtual Extremes pore_pressures() = 0;
     virtual double water_mass() = 0;

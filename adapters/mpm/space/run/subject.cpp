@@ -30,6 +30,8 @@ class SpaceSubject : public Subject {
     double velocity_z(std::size_t body) override;
     double stored_energy(std::size_t body) override;
     Forces forces(std::size_t body) override;
+    void add_profile(std::size_t body, const ProfilePlan& profile,
+                     std::vector<double>& impulses) override;
     double unbalanced_share(double dt) override;
     Extremes pore_pressures() override { return {NAN, NAN}; }
     double water_mass() override { return NAN; }
@@ -165,6 +167,20 @@ Subject::Forces SpaceSubject::forces(std::size_t body) {
     out.base = base_reaction();
     out.damping_impulse = simulation.damping_impulse(body);
     return out;
+}
+
+void SpaceSubject::add_profile(std::size_t body, const ProfilePlan& profile,
+                               std::vector<double>& impulses) {
+    const auto add_of = [&](const auto& pair) {
+        if (pair.law().a != body && pair.law().b != body) return;
+        const double sign = pair.law().b == body ? 1.0 : -1.0;
+        pair.each_impulse([&](double low, double high, const Vector3& on_b) {
+            profile.add(low, high, sign * on_b, impulses);
+        });
+    };
+    for (std::size_t i = 0; i < simulation.contact_count(); ++i) add_of(simulation.contact(i));
+    for (std::size_t i = 0; i < simulation.surface_contact_count(); ++i)
+        add_of(simulation.surface_contact(i));
 }
 
 double SpaceSubject::unbalanced_share(double dt) {

@@ -32,6 +32,16 @@ class ContactPair {
         double largest_gap;
     };
     const Measured& measured() const { return step_measured; }
+    // take(from, to, impulse on b [N s]) of each node that this process counts in the last step: along z what its weight
+    // has the middle of.
+    template <class Take> void each_impulse(const Take& take) const {
+        for (std::size_t i = 0; i < counted; ++i) {
+            const double z = position[3 * i + 2], half = 0.5 * spacing[3 * i + 2];
+            const double* force = reports[i].force;
+            take(z - half, z + half,
+                 Vector3{step_size * force[0], step_size * force[1], step_size * force[2]});
+        }
+    }
     // Impulse on a body of the pair in the last step, its moment about a place [N s], [N m s].
     Twist impulse_on(std::size_t body, const Vector3& about) const;
     // The velocity of its rigid body that the impulses of the last step were found with.

@@ -78,6 +78,7 @@ void SurfacePair::forget() {
     step_totals = {};
     step_measured = {};
     step_measured.largest_gap = NAN;
+    reports.clear();
 }
 
 // In the order of ids, however particles are sorted.

@@ -2,6 +2,7 @@
 // Contact of two bodies in space at their true surfaces, the free faces of their particles' domains, through the library.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -37,6 +38,18 @@ class SurfacePair {
     const Totals& totals() const { return step_totals; }
     // Forces on b by where a's surface points; what bears, its pressure along z, does so wherever it acts.
     const ContactPair::Measured& measured() const { return step_measured; }
+    // take(from, to, impulse on b [N s]) of each facet in the last step: along z where it is.
+    template <class Take> void each_impulse(const Take& take) const {
+        const TriangleMesh& mesh = skins[0].mesh;
+        for (std::size_t f = 0; f < reports.size(); ++f) {
+            double z[3];
+            for (int k = 0; k < 3; ++k) z[k] = mesh.corner(static_cast<std::ptrdiff_t>(f), k)[2];
+            const auto [low, high] = std::minmax_element(z, z + 3);
+            const double* force = reports[f].force;
+            const double dt = pair_law.options.time_step;
+            take(*low, *high, Vector3{-dt * force[0], -dt * force[1], -dt * force[2]});
+        }
+    }
     // On a body of the pair, about a place.
     Twist impulse_on(std::size_t body, const Vector3& about) const;
 
