@@ -46,6 +46,18 @@ Runner prepare(const MpmRequest& request, const MpmCaseFile& file) {
     }
 }
 
+template <class Simulation> void tell_sweeps(const Simulation& simulation, const Case& plan) {
+    for (std::size_t i = 0; i < simulation.surface_contact_count(); ++i) {
+        const auto& pair = simulation.surface_contact(i);
+        const Sweeps& of = pair.sweeps();
+        if (of.calls > 0)
+            say("{}: surface contact of {} and {}: {:.1f} sweeps a step; {} steps ended at {}\n",
+                plan.name, plan.bodies[pair.law().a].name, plan.bodies[pair.law().b].name,
+                static_cast<double>(of.all) / static_cast<double>(of.calls), of.unfinished,
+                pair.law().options.sweep_limit);
+    }
+}
+
 // What the steps since the program began cost, and the elements that contact takes.
 void tell_cost(Runner& runner) {
     const Seconds spent = runner.subject().seconds();
@@ -57,8 +69,9 @@ void tell_cost(Runner& runner) {
         "material {:.0f} %, rest of gather {:.0f} %\n",
         runner.description().name, done / total, share(spent.scatter), share(spent.nodes),
         share(spent.contact), share(spent.material), share(spent.gather - spent.material));
-    if (runner.space()) return;
+    if (runner.space()) return tell_sweeps(*runner.space(), runner.description());
     const Simulation& simulation = runner.simulation();
+    tell_sweeps(simulation, runner.description());
     for (std::size_t i = 0; i < simulation.penalty_contact_count(); ++i) {
         const PenaltyPair& pair = simulation.penalty_contact(i);
         say("{}: {} and {} vertices of penalty lines\n", runner.description().name,

@@ -98,6 +98,15 @@ TEST(MaterialPointCommand, WritesContactsByHeightOfTheFileThatExplainsEveryKeyIn
         std::string::npos);
 }
 
+TEST(MaterialPointCommand, TellsTheSweepsOfContactsAtSurfaces) {
+    const Workplace here;
+    const Answer answer =
+        here.grit("mpm " + cases + "/../space/stub_plane_surface.toml --no-plot --out out");
+    EXPECT_EQ(answer.status, 0);
+    EXPECT_TRUE(answer.says("surface contact of stub and soil:")) << answer.text;
+    EXPECT_TRUE(answer.says("sweeps a step; 0 steps ended at 500")) << answer.text;
+}
+
 TEST(MaterialPointCommand, RunsACaseThatSaysInWhatItDiffersFromAnother) {
     const Workplace here;
     EXPECT_EQ(

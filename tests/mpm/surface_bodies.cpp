@@ -242,4 +242,28 @@ TEST(SurfaceContactOfBodies, HoldsWhatDampingHasChangedIfAsked) {
     EXPECT_NEAR(once.residual, 0.0, 5e-3);
 }
 
+// Pressures take sweeps; those that were not given enough of them are counted.
+TEST(SurfaceContactOfBodies, TellsHowManySweepsItTookAndWhichDidNotEnd) {
+    for (const int limit : {500, 2}) {
+        Simulation simulation(Axis::uniform(0.0, 0.8, 8), Axis::uniform(0.0, 1.0, 10),
+                              {.axisymmetric = false, .cfl = 0.4});
+        simulation.add_body(make_floor({0.0, 0.8, 0.1, 0.2, 16, 2, 2000.0}, false));
+        simulation.add_body(make_box({0.0, 0.8, 0.2, 0.4, 16, 4, 2000.0}, false,
+                                     std::make_unique<LinearElastic>(2e6, 0.2)));
+        for (std::ptrdiff_t p = 0; p < simulation.body(1).particles.size(); ++p)
+            simulation.body(1).particles.view()[column::v_z][p] =
+                -0.01 * static_cast<double>(p % 5);
+        SurfaceLaw law = surface_law(0.3);
+        law.options.sweep_limit = limit;
+        simulation.add_contact(law);
+        constexpr int steps = 10;
+        for (int i = 0; i < steps; ++i) simulation.step();
+        const Sweeps& sweeps = simulation.surface_contact(0).sweeps();
+        EXPECT_EQ(sweeps.calls, steps);
+        EXPECT_EQ(sweeps.unfinished, limit == 2 ? steps : 0);
+        if (limit == 2) EXPECT_EQ(sweeps.all, 2 * steps);
+        else EXPECT_GT(sweeps.all, 2 * steps);
+    }
+}
+
 }  // namespace

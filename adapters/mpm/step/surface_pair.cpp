@@ -216,6 +216,7 @@ void SurfacePair::solve(const grit_surface& a, const grit_surface& b, bool keep)
                                       reports.data(), &step_totals, &error);
     } while (needed > 0);
     require(status, error, "surface contact");
+    swept.count(pair_law.options, step_totals);
     if (keep) keep_rows();
     step_totals.row = nullptr;
     step_totals.term = nullptr;

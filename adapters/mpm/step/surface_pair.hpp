@@ -12,6 +12,7 @@
 #include "adapters/mpm/step/held_rows.hpp"
 #include "adapters/mpm/step/ridden_line.hpp"
 #include "adapters/mpm/step/settings.hpp"
+#include "adapters/mpm/step/sweeps.hpp"
 
 namespace grit::mpm {
 
@@ -49,6 +50,7 @@ class SurfacePair {
     const grit_surface_totals& totals() const { return step_totals; }
     // Forces on b by where a's surface points.
     const Faces& faces() const { return step_faces; }
+    const Sweeps& sweeps() const { return swept; }
 
     template <class Self, class Archive> static void visit(Self& pair, Archive& archive) {
         archive.value(pair.step_totals);
@@ -90,6 +92,7 @@ class SurfacePair {
     std::vector<std::uint64_t> workspace;
     std::vector<grit_surface_report> reports;
     grit_surface_totals step_totals{};
+    Sweeps swept;
     Faces step_faces;
     SurfaceRows step_rows;
 };

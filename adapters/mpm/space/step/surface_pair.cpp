@@ -265,6 +265,7 @@ void SurfacePair::solve(const grit_surface& a, const grit_surface& b) {
                                       reports.data(), &totals, &error);
     } while (needed > 0);
     require(status, error, "surface contact");
+    swept.count(pair_law.options, totals);
     add_up(totals);
 }
 

@@ -11,6 +11,7 @@
 #include "adapters/mpm/space/step/contact_pair.hpp"
 #include "adapters/mpm/space/step/near_cells.hpp"
 #include "adapters/mpm/space/step/ridden_mesh.hpp"
+#include "adapters/mpm/step/sweeps.hpp"
 
 namespace grit::mpm::space {
 
@@ -38,6 +39,7 @@ class SurfacePair {
     const Totals& totals() const { return step_totals; }
     // Forces on b by where a's surface points; what bears, its pressure along z, does so wherever it acts.
     const ContactPair::Measured& measured() const { return step_measured; }
+    const Sweeps& sweeps() const { return swept; }
     // take(from, to, impulse on b [N s]) of each facet in the last step: along z where it is.
     template <class Take> void each_impulse(const Take& take) const {
         const TriangleMesh& mesh = skins[0].mesh;
@@ -94,6 +96,7 @@ class SurfacePair {
     std::vector<std::uint64_t> workspace;
     std::vector<grit_surface_report> reports;
     Totals step_totals;
+    Sweeps swept;
     ContactPair::Measured step_measured{};
 };
 
