@@ -67,6 +67,7 @@ template <int C> class Pressures {
         tree.each(around.grown(largest_radius), [&](std::ptrdiff_t k) {
             if (point[k].stretch == stretch[f] && norm(point[k].x - x) < radius(k)) found[n++] = k;
         });
+        if (n == 0) return take(nearest(f, x), 1.0);
         sort_ascending(found, found + n);
         double sum = 0.0;
         for (std::ptrdiff_t i = 0; i < n; ++i) sum += weight(found[i], x);
@@ -84,6 +85,15 @@ template <int C> class Pressures {
         }
     };
 
+    // Of the stretch of a facet, wherever it is: spacings that jump may leave a place without one within reach.
+    std::ptrdiff_t nearest(std::ptrdiff_t f, const Vector<double, C>& x) const {
+        std::ptrdiff_t best = -1;
+        for (std::ptrdiff_t k = 0; k < count; ++k)
+            if (point[k].stretch == stretch[f] &&
+                (best < 0 || norm(point[k].x - x) < norm(point[best].x - x)))
+                best = k;
+        return best;
+    }
     double weight(std::ptrdiff_t k, const Vector<double, C>& x) const {
         const double R = radius(k), d = std::max(norm(point[k].x - x), 1e-9 * R);
         const double w = (R - d) / (R * d);

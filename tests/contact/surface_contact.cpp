@@ -448,6 +448,7 @@ TEST(SurfaceContact, SaysHowMuchMemoryItNeeds) {
 // A body whose vertices are nodes of their own.
 struct FreeBody {
     std::vector<double> position, mass, v, weight;
+    std::vector<double> facet_spacing = {};  // empty: that of the options
     std::vector<std::ptrdiff_t> facet, node;
     int components = 2;
 
@@ -475,6 +476,7 @@ struct FreeBody {
         s.weight = weight.data();
         s.mass = grit_view_of(mass.data(), 1, 1);
         s.velocity = grit_mutable_view_of(v.data(), components, 1);
+        if (!facet_spacing.empty()) s.spacing = facet_spacing.data();
         return s;
     }
 };
@@ -532,6 +534,32 @@ TEST(SurfaceContact, TakesTheSmallestAndTheLargestMass) {
         ASSERT_EQ(call(floor, block), GRIT_OK) << call.error.message;
         EXPECT_NEAR(block.v[1], -0.5, 1e-12);
         EXPECT_NEAR(floor.v[3], -0.5, 1e-12);
+    }
+}
+
+// Where spacings jump, points may have no pressure within reach; the nearest one has them then.
+TEST(SurfaceContact, LeavesNoPointWithoutAPressureHoweverSpacingsJump) {
+    constexpr int facets = 400;
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> decades(-1.5, 0.5);
+    for (int trial = 0; trial < 40; ++trial) {
+        const int alike = 1 + trial % 40;
+        std::vector<double> x, spacing;
+        std::vector<std::ptrdiff_t> up, down;
+        for (int i = 0; i <= facets; ++i) x.insert(x.end(), {0.01 * i, 0.0});
+        for (int i = 0; i < facets; ++i) {
+            up.insert(up.end(), {i + 1, i});
+            down.insert(down.end(), {i, i + 1});
+            spacing.push_back(i % alike == 0 ? std::pow(10.0, decades(random)) : spacing.back());
+        }
+        FreeBody floor(2, x, up, 1e6), block(2, x, down, 1.0);
+        floor.facet_spacing = spacing;
+        block.move(-1.0);
+        SurfaceCall call = call_of(2, 1.0, 0.1);
+        ASSERT_EQ(call(floor, block), GRIT_OK) << call.error.message;
+        ASSERT_EQ(call.reports.size(), facets);
+        for (const grit_surface_report& facet : call.reports)
+            EXPECT_GT(facet.normal_force, 0.0) << trial;
     }
 }
 
