@@ -17,7 +17,7 @@ namespace {
 using namespace mpm_test;
 
 // A ball of particles thrown on a floor, two bodies, over many sorts; all columns by id.
-std::vector<double> thrown(int threads) {
+std::vector<double> thrown(bool at_surfaces, int threads) {
     Settings settings{.pic_rate = 50.0,
                       .gravity_z = -100.0,
                       .linear_viscosity = 0.1,
@@ -31,7 +31,8 @@ std::vector<double> thrown(int threads) {
     for (std::ptrdiff_t p = 0; p < falling.particles.size(); ++p)
         falling.particles.view()[column::v_z][p] = -5.0;
     simulation.add_body(std::move(falling));
-    simulation.add_contact(contact_law(GRIT_CONTACT_GEO, 0.3));
+    if (at_surfaces) simulation.add_contact(surface_law(0.3));
+    else simulation.add_contact(contact_law(GRIT_CONTACT_GEO, 0.3));
     simulation.fix_below(1, 0.2);
     simulation.fix_above(0, 1.0);
     for (int i = 0; i < 60; ++i) simulation.step();
@@ -46,12 +47,14 @@ std::vector<double> thrown(int threads) {
 }
 
 TEST(Threads, ChangeNoBitOfTheResult) {
-    const std::vector<double> alone = thrown(1);
-    EXPECT_GT(alone[2], 0.0);  // they have met
-    for (const int threads : {2, 3}) {
-        const std::vector<double> together = thrown(threads);
-        ASSERT_EQ(alone.size(), together.size());
-        EXPECT_EQ(std::memcmp(alone.data(), together.data(), alone.size() * sizeof(double)), 0);
+    for (const bool at_surfaces : {false, true}) {
+        const std::vector<double> alone = thrown(at_surfaces, 1);
+        EXPECT_GT(alone[2], 0.0);  // they have met
+        for (const int threads : {2, 3}) {
+            const std::vector<double> together = thrown(at_surfaces, threads);
+            ASSERT_EQ(alone.size(), together.size());
+            EXPECT_EQ(std::memcmp(alone.data(), together.data(), alone.size() * sizeof(double)), 0);
+        }
     }
 }
 
