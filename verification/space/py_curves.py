@@ -14,9 +14,9 @@ import tomllib
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "pile"))
 from figures import block, gnuplot  # noqa: E402
-from quarter import rows_of  # noqa: E402
+from quarter import lasting, rows_of  # noqa: E402
 
-WAYS = (0.01, 0.02, 0.05, 0.1)  # diameters
+WAYS = (0.01, 0.02, 0.05, 0.095)  # diameters
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#AA4499")
 
 
@@ -32,7 +32,7 @@ class Pile:
         self.height = (high - low) / self.parts
         self.depth = [-(low + (k + 0.5) * self.height) for k in range(self.parts)]  # of the middle of each part
         self.weight = 9.81e-3 * sand["grain_density_kg_per_m3"] / (1.0 + sand["sand"]["void_ratio"])  # [kN/m3]
-        rows = rows_of(history)
+        rows = lasting(rows_of(history), plan["history"]["interval_s"])
         begin = min(row["t"] for row in rows if row["stage"] == 2)
         table = body["rigid"]
         self.way, self.force = [], []  # [m]; along x, per length, of each part [kN/m]

@@ -14,7 +14,7 @@ import tomllib
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "pile"))
 from figures import block, gnuplot  # noqa: E402
-from quarter import rows_of  # noqa: E402
+from quarter import lasting, rows_of  # noqa: E402
 
 WAYS = (0.002, 0.005, 0.01, 0.02, 0.03, 0.05, 0.075)  # [m]
 
@@ -34,7 +34,7 @@ def main():
     weight = 9.81e-3 * sand["grain_density_kg_per_m3"] / (1.0 + sand["sand"]["void_ratio"])
     slope = deep / width * math.tan(math.radians(options.friction_angle))
     bound = weight * width ** 2 * deep * (1.0 + slope * (2.0 + math.pi / 3.0 * slope))
-    rows = [row for row in rows_of(options.history) if row["stage"] == 2]
+    rows = [row for row in lasting(rows_of(options.history), plan["history"]["interval_s"]) if row["stage"] == 2]
     pulled = [(-row["depth"], -4.0 * row["contact_force_z"]) for row in rows]
     print("| way [mm] | " + " | ".join(f"{1e3 * way:g}" for way in WAYS) + " | most | Murray & Geddes |")
     print("|---|" + "---|" * (len(WAYS) + 2))
@@ -47,7 +47,7 @@ def main():
                 + "set xlabel 'way [mm]'; set ylabel 'force [kN]'; set grid lc rgb '#dddddd'; set key bottom right\n"
                 f"set xrange [0:*]; set yrange [0:*]; bound = {bound:.4f}\n"
                 "plot $mpm with lines lw 2 lc rgb '#0072B2' title 'material points', "
-                f"bound with lines lw 1.5 dt 2 lc rgb '#D55E00' title 'Murray & Geddes, {options.friction_angle:g}°'",
+                f"bound with lines lw 1.5 dt 2 lc rgb '#D55E00' title 'Murray and Geddes, {options.friction_angle:g}°'",
                 pathlib.Path(options.to), 600, 420)
 
 
