@@ -22,8 +22,8 @@ struct Contact {
     grit_contact_options options{};  // nodal: law, k, friction, rigid bodies
     bool gated = true;               // nodal: by the gap
     int measure = GRIT_CONTACT_SUPPORT;
-    double stiffness = 0.0;          // penalty, surface: eps [Pa/m]; a surface may have none
-    double friction = 0.0;           // surface: mu [-]
+    double stiffness = 0.0;  // penalty, surface: eps [Pa/m]; a surface may have none
+    double friction = 0.0;   // surface: mu [-]
 };
 
 Contact geo_contact(double k, bool gated);
