@@ -82,7 +82,11 @@ template <int C> Skin<C> read_skin(Arena& arena, const grit_surface& s) {
         const auto area = facet.area_vector();
         const double length = norm(area);
         facet.size = C == 2 ? length : 0.5 * length;
-        facet.n = length > 0.0 ? area / length : Vector<double, C>{};
+        if (!(length > 0.0)) {  // nothing meets it
+            facet.n = {};
+            continue;
+        }
+        facet.n = area / length;
         const Vector<double, C> e = facet.x[1] - facet.x[0];
         if constexpr (C == 2) {
             facet.share[0] = e / (length * length);

@@ -67,7 +67,10 @@ template <int C> class Pressures {
         tree.each(around.grown(largest_radius), [&](std::ptrdiff_t k) {
             if (point[k].stretch == stretch[f] && norm(point[k].x - x) < radius(k)) found[n++] = k;
         });
-        if (n == 0) return take(nearest(f, x), 1.0);
+        if (n == 0) {
+            if (const std::ptrdiff_t k = nearest(f, x); k >= 0) take(k, 1.0);
+            return;
+        }
         sort_ascending(found, found + n);
         double sum = 0.0;
         for (std::ptrdiff_t i = 0; i < n; ++i) sum += weight(found[i], x);

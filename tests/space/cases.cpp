@@ -232,6 +232,10 @@ TEST(ProfilePlan, SharesWhatActsBetweenTwoHeightsBetweenItsParts) {
     EXPECT_EQ(parts_of(-3.0, 5.0), Parts(4, 0.5));
     EXPECT_EQ(parts_of(0.5, 0.5), (Parts{0.0, 0.0, 0.0, 8.0}));
     EXPECT_EQ(parts_of(1.0, 2.0), Parts(4));
+    const mpm::ProfilePlan thin{0.0, 1e-300, 1000};
+    std::vector<double> impulses(thin.numbers());
+    thin.add(-1.0, 1.0, {1.0, 0.0, 0.0}, impulses);
+    for (const double each : impulses) EXPECT_LT(each, 1e-300);
     EXPECT_EQ(parts_of(-2.0, -1.0), Parts(4));
 }
 

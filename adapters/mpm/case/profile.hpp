@@ -22,7 +22,7 @@ struct ProfilePlan {
     // profile is left out.
     void add(double low, double high, const Vector3& impulse, std::vector<double>& impulses) const {
         const auto part_at = [this](double z) {
-            return std::clamp(static_cast<int>((z - from) / height()), 0, parts - 1);
+            return static_cast<int>(std::clamp((z - from) / height(), 0.0, parts - 1.0));
         };
         if (!(high > from && low < to)) return;
         for (int part = part_at(low); part <= part_at(high); ++part) {
