@@ -5,38 +5,27 @@
 CASE: of grit mpm in space, half of a rigid pile with a table of velocity_x and a profile in its history; HISTORY: what it left.
 Prints p, the force on the whole pile by its length, at some ways y, beside p of API RP 2GEO (2011) and ISO 19901-4 for sand; gnuplot
 draws the curves."""
-import argparse
 import math
 import pathlib
-import sys
-import tomllib
 
-HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "pile"))
-from figures import block, gnuplot  # noqa: E402
-from quarter import lasting, rows_of  # noqa: E402
+from in_sand import InSand, block, gnuplot, options_of
 
 WAYS = (0.01, 0.02, 0.05, 0.095)  # diameters
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#AA4499")
 
 
-class Pile:
+class Pile(InSand):
     def __init__(self, case, history):
-        with open(case, "rb") as file:
-            plan = tomllib.load(file)
-        body = next(each for each in plan["body"] if each["name"] == plan["history"]["body"])
-        sand = next(each for each in plan["body"] if "sand" in each)
-        self.diameter = 2.0 * body["cylinder"][0]["radius_m"]
-        low, high = plan["history"]["profile_z_m"]
-        self.parts = plan["history"].get("profile_parts", 10)
+        super().__init__(case, history)
+        self.diameter = 2.0 * self.body["cylinder"][0]["radius_m"]
+        low, high = self.history["profile_z_m"]
+        self.parts = self.history.get("profile_parts", 10)
         self.height = (high - low) / self.parts
         self.depth = [-(low + (k + 0.5) * self.height) for k in range(self.parts)]  # of the middle of each part
-        self.weight = 9.81e-3 * sand["grain_density_kg_per_m3"] / (1.0 + sand["sand"]["void_ratio"])  # [kN/m3]
-        rows = lasting(rows_of(history), plan["history"]["interval_s"])
-        begin = min(row["t"] for row in rows if row["stage"] == 2)
-        table = body["rigid"]
+        begin = min(row["t"] for row in self.rows if row["stage"] == 2)
+        table = self.body["rigid"]
         self.way, self.force = [], []  # [m]; along x, per length, of each part [kN/m]
-        for row in rows:
+        for row in self.rows:
             if row["t"] <= begin:
                 before = [row[f"profile_x_{k + 1}"] for k in range(self.parts)]  # at rest: half a pile, pressed from all sides
                 continue
@@ -103,12 +92,7 @@ def draw(pile, angle, target):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("case")
-    parser.add_argument("history")
-    parser.add_argument("--friction-angle", type=float, default=40.0, metavar="DEG", help="of the sand for API; default: 40")
-    parser.add_argument("--to", metavar="PICTURE.svg")
-    options = parser.parse_args()
+    options = options_of(__doc__)
     pile, angle = Pile(options.case, options.history), math.radians(options.friction_angle)
     ways = [share * pile.diameter for share in WAYS]
     print("| depth [m] | " + " | ".join(f"p [kN/m] at y = {share:g} D | API" for share in WAYS) + " |")

@@ -14,11 +14,6 @@ def rows_of(file):
         return [dict(zip(names, map(float, row))) for row in table]
 
 
-def lasting(rows, interval):
-    """Rows whose means are over more than half an interval: the last one of a stage may be that of a step."""
-    return [row for before, row in zip(rows, rows[1:]) if row["t"] - before["t"] > 0.5 * interval]
-
-
 def contact(row):
     return sum(row[name] for name in ("tip_force", "shaft_force", "under_force", "side_force") if name in row)
 

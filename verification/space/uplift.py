@@ -5,37 +5,22 @@
 CASE: of grit mpm in space, a quarter of an anchor that is a box; HISTORY: what it left. Prints the force of contact on the whole
 anchor over its way, beside the upper bound of Murray & Geddes (1987), gamma A H (1 + H/B tan phi (2 + pi/3 H/B tan phi)); gnuplot
 draws it."""
-import argparse
 import math
 import pathlib
-import sys
-import tomllib
 
-HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "pile"))
-from figures import block, gnuplot  # noqa: E402
-from quarter import lasting, rows_of  # noqa: E402
+from in_sand import InSand, block, gnuplot, options_of
 
 WAYS = (0.002, 0.005, 0.01, 0.02, 0.03, 0.05, 0.075)  # [m]
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("case")
-    parser.add_argument("history")
-    parser.add_argument("--friction-angle", type=float, default=40.0, metavar="DEG", help="of the sand; default: 40")
-    parser.add_argument("--to", metavar="PICTURE.svg")
-    options = parser.parse_args()
-    with open(options.case, "rb") as file:
-        plan = tomllib.load(file)
-    box = next(each for each in plan["body"] if each["name"] == plan["history"]["body"])["box"][0]
-    sand = next(each for each in plan["body"] if "sand" in each)
+    options = options_of(__doc__)
+    anchor = InSand(options.case, options.history)
+    box = anchor.body["box"][0]
     width, deep = 2.0 * box["x_m"][1], -box["z_m"][1]
-    weight = 9.81e-3 * sand["grain_density_kg_per_m3"] / (1.0 + sand["sand"]["void_ratio"])
     slope = deep / width * math.tan(math.radians(options.friction_angle))
-    bound = weight * width ** 2 * deep * (1.0 + slope * (2.0 + math.pi / 3.0 * slope))
-    rows = [row for row in lasting(rows_of(options.history), plan["history"]["interval_s"]) if row["stage"] == 2]
-    pulled = [(-row["depth"], -4.0 * row["contact_force_z"]) for row in rows]
+    bound = anchor.weight * width ** 2 * deep * (1.0 + slope * (2.0 + math.pi / 3.0 * slope))
+    pulled = [(-row["depth"], -4.0 * row["contact_force_z"]) for row in anchor.rows if row["stage"] == 2]
     print("| way [mm] | " + " | ".join(f"{1e3 * way:g}" for way in WAYS) + " | most | Murray & Geddes |")
     print("|---|" + "---|" * (len(WAYS) + 2))
     near = [min(pulled, key=lambda row: abs(row[0] - way)) for way in WAYS if way <= pulled[-1][0] + 1e-3]

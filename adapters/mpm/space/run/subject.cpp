@@ -41,6 +41,17 @@ class SpaceSubject : public Subject {
     }
 
   private:
+    // take(pair, sign) of each contact of a body, at nodes and at surfaces: of what is on b, 1 where it is the body, else -1.
+    template <class Take> void each_contact(std::size_t body, const Take& take) const {
+        const auto take_one = [&](const auto& pair) {
+            if (pair.law().a == body || pair.law().b == body)
+                take(pair, pair.law().b == body ? 1.0 : -1.0);
+        };
+        for (std::size_t i = 0; i < simulation.contact_count(); ++i)
+            take_one(simulation.contact(i));
+        for (std::size_t i = 0; i < simulation.surface_contact_count(); ++i)
+            take_one(simulation.surface_contact(i));
+    }
     // Of a contact: forces on its body b, whose sign is 1, and the impulse on the body.
     static void add(Forces& to, const ContactPair::Measured& forces, const Twist& impulse,
                     double sign);
@@ -151,18 +162,9 @@ void SpaceSubject::add(Forces& to, const ContactPair::Measured& forces, const Tw
 Subject::Forces SpaceSubject::forces(std::size_t body) {
     Forces out;
     out.largest_gap = NAN;
-    for (std::size_t i = 0; i < simulation.contact_count(); ++i) {
-        const ContactPair& pair = simulation.contact(i);
-        if (pair.law().a != body && pair.law().b != body) continue;
-        add(out, pair.measured(), pair.impulse_on(body, {0.0, 0.0, 0.0}),
-            pair.law().b == body ? 1.0 : -1.0);
-    }
-    for (std::size_t i = 0; i < simulation.surface_contact_count(); ++i) {
-        const SurfacePair& pair = simulation.surface_contact(i);
-        if (pair.law().a == body || pair.law().b == body)
-            add(out, pair.measured(), pair.impulse_on(body, {0.0, 0.0, 0.0}),
-                pair.law().b == body ? 1.0 : -1.0);
-    }
+    each_contact(body, [&](const auto& pair, double sign) {
+        add(out, pair.measured(), pair.impulse_on(body, {0.0, 0.0, 0.0}), sign);
+    });
     out.traction = simulation.traction_force(body)[2];
     out.base = base_reaction();
     out.damping_impulse = simulation.damping_impulse(body);
@@ -171,16 +173,11 @@ Subject::Forces SpaceSubject::forces(std::size_t body) {
 
 void SpaceSubject::add_profile(std::size_t body, const ProfilePlan& profile,
                                std::vector<double>& impulses) {
-    const auto add_of = [&](const auto& pair) {
-        if (pair.law().a != body && pair.law().b != body) return;
-        const double sign = pair.law().b == body ? 1.0 : -1.0;
+    each_contact(body, [&](const auto& pair, double sign) {
         pair.each_impulse([&](double low, double high, const Vector3& on_b) {
             profile.add(low, high, sign * on_b, impulses);
         });
-    };
-    for (std::size_t i = 0; i < simulation.contact_count(); ++i) add_of(simulation.contact(i));
-    for (std::size_t i = 0; i < simulation.surface_contact_count(); ++i)
-        add_of(simulation.surface_contact(i));
+    });
 }
 
 double SpaceSubject::unbalanced_share(double dt) {
