@@ -19,10 +19,9 @@ namespace {
 
 using namespace mpm_test;
 
-constexpr ContactKind all[] = {ContactKind::geo,       ContactKind::frictional,
-                               ContactKind::penalty,   ContactKind::surface,
-                               ContactKind::surface_1, ContactKind::surface_10,
-                               ContactKind::surface_1_10};
+constexpr ContactKind all[] = {
+    ContactKind::geo,       ContactKind::frictional, ContactKind::penalty,     ContactKind::surface,
+    ContactKind::surface_1, ContactKind::surface_10, ContactKind::surface_1_10};
 
 const char* only = nullptr;  // contact
 bool wanted(const char* contact) { return !only || std::strcmp(only, contact) == 0; }
