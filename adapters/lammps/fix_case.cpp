@@ -122,15 +122,12 @@ void read_contact(Words& words, Case& plan) {
     contact.stiff = words.word("the stiffer body of a contact");
     contact.soft = words.word("the softer body of a contact");
     mpm::words::set_law(contact, words.choice("the law of a contact", mpm::words::contact_laws));
-    if (plan.space && contact.at_surfaces)
-        throw std::invalid_argument("contact " + contact.stiff + ' ' + contact.soft +
-                                    ": the law surface knows no other processes in space yet, "
-                                    "geo and frictional do");
     contact.friction_coefficient =
         words.number("a friction coefficient", case_word("contact", "friction_coefficient"));
     std::set<std::string> given;
     while (const auto* member = member_called(mpm::contact_members(), words.peek()))
         words.read(*given.insert(words.word("a keyword")).first, *member, contact);
+    if (contact.after_damping) refuse_in_space(plan, "contact after damping");
     const KeyName name = fix_words(mpm::contact_members());
     refuse(
         "",

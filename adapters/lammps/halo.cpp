@@ -53,7 +53,10 @@ struct Least {
 }  // namespace
 
 Halo::Halo(HaloLayout given) : layout(std::move(given)) {
-    whole_grid = {layout.plane, slice(0).first_node, slice(1).first_node};
+    for (int d = 0; d < dimensions(); ++d) {
+        whole_axes.axis[d] = layout.axes[d];
+        whole_axes.first[d] = slice(d).first_node;
+    }
     counts = counted_first(Of::nodes);
     cell_counts = counted_first(Of::cells);
 }

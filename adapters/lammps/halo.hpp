@@ -30,14 +30,15 @@ struct Cuts {
 struct HaloLayout {
     Cuts cuts;
     std::array<std::vector<Slice>, most_dimensions> slices = {};  // of all processes
-    mpm::GridView plane = {};  // of all, where it is one; outlives the halo
+    mpm::AxisView axes[most_dimensions] =
+        {};  // of the whole grid; what they view outlives the halo
 };
 
 class Halo : public mpm::Exchange {
   public:
     explicit Halo(HaloLayout layout);
 
-    const mpm::WholeGrid* whole() const override { return &whole_grid; }
+    const mpm::WholeAxes* whole() const override { return &whole_axes; }
     const std::uint8_t* counted() const override { return counts.data(); }
     void sum_nodes(double* values, std::ptrdiff_t nodes, int each) override;
     void sum_nodes(std::int64_t* values, std::ptrdiff_t nodes, int each) override;
@@ -89,7 +90,7 @@ class Halo : public mpm::Exchange {
     void exchange(Number* values, int per_place, Of what, const Combine& combine);
 
     HaloLayout layout;
-    mpm::WholeGrid whole_grid;
+    mpm::WholeAxes whole_axes{};
     std::vector<std::uint8_t> counts, cell_counts;
     std::vector<mpm::KeyedNumbers> own_items;
     std::vector<int> words_of, first_word;  // of each process

@@ -108,9 +108,10 @@ void LocalRun::start(const Cuts& cuts, const LoadedIds& loaded) {
     if (runner && is_cut(cuts)) return settle(loaded);
     // Cuts that are refused leave all as it was.
     HaloLayout layout{cuts};
-    for (std::size_t d = 0; d < axes.size(); ++d)
+    for (std::size_t d = 0; d < axes.size(); ++d) {
         layout.slices[d] = slices(axes[d], cuts.at[d], slack());
-    if (!in_space()) layout.plane = {axes[0].view(), axes[1].view()};
+        layout.axes[d] = axes[d].view();
+    }
     Halo::Traffic traffic;
     if (runner) {
         // Particles that came are at home on the grid as it will be, not on the one that is.

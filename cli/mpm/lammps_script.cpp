@@ -181,8 +181,9 @@ void add_bodies(const Case& plan, const std::string& stem, FixWords& fix) {
 void add_contacts(const Case& plan, FixWords& fix) {
     for (const ContactPlan& contact : plan.contacts) {
         if (contact.penalty) throw BadInput("fix grit/mpm of LAMMPS has no penalty contact");
-        if (plan.space && contact.at_surfaces)
-            throw BadInput("fix grit/mpm of LAMMPS has no surface contact in space yet");
+        if (contact.surface_mesh)
+            throw BadInput(
+                "fix grit/mpm of LAMMPS has no stiff_surface: surfaces are free faces there");
         if (!contact.surface_line.points.empty())
             throw BadInput(
                 "fix grit/mpm of LAMMPS has no stiff_line: surfaces are free edges there");

@@ -3,6 +3,7 @@
 // normal, and on them points of integration, exact for a pressure and a velocity that are linear there.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "contact/surface/ascending.hpp"
@@ -143,24 +144,8 @@ template <> class Meeting<3> {
             clip(piece);
             for (const double side : {-1.0, 1.0})  // within reach
                 cut(piece, [&](const Place& q) { return reach - side * gap_at(facet, other, q); });
-            // A fan; three points per triangle, the middles of its sides.
-            for (int k = 1; k + 1 < piece.corners; ++k) {
-                const Place p[3] = {piece.at[0], piece.at[k], piece.at[k + 1]};
-                const double share = std::fabs(cross(p[1] - p[0], p[2] - p[0]));
-                if (!(share * facet.size > least_piece * std::min(facet.size, other.size)))
-                    continue;
-                const Place middle = (p[0] + p[1] + p[2]) / 3.0;
-                const double gap = gap_at(facet, other, middle);
-                if (!(std::fabs(gap) <= reach) || is_hidden(facet, candidates[i], middle, gap))
-                    continue;
-                for (int m = 0; m < 3; ++m) {
-                    const Place at = (p[m] + p[(m + 1) % 3]) / 2.0;
-                    MeetingPoint<3> out{f,  candidates[i], {1.0 - at[0] - at[1], at[0], at[1]},
-                                        {}, 0.0,           share * facet.size / 3.0};
-                    out.gap = find_place(facet, other, at, out.place_b);
-                    take(out);
-                }
-            }
+            leave_out_needless(piece);
+            if (piece.corners >= 3) integrate(f, candidates[i], piece, take);
         }
     }
 
@@ -175,6 +160,43 @@ template <> class Meeting<3> {
             if (corners < most) at[corners++] = q;
         }
     };
+    // A triangle, or triangles around the middle, no corner before another; three points for each, the middles of its sides, what
+    // two of them share once.
+    template <class Take>
+    void integrate(std::ptrdiff_t f, std::ptrdiff_t other_f, const Polygon& piece,
+                   const Take& take) {
+        const Facet<3>&facet = a.facet[f], &other = b.facet[other_f];
+        const int n = piece.corners;
+        Place middle{};
+        for (int k = 0; k < n; ++k) middle = middle + piece.at[k] / double(n);
+        const auto add = [&](const Place& at, double share) {
+            if (!(share > 0.0)) return;
+            MeetingPoint<3> out{f,  other_f, {1.0 - at[0] - at[1], at[0], at[1]},
+                                {}, 0.0,     share * facet.size / 3.0};
+            out.gap = find_place(facet, other, at, out.place_b);
+            take(out);
+        };
+        // Of the triangle that has its base between a corner and the next.
+        const auto share_of = [&](const Place& apex, int k) {
+            const Place &from = piece.at[k], &to = piece.at[(k + 1) % n];
+            const double share = std::fabs(cross(from - apex, to - apex));
+            if (!(share * facet.size > least_piece * std::min(facet.size, other.size))) return 0.0;
+            const Place centre = (apex + from + to) / 3.0;
+            const double gap = gap_at(facet, other, centre);
+            return std::fabs(gap) <= reach && !is_hidden(facet, other_f, centre, gap) ? share : 0.0;
+        };
+        if (n == 3) {
+            const double share = share_of(piece.at[2], 0);
+            for (int k = 0; k < 3; ++k) add((piece.at[k] + piece.at[(k + 1) % 3]) / 2.0, share);
+            return;
+        }
+        double share[Polygon::most];
+        for (int k = 0; k < n; ++k) share[k] = share_of(middle, k);
+        for (int k = 0; k < n; ++k) {
+            add((piece.at[k] + piece.at[(k + 1) % n]) / 2.0, share[k]);
+            add((middle + piece.at[k]) / 2.0, share[(k + n - 1) % n] + share[k]);
+        }
+    }
     static double cross(const Place& u, const Place& v) { return u[0] * v[1] - u[1] * v[0]; }
 
     // Shares of a point, along A's normal.
@@ -216,6 +238,23 @@ template <> class Meeting<3> {
             if ((d >= 0.0) != (e >= 0.0)) out.add(from + (d / (d - e)) * (to - from));
         }
         p = out;
+    }
+    // Corners that bound nothing: what cuts leave, by the last bit, where a corner or a side lies on a side of the facet.
+    static void leave_out_needless(Polygon& p) {
+        double area = 0.0;
+        for (int i = 1; i + 1 < p.corners; ++i)
+            area += cross(p.at[i] - p.at[0], p.at[i + 1] - p.at[0]);
+        for (int i = 0; i < p.corners && p.corners >= 3;) {
+            const Place& before = p.at[(i + p.corners - 1) % p.corners];
+            const Place& after = p.at[(i + 1) % p.corners];
+            const double bounded = cross(p.at[i] - before, after - before);
+            if (std::fabs(bounded) > 1e-9 * std::fabs(area)) {
+                ++i;
+                continue;
+            }
+            std::copy(p.at + i + 1, p.at + p.corners, p.at + i);
+            --p.corners;
+        }
     }
     static Vector3 point_of(const Facet<3>& facet, const Place& at) {
         return facet.x[0] + at[0] * (facet.x[1] - facet.x[0]) + at[1] * (facet.x[2] - facet.x[0]);

@@ -5,7 +5,9 @@
 // in space no point of it is nearer to another than its spacing, its rim comes first.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "contact/surface/ascending.hpp"
 #include "contact/surface/facets.hpp"
@@ -14,7 +16,7 @@ namespace grit::surface {
 
 template <int C> struct PressurePoint {
     Vector<double, C> x;
-    Vector<double, C> n;  // of one of the facets that meet there
+    Vector<double, C> n;  // in space the mean of the facets' that meet there
     std::ptrdiff_t stretch;
     double spacing;
 };
@@ -80,9 +82,7 @@ template <int C> class Pressures {
   private:
     struct Corner {
         std::ptrdiff_t stretch, vertex, facet;
-        bool is_rim;
         bool operator<(const Corner& o) const {
-            if (is_rim != o.is_rim) return is_rim;
             if (stretch != o.stretch) return stretch < o.stretch;
             return vertex != o.vertex ? vertex < o.vertex : facet < o.facet;
         }
@@ -130,8 +130,7 @@ template <int C> class Pressures {
     }
     template <class Of> void sort_corners(const Of& stretch_of) {
         for (std::ptrdiff_t f = 0; f < facets; ++f)
-            for (int i = 0; i < C; ++i)
-                corner[C * f + i] = {stretch_of(f), skin.vertex(f, i), f, false};
+            for (int i = 0; i < C; ++i) corner[C * f + i] = {stretch_of(f), skin.vertex(f, i), f};
         sort_ascending(corner, corner + C * facets);
     }
     // Corners with the same stretch and vertex, one behind the other.
@@ -216,33 +215,91 @@ template <int C> class Pressures {
                           spacings_apart * spacing(f)};
     }
 
-    // In space: all vertices that have none near yet, the rims of stretches first.
+    // A vertex of a stretch in space. Those that the grid's symmetries take into each other have the same keys.
+    struct Candidate {
+        bool is_rim;
+        std::ptrdiff_t stretch, vertex;
+        double key[1 + C];  // from the middle of the stretch: how far, and along which axes
+        double spacing;     // the least of its facets
+        Vector<double, C> x, n;
+
+        bool is_like(const Candidate& o) const {
+            return is_rim == o.is_rim && stretch == o.stretch &&
+                   std::equal(key, key + 1 + C, o.key);
+        }
+        bool operator<(const Candidate& o) const {
+            if (stretch != o.stretch) return stretch < o.stretch;
+            if (is_rim != o.is_rim) return is_rim;
+            for (int i = 0; i < 1 + C; ++i)
+                if (key[i] != o.key[i]) return key[i] > o.key[i];
+            return vertex < o.vertex;
+        }
+    };
+    // In space: all vertices that have none near yet, the rims of stretches first, what is far from the middle before what is
+    // nearer. Of vertices that are like each other and near each other none, unless nothing else is near.
     void spread_points() {
-        std::ptrdiff_t kept = 0;
+        auto* candidate = arena.take<Candidate>(C * facets);
+        auto* middle = arena.take<Vector<double, C>>(facets);
+        auto* area = arena.take<double>(facets);
+        if (arena.is_overrun()) return;
+        std::fill_n(middle, facets, Vector<double, C>{});
+        std::fill_n(area, facets, 0.0);
+        for (std::ptrdiff_t f = 0; f < facets; ++f) {
+            const Facet<C>& facet = skin.facet[f];
+            area[stretch[f]] += facet.size;
+            for (int i = 0; i < C; ++i)
+                middle[stretch[f]] = middle[stretch[f]] + facet.size / C * facet.x[i];
+        }
+        std::ptrdiff_t n = 0;
         each_ridge([&](const Corner* first, const Corner* last) {
-            Corner one = *first;
-            one.is_rim = is_rim(first, last);
-            corner[kept++] = one;
+            const std::ptrdiff_t of = first->stretch;
+            Candidate& c = candidate[n++];
+            c = {is_rim(first, last), of, first->vertex, {}, spacing(first->facet), {}, {}};
+            c.x = vector_of<C>(skin.given->position, first->vertex);
+            for (const Corner* i = first; i < last; ++i) {
+                c.spacing = std::min(c.spacing, spacing(i->facet));
+                c.n = c.n + skin.facet[i->facet].size * skin.facet[i->facet].n;
+            }
+            const Vector<double, C> away = c.x - middle[of] / (area[of] > 0.0 ? area[of] : 1.0);
+            c.key[0] = norm(away);
+            for (int i = 0; i < C; ++i) c.key[1 + i] = std::fabs(away[i]);
+            std::sort(c.key + 1, c.key + 1 + C, std::greater<>());
+            // By less than roundoff they do not differ.
+            for (double& each : c.key) each = std::floor(each / (1e-7 * c.spacing) + 0.3);
         });
-        sort_ascending(corner, corner + kept);
-        for (std::ptrdiff_t i = 0; i < kept; ++i) {
+        sort_ascending(candidate, candidate + n);
+        for (std::ptrdiff_t i = 0; i < n; ++i) {
             is_near[i] = false;
             boxes[i] = Box<C>::empty();
-            boxes[i].include(vector_of<C>(skin.given->position, corner[i].vertex));
+            boxes[i].include(candidate[i].x);
         }
-        const BoxTree<C> tree(arena, boxes, kept);
+        const BoxTree<C> tree(arena, boxes, n);
         if (arena.is_overrun()) return;
-        for (std::ptrdiff_t i = 0; i < kept; ++i) {
-            if (is_near[i]) continue;
-            const Corner& c = corner[i];
-            const Vector<double, C> x = boxes[i].low;
-            const double least = spacing(c.facet) * (1.0 - 1e-9);
+        const auto unit = [](const Vector<double, C>& v) {
+            const double length = norm(v);  // 0 where no facet has a size
+            return length > 0.0 ? v / length : v;
+        };
+        const auto each_near = [&](std::ptrdiff_t i, const auto& take) {
+            const double least = candidate[i].spacing * (1.0 - 1e-9);
             tree.each(boxes[i].grown(least), [&](std::ptrdiff_t k) {
-                if (corner[k].stretch == c.stretch && norm(boxes[k].low - x) < least)
-                    is_near[k] = true;
+                if (candidate[k].stretch == candidate[i].stretch &&
+                    norm(candidate[k].x - candidate[i].x) < least)
+                    take(k);
             });
-            point[count++] = {x, skin.facet[c.facet].n, c.stretch, spacing(c.facet)};
-        }
+        };
+        for (const bool alone : {true, false})
+            for (std::ptrdiff_t i = 0; i < n; ++i) {
+                const Candidate& c = candidate[i];
+                bool is_alone = true;
+                if (alone)
+                    each_near(i, [&](std::ptrdiff_t k) {
+                        is_alone = is_alone && (k == i || !candidate[k].is_like(c));
+                    });
+                if (is_near[i] || !is_alone) continue;
+                point[count++] = {c.x, unit(c.n), c.stretch, c.spacing};
+                is_near[i] = true;
+                each_near(i, [&](std::ptrdiff_t k) { is_near[k] = true; });
+            }
     }
 
     Arena& arena;

@@ -340,7 +340,8 @@ template <int C> class System {
             out.d[1] = {-n[1], n[0]};
         } else {
             // Tangents of the point, turned the shortest way from its normal to the facet's.
-            const Vector3& m = pressures[pressure].n;
+            const Vector3& around = pressures[pressure].n;
+            const Vector3& m = norm(around) > 0.0 ? around : n;
             int least = 0;
             for (int c = 1; c < 3; ++c)
                 if (std::fabs(m[c]) < std::fabs(m[least])) least = c;

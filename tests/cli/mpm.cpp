@@ -62,12 +62,11 @@ TEST(MaterialPointCommand, RunsTheFileThatExplainsEveryKeyInSpace) {
     EXPECT_EQ(number("NumberOfPoints=\""), 8 * number("NumberOfCells=\""));
 }
 
-TEST(MaterialPointCommand, WritesNoSurfaceContactInSpaceForLammps) {
+TEST(MaterialPointCommand, WritesNoSurfaceOfTrianglesForLammps) {
     const Workplace here;
     const Answer answer = here.grit("mpm " + cases + "/every_key_in_space.toml --to-lammps out");
     EXPECT_EQ(answer.status, 2);
-    EXPECT_TRUE(answer.says(
-        "every_key_in_space.toml: fix grit/mpm of LAMMPS has no surface contact in space"))
+    EXPECT_TRUE(answer.says("every_key_in_space.toml: fix grit/mpm of LAMMPS has no stiff_surface"))
         << answer.text;
 }
 

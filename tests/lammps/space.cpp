@@ -244,8 +244,8 @@ TEST_F(LammpsSpaceRefuses, WhatIsNotThere) {
     expect("driven block", "water block undrained driven block",
            "pore water is not there in space");
     expect("scheme usl", "scheme musl", "another scheme than usl is not there in space");
-    expect("driven block", "contact block block surface 0.3 driven block",
-           "the law surface knows no other processes in space yet");
+    expect("driven block", "contact block block surface 0.3 after_damping yes driven block",
+           "contact after damping is not there in space");
     expect("driven block", "contact block block penalty 0.3 driven block",
            "the law of a contact must be one of geo, frictional, surface, got \"penalty\"");
     expect("driven block", "boundary front absorbing driven block",

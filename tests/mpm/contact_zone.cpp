@@ -33,7 +33,7 @@ class ContactZoneOfTwo : public testing::Test {
     std::vector<NodeMotion> a_motions = std::vector<NodeMotion>(nodes), b_motions = a_motions;
     Particles none{0};
     SurfaceBody a = body(a_records, a_motions), b = body(b_records, b_motions);
-    ContactZone zone{grid, {grid}, false, fixed_nodes};
+    ContactZone zone{grid, nullptr, false, fixed_nodes};
     Exchange alone;
 };
 

@@ -68,7 +68,7 @@ TEST(FreeFaces, OfABlockAreItsSidesWhereverItIsAndHoweverSkewed) {
                         for (int b = 0; b < 3; ++b)
                             block.view()[column::F_xx + 3 * a + b][block.size() - 1] = F[a][b];
                 }
-        FreeFaces faces(12 * 12 * 12);
+        FreeFaces faces;
         TriangleMesh mesh;
         for (int again = 0; again < 2; ++again) {
             faces.find(lattice.grid(), domains_of(block, lattice.grid()), mesh);
@@ -83,7 +83,7 @@ TEST(FreeFaces, OfABlockAreItsSidesWhereverItIsAndHoweverSkewed) {
 
 TEST(FreeFaces, ArePassedOverWhereAGapIsNarrowAndFoundWhereItIsWide) {
     Lattice lattice;
-    FreeFaces faces(12 * 12 * 12);
+    FreeFaces faces;
     TriangleMesh mesh;
     for (const double gap : {0.0, 0.01, 0.02}) {  // of 0.06
         Particles two;
@@ -98,7 +98,7 @@ TEST(FreeFaces, ArePassedOverWhereAGapIsNarrowAndFoundWhereItIsWide) {
 
 TEST(FreeFaces, ThatAreCoveredInPartCountIfAQuarterIsOpen) {
     Lattice lattice;
-    FreeFaces faces(12 * 12 * 12);
+    FreeFaces faces;
     TriangleMesh mesh;
     for (const bool open : {true, false}) {
         Particles three;

@@ -258,6 +258,7 @@ class Writer {
             case 3:
                 line("law = \"surface\"");
                 maybe(4, "pressure_spacing_cells = {:.17g}", random.log_uniform(1.0, 4.0));
+                maybe(4, "sweep_tolerance = {:.17g}", random.log_uniform(1e-14, 1.0));
                 if (one_in(random, 4)) {
                     line("contact_stiffness_multiple = {:.17g}\nmodulus_kPa = {:.17g}",
                          random.log_uniform(0.01, 100.0), soft.modulus);

@@ -87,7 +87,7 @@ void add_surface_contact(const Case& plan, const ContactPlan& contact, Simulatio
     law.line_a = contact.surface_line;
     law.spacing = contact.pressure_spacing;
     law.after_damping = contact.after_damping;
-    add_layer(contact, simulation.shortest_cell(), law.options);
+    set_surface_options(contact, simulation.shortest_cell(), law.options);
     law.a = plan.body(contact.stiff);
     law.b = plan.body(contact.soft);
     simulation.add_contact(law);
@@ -193,7 +193,9 @@ std::function<Vector2(double)> edge_stress(const Case& plan, const TractionPlan&
     };
 }
 
-void add_layer(const ContactPlan& contact, double shortest_cell, grit_surface_options& options) {
+void set_surface_options(const ContactPlan& contact, double shortest_cell,
+                         grit_surface_options& options) {
+    options.sweep_tolerance = contact.sweep_tolerance;
     options.relaxation_time = contact.relaxation_time;
     options.contact_stiffness = stiffness_of(contact, shortest_cell);
 }

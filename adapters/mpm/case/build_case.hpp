@@ -25,8 +25,9 @@ std::function<Vector2(double)> rigid_velocity(const Case& plan, const BodyPlan& 
                                               const std::shared_ptr<Clock>& clock);
 std::function<Vector2(double)> edge_stress(const Case& plan, const TractionPlan& traction,
                                            const std::shared_ptr<Clock>& clock);
-// What a surface contact has between the surfaces, (V8).
-void add_layer(const ContactPlan& contact, double shortest_cell, grit_surface_options& options);
+// What a surface contact has between the surfaces, (V8), and when its sweeps end.
+void set_surface_options(const ContactPlan& contact, double shortest_cell,
+                         grit_surface_options& options);
 // Of a contact at nodes.
 ContactLaw nodal_law(const Case& plan, const ContactPlan& contact, double shortest_cell);
 // Fixed nodes are known to a contact when it is made: after these.

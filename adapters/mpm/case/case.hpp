@@ -144,6 +144,7 @@ struct ContactPlan {
     BoundaryLine surface_line = {};  // ... along this line of the stiff body; empty: its free edges
     std::shared_ptr<const ClosedSurface> surface_mesh = {};  // ... in space, along this one
     double pressure_spacing = 2.0;                           // of that: [cells]
+    double sweep_tolerance = 1e-6;                           // of that: of its largest approach
     bool after_damping = false;  // of that: once more, on what local damping has changed
 };
 

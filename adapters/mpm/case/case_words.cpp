@@ -59,6 +59,8 @@ constexpr Member<ContactPlan> of_contact[] = {
         case_word("contact", "contact_stiffness_multiple"), "stiffness_multiple"),
     member<ContactPlan, &ContactPlan::pressure_spacing>(
         case_word("contact", "pressure_spacing_cells"), "pressure_spacing"),
+    member<ContactPlan, &ContactPlan::sweep_tolerance>(case_word("contact", "sweep_tolerance"),
+                                                       "sweep_tolerance"),
     member<ContactPlan, &ContactPlan::after_damping>(case_word("contact", "after_damping"),
                                                      "after_damping"),
     member<ContactPlan, &ContactPlan::modulus>(case_word("contact", "modulus_kPa"), "modulus")};
@@ -72,6 +74,7 @@ constexpr struct {
                     {"relaxation_time_s", "geo and surface"},
                     {"contact_stiffness_multiple", "geo and surface"},
                     {"pressure_spacing_cells", "surface"},
+                    {"sweep_tolerance", "surface"},
                     {"after_damping", "surface"}};
 
 constexpr Member<WaterPlan> of_water[] = {
@@ -135,9 +138,11 @@ constexpr FixKeyword keywords[] = {
     {"contact",
      "STIFF SOFT {contact.law} MU [`power` K] [`normal` {contact.normal}] [`distance` "
      "{contact.distance}] [`gated` `yes`|`no`] [`relaxation_time` TAU] [`stiffness_multiple` X "
-     "`modulus` M] [`pressure_spacing` CELLS] [`after_damping` `yes`|`no`]",
+     "`modulus` M] [`pressure_spacing` CELLS] [`sweep_tolerance` "
+     "SHARE] [`after_damping` `yes`|`no`]",
      "geo and frictional have `normal`, `distance` and `gated`, geo `power` besides, surface "
-     "`pressure_spacing` and `after_damping`; geo and surface TAU [s] and X of M [Pa] / shortest "
+     "`pressure_spacing`, `sweep_tolerance` and `after_damping`; geo and surface TAU [s] and X of "
+     "M [Pa] / shortest "
      "cell: of geo X with gate, of surface TAU with X, X without `after_damping`; `distance` not "
      "without gate where it is frictional"},
     {"stages", "N NAME...",

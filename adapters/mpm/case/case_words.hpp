@@ -320,6 +320,10 @@ inline constexpr CaseWord all[] = {
         "of surface: between points that know its pressure; next to ends of a smooth stretch two "
         "at least; 1 where curved surfaces meet",
         "2"),
+    number("contact", "sweep_tolerance", {1e-14, 1.0}, none,
+           "of surface: sweeps over its pressures end, at most 500, once one of them changes no "
+           "velocity by more than this share of the largest approach",
+           "1e-6"),
     yes_or_no("contact", "after_damping",
               "of surface: once more in each step, on velocities that local damping has changed"),
     number("contact", "modulus_kPa", above_zero, kilopascal, "P-wave modulus of the softer body",

@@ -27,7 +27,7 @@
 //   ...                         sums of the library, integers                   9600
 //   ...                         sums of forces, maximum of gaps                 40
 //   contacts at surfaces        whether any node is in one: maxima              8 each
-//   ... that have one           particles near the surfaces, and nodes: all     56 each
+//   ... that have one           particles near the surfaces, and nodes: all     56 each, 112 in space
 //                               of all processes to each of them
 //   fixed point, per scatter    maxima of contributions, eight a body           8 each
 //   ... with tractions          maximum of their forces                         8
@@ -45,10 +45,10 @@
 
 namespace grit::mpm {
 
-// The grid of all processes, and which of its nodes is the first one here.
-struct WholeGrid {
-    GridView grid;
-    int first_r = 0, first_z = 0;
+// Of the grid of all processes, along r and z, or x, y and z: its axes, and which of their nodes is the first one here.
+struct WholeAxes {
+    AxisView axis[3];
+    int first[3];
 };
 
 // Numbers of something that all processes call the same.
@@ -62,7 +62,7 @@ class Exchange {
   public:
     virtual ~Exchange() = default;
     // Outlives this; null: what is here is all of it.
-    virtual const WholeGrid* whole() const { return nullptr; }
+    virtual const WholeAxes* whole() const { return nullptr; }
     // [nodes] 1 where this process counts a node in sums over nodes, each node once; null: all.
     virtual const std::uint8_t* counted() const { return nullptr; }
     // Of so many numbers for each node or cell, what all have that hold it. Integers that are too large wrap.

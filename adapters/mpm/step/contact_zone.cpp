@@ -26,9 +26,9 @@ int mask_of(double bits) {
 
 }  // namespace
 
-ContactZone::ContactZone(const GridView& here, const WholeGrid& of_all, bool with_axis,
+ContactZone::ContactZone(const GridView& here, const WholeAxes* of_all, bool with_axis,
                          const std::vector<std::uint8_t>& fixed)
-    : grid(here), whole(of_all), axisymmetric(with_axis), fixed_nodes(fixed), near(here) {}
+    : grid(here), whole(here, of_all), axisymmetric(with_axis), fixed_nodes(fixed), near(here) {}
 
 bool ContactZone::find(const SurfaceBody& a, const SurfaceBody& b) {
     near.clear();

@@ -14,6 +14,18 @@ namespace grit::mpm {
 
 class Water;
 
+// The grid of all processes, and which of its nodes is the first one here.
+struct WholeGrid {
+    GridView grid;
+    int first_r = 0, first_z = 0;
+
+    WholeGrid(const GridView& here, const WholeAxes* whole) : grid(here) {
+        if (whole)
+            grid = {whole->axis[0], whole->axis[1]}, first_r = whole->first[0],
+            first_z = whole->first[1];
+    }
+};
+
 struct SurfaceBody {
     const NodeRecord* records;
     NodeMotion* motions;
@@ -46,7 +58,8 @@ enum : int { now_r, now_z, before_r, before_z };
 class ContactZone {
   public:
     // fixed: of the nodes of this process, outlives this.
-    ContactZone(const GridView& grid, const WholeGrid& whole, bool axisymmetric,
+    // whole: of all processes, outlives this; null: there is one.
+    ContactZone(const GridView& grid, const WholeAxes* whole, bool axisymmetric,
                 const std::vector<std::uint8_t>& fixed);
 
     // False where no node of this process is reached by both.

@@ -55,8 +55,6 @@ class Model {
     void sort();
 
     GridView grid() const { return {r.view(), z.view()}; }
-    // Of all processes.
-    WholeGrid whole() const { return exchange.whole() ? *exchange.whole() : WholeGrid{grid()}; }
     bool is_alone() const { return &exchange == &nobody; }
     int strips() const { return parts.empty() ? 0 : parts[0].strips.count(); }
     // work(body, strip) for all bodies and strips.

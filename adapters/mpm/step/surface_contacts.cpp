@@ -10,9 +10,10 @@ void SurfaceContacts::add(const SurfaceLaw& law) {
     // A vertex keeps its place between the sides of a domain, so that these must stay what they are.
     if (!law.line_a.points.empty()) model.parts[law.a].reduces_domains = false;
     const bool axisymmetric = model.settings.axisymmetric;
-    pairs.emplace_back(law, model.shortest,
-                       ContactZone(model.grid(), model.whole(), axisymmetric, model.fixed_nodes),
-                       axisymmetric, model.parts[law.a].body.particles);
+    pairs.emplace_back(
+        law, model.shortest,
+        ContactZone(model.grid(), model.exchange.whole(), axisymmetric, model.fixed_nodes),
+        axisymmetric, model.parts[law.a].body.particles);
     are_near.resize(pairs.size());
 }
 

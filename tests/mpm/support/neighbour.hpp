@@ -55,7 +55,7 @@ class Neighbour : public Exchange {
             begin[k] = is_cut && rank == 1 ? std::max(cut.cell - halo, 0) : 0;
             end[k] = is_cut && rank == 0 ? std::min(cut.cell + halo, cells[k]) : cells[k];
         }
-        whole_grid = {{axes[0].view(), axes[1].view()}, begin[0], begin[1]};
+        whole_axes = {{axes[0].view(), axes[1].view()}, {begin[0], begin[1]}};
         const auto n_r = static_cast<std::size_t>(end[0] - begin[0]) + 1;
         const auto n_z = static_cast<std::size_t>(end[1] - begin[1]) + 1;
         mine.assign(n_r * n_z, 1);
@@ -71,7 +71,7 @@ class Neighbour : public Exchange {
                     shared_cells.push_back(j * (n_r - 1) + i);
             }
     }
-    const WholeGrid* whole() const override { return &whole_grid; }
+    const WholeAxes* whole() const override { return &whole_axes; }
     const std::uint8_t* counted() const override { return mine.data(); }
     void sum_nodes(double* x, std::ptrdiff_t, int each) override { add(x, shared_nodes, each); }
     void sum_nodes(std::int64_t* x, std::ptrdiff_t, int each) override {
@@ -132,7 +132,7 @@ class Neighbour : public Exchange {
     Meeting& meeting;
     int rank;
     Axis axes[2];
-    WholeGrid whole_grid;
+    WholeAxes whole_axes;
     std::vector<std::uint8_t> mine, my_cells;
     std::vector<std::size_t> shared_nodes, shared_cells;
 };

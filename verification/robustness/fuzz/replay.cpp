@@ -2,7 +2,7 @@
 // A fuzzer without libFuzzer, for the tests: what stands in files or folders, each as it is and then changed at random in N
 // ways that depend on nothing else. The program ends where something must not be.
 //
-//   fuzz_x [-N] FILE|FOLDER...
+//   fuzz_x [-N] [-any] FILE|FOLDER...    -any: beside them, files of any bytes
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -59,8 +59,10 @@ std::string changed(std::string bytes, const std::string& other, grit::SplitMix&
 int main(int argc, char** argv) {
     std::vector<fs::path> files;
     int times = 0;
+    bool any = false;
     for (int i = 1; i < argc; ++i) {
-        if (argv[i][0] == '-') times = std::atoi(argv[i] + 1);
+        if (argv[i] == std::string("-any")) any = true;
+        else if (argv[i][0] == '-') times = std::atoi(argv[i] + 1);
         else if (fs::is_directory(argv[i]))
             for (const auto& entry : fs::directory_iterator(argv[i])) files.push_back(entry.path());
         else files.emplace_back(argv[i]);
@@ -75,12 +77,16 @@ int main(int argc, char** argv) {
         }
         seeds.emplace_back(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
     }
-    if (seeds.empty()) {  // those that draw their calls from any bytes
+    if (any) {
         grit::SplitMix random(0);
         for (int i = 0; i < 16; ++i) {
             std::string& seed = seeds.emplace_back(512, '\0');
             for (char& each : seed) each = static_cast<char>(random.below(256));
         }
+    }
+    if (seeds.empty()) {
+        std::fprintf(stderr, "no file to begin with\n");
+        return 2;
     }
     grit::SplitMix random(1);
     for (const std::string& seed : seeds) give(seed);

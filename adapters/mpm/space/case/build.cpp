@@ -137,7 +137,7 @@ SurfaceLaw surface_law_of(const Case& plan, const ContactPlan& contact, double s
     law.b = plan.body(contact.soft);
     if (contact.surface_mesh) law.mesh_a = mesh_of(*contact.surface_mesh);
     law.spacing = contact.pressure_spacing;
-    add_layer(contact, shortest_cell, law.options);
+    set_surface_options(contact, shortest_cell, law.options);
     return law;
 }
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 #include "adapters/mpm/space/kernel/place.hpp"
 
@@ -22,7 +24,6 @@ Vector3 corner_of_domain(const NearDomain& q, int c) {
 
 void FreeFaces::list(const GridView& grid, const std::vector<NearDomain>& domains) {
     const std::size_t n = domains.size();
-    next.assign(n, -1);
     cell_of.resize(n);
     covering.resize(n);
     largest = {0.0, 0.0, 0.0};
@@ -40,10 +41,35 @@ void FreeFaces::list(const GridView& grid, const std::vector<NearDomain>& domain
         }
         of.near = tolerance * 2.0 * shortest;
         cell_of[i] = grid.cell_of(q.x);
-        std::ptrdiff_t& first = first_in[static_cast<std::size_t>(cell_of[i])];
-        next[i] = first;
-        first = static_cast<std::ptrdiff_t>(i);
     }
+    sort_by_cells(grid);
+}
+
+void FreeFaces::sort_by_cells(const GridView& grid) {
+    const std::ptrdiff_t along_x = grid.axis[0].cells, along_y = grid.axis[1].cells;
+    by_cell.resize(cell_of.size());
+    std::iota(by_cell.begin(), by_cell.end(), 0);
+    const auto cell = [this](std::ptrdiff_t i) { return cell_of[static_cast<std::size_t>(i)]; };
+    std::sort(by_cell.begin(), by_cell.end(), [&](std::ptrdiff_t i, std::ptrdiff_t j) {
+        return cell(i) != cell(j) ? cell(i) < cell(j) : i < j;
+    });
+    for (const int k : {0, 1}) first_row[k] = std::numeric_limits<int>::max(), last_row[k] = -1;
+    for (const std::ptrdiff_t of : cell_of)
+        for (const int k : {0, 1}) {
+            const auto at =
+                static_cast<int>(k == 0 ? of / along_x % along_y : of / along_x / along_y);
+            first_row[k] = std::min(first_row[k], at);
+            last_row[k] = std::max(last_row[k], at);
+        }
+    first_of_row.clear();
+    auto next = by_cell.begin();
+    for (int z = first_row[1]; z <= last_row[1]; ++z)
+        for (int y = first_row[0]; y <= last_row[0]; ++y) {
+            const std::ptrdiff_t begin = grid.cell(0, y, z);
+            while (next != by_cell.end() && cell(*next) < begin) ++next;
+            first_of_row.push_back(next - by_cell.begin());
+        }
+    first_of_row.push_back(static_cast<std::ptrdiff_t>(by_cell.size()));
 }
 
 // Domains whose boxes are no farther away than a place outside of a face is.
@@ -58,19 +84,23 @@ void FreeFaces::find_neighbours(const GridView& grid, std::ptrdiff_t i) {
         first[d] = axis.cell_of(std::max(own.x[d] - reach, axis.node[0]));
         last[d] = axis.cell_of(std::min(own.x[d] + reach, axis.node[axis.cells]));
     }
-    for (int k = first[2]; k <= last[2]; ++k)
-        for (int j = first[1]; j <= last[1]; ++j)
-            for (int m = first[0]; m <= last[0]; ++m) {
-                std::ptrdiff_t other = first_in[static_cast<std::size_t>(grid.cell(m, j, k))];
-                for (; other >= 0; other = next[static_cast<std::size_t>(other)]) {
-                    const Covering& of = covering[static_cast<std::size_t>(other)];
-                    bool is_near = other != i;
-                    for (int d = 0; d < 3; ++d)
-                        is_near =
-                            is_near && std::fabs(of.x[d] - own.x[d]) <= of.extent[d] + about[d];
-                    if (is_near) neighbours.push_back(other);
-                }
+    const int rows = last_row[0] - first_row[0] + 1;
+    for (int z = std::max(first[2], first_row[1]); z <= std::min(last[2], last_row[1]); ++z)
+        for (int y = std::max(first[1], first_row[0]); y <= std::min(last[1], last_row[0]); ++y) {
+            const auto row = static_cast<std::size_t>((z - first_row[1]) * rows + y - first_row[0]);
+            const std::ptrdiff_t from = grid.cell(first[0], y, z), to = grid.cell(last[0], y, z);
+            for (std::ptrdiff_t k = first_of_row[row]; k < first_of_row[row + 1]; ++k) {
+                const std::ptrdiff_t other = by_cell[static_cast<std::size_t>(k)];
+                const std::ptrdiff_t cell = cell_of[static_cast<std::size_t>(other)];
+                if (cell < from || other == i) continue;
+                if (cell > to) break;
+                const Covering& of = covering[static_cast<std::size_t>(other)];
+                bool is_near = true;
+                for (int d = 0; d < 3; ++d)
+                    is_near = is_near && std::fabs(of.x[d] - own.x[d]) <= of.extent[d] + about[d];
+                if (is_near) neighbours.push_back(other);
             }
+        }
 }
 
 // Four places, each in the middle of a quarter of the face, outside along the other sides, as a neighbour that is skewed
@@ -180,7 +210,6 @@ void FreeFaces::find(const GridView& grid, const std::vector<NearDomain>& domain
                 if (is_free(domains[i], d, side)) add_face(domains[i], place, d, side, out);
     }
     join(out);
-    for (const std::ptrdiff_t cell : cell_of) first_in[static_cast<std::size_t>(cell)] = -1;
 }
 
 }  // namespace grit::mpm::space

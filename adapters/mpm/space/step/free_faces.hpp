@@ -38,9 +38,6 @@ struct NearDomain {
 
 class FreeFaces {
   public:
-    // cells: of the grid.
-    explicit FreeFaces(std::size_t cells) : first_in(cells, -1) {}
-
     // Faces of which neighbours leave a quarter open, a quarter of a width outside; corners that are near become one
     // vertex, at their mean. A face is four triangles around its middle, so that a pressure on it has a quarter of its force
     // at each corner, as the stress of the domain has. Depends on the order of the domains.
@@ -65,6 +62,7 @@ class FreeFaces {
         double place;  // along a direction in which few corners are alike
     };
     void list(const GridView& grid, const std::vector<NearDomain>& domains);
+    void sort_by_cells(const GridView& grid);
     void find_neighbours(const GridView& grid, std::ptrdiff_t i);
     bool is_free(const NearDomain& q, int direction, double side) const;
     void add_face(const NearDomain& q, std::ptrdiff_t i, int direction, double side,
@@ -72,8 +70,9 @@ class FreeFaces {
     std::ptrdiff_t root(std::ptrdiff_t corner);
     void join(TriangleMesh& out);
 
-    std::vector<std::ptrdiff_t> first_in;       // cell: a domain, -1: none
-    std::vector<std::ptrdiff_t> next, cell_of;  // of domains
+    // Domains by cells, and where rows of cells along x begin among them, for rows in a range along y and z.
+    std::vector<std::ptrdiff_t> cell_of, by_cell, first_of_row;
+    int first_row[2], last_row[2];
     std::vector<Covering> covering;
     Vector3 largest{0.0, 0.0, 0.0};
     std::vector<std::ptrdiff_t> neighbours;     // of the domain that is looked at

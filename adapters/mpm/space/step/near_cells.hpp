@@ -40,6 +40,32 @@ class NearCells {
         }
     }
     bool has(std::ptrdiff_t cell) const { return is_near[static_cast<std::size_t>(cell)] != 0; }
+    // Nodes that a domain in one of these cells may reach: of these cells and their neighbours, in no order.
+    template <class Take> void each_reached(const GridView& grid, const Take& take) {
+        reached.clear();
+        is_reached.resize(static_cast<std::size_t>(grid.nodes(0) * grid.nodes(1) * grid.nodes(2)));
+        for (const std::ptrdiff_t cell : cells) {
+            std::ptrdiff_t rest = cell, first[3], last[3];
+            for (int d = 0; d < 3; ++d) {
+                const std::ptrdiff_t i = rest % grid.axis[d].cells;
+                rest /= grid.axis[d].cells;
+                first[d] = std::max<std::ptrdiff_t>(i - 1, 0);
+                last[d] = std::min<std::ptrdiff_t>(i + 2, grid.axis[d].cells);
+            }
+            for (std::ptrdiff_t k = first[2]; k <= last[2]; ++k)
+                for (std::ptrdiff_t j = first[1]; j <= last[1]; ++j)
+                    for (std::ptrdiff_t i = first[0]; i <= last[0]; ++i) {
+                        const std::ptrdiff_t node = i + j * grid.step(1) + k * grid.step(2);
+                        char& is = is_reached[static_cast<std::size_t>(node)];
+                        if (!is) reached.push_back(node);
+                        is = 1;
+                    }
+        }
+        for (const std::ptrdiff_t node : reached) {
+            is_reached[static_cast<std::size_t>(node)] = 0;
+            take(node);
+        }
+    }
 
   private:
     void add(std::ptrdiff_t cell) {
@@ -49,8 +75,8 @@ class NearCells {
         cells.push_back(cell);
     }
 
-    std::vector<char> is_near;
-    std::vector<std::ptrdiff_t> cells;
+    std::vector<char> is_near, is_reached;  // of the cells, and, between calls none, of the nodes
+    std::vector<std::ptrdiff_t> cells, reached;
 };
 
 }  // namespace grit::mpm::space

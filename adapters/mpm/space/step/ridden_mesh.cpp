@@ -2,6 +2,7 @@
 #include "adapters/mpm/space/step/ridden_mesh.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
@@ -45,9 +46,27 @@ void divide(TriangleMesh& mesh, double longest) {
                 add(v[0], m[0], v[2]);
                 add(m[0], v[1], v[2]);
             } else if (count == 2) {
+                // What is left has four corners: parted along its shorter diagonal, as its mirror image is.
                 add(m[0], v[1], m[1]);
-                add(v[0], m[0], m[1]);
-                add(v[0], m[1], v[2]);
+                const double from_first = norm(mesh.vertex(m[1]) - mesh.vertex(v[0]));
+                const double from_last = norm(mesh.vertex(m[0]) - mesh.vertex(v[2]));
+                if (std::fabs(from_first - from_last) < 1e-9 * longest) {
+                    const Vector3 x = mesh.vertex(m[0]), y = mesh.vertex(m[1]);
+                    const Vector3 p = mesh.vertex(v[0]), q = mesh.vertex(v[2]);
+                    const std::ptrdiff_t centre = mesh.vertices();
+                    for (int k = 0; k < 3; ++k)
+                        mesh.position.push_back(0.25 * (x[k] + y[k] + p[k] + q[k]));
+                    add(v[0], m[0], centre);
+                    add(m[0], m[1], centre);
+                    add(m[1], v[2], centre);
+                    add(v[2], v[0], centre);
+                } else if (from_first < from_last) {
+                    add(v[0], m[0], m[1]);
+                    add(v[0], m[1], v[2]);
+                } else {
+                    add(v[0], m[0], v[2]);
+                    add(m[0], m[1], v[2]);
+                }
             } else {
                 add(v[0], m[0], m[2]);
                 add(m[0], v[1], m[1]);

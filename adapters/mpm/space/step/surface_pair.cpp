@@ -14,9 +14,6 @@ namespace {
 
 constexpr std::size_t of_a_cell = 8;
 constexpr std::size_t nodes_each = 4 * of_a_cell;  // of the middle of a face
-namespace number {
-enum : std::size_t { m, v, before = 4, size = 8 };
-}
 
 }  // namespace
 
@@ -28,29 +25,24 @@ SurfaceLaw surface_law(double friction_coefficient) {
     return law;
 }
 
-SurfacePair::SurfacePair(const SurfaceLaw& law, Model& model)
-    : pair_law(law), near(model.cells()), faces(model.cells()) {
+SurfacePair::SurfacePair(const SurfaceLaw& law, Model& model) : pair_law(law), zone(model) {
     Particles& of_a = model.parts[law.a].body.particles;
     if (law.mesh_a.facets() > 0)
         mesh_a = RiddenMesh(law.mesh_a, model.shortest, of_a.view(), of_a.size(), of_a.ids());
-    for (int side = 0; side < 6; ++side) is_held[side] = holds(model, side / 2, side % 2 == 1);
+    double is_free[6] = {};
+    for (std::size_t node = 0; node < model.nodes(); ++node)
+        for (int side = 0; side < 6; ++side)
+            if (zone.is_at_side(static_cast<std::ptrdiff_t>(node), side / 2, side % 2 == 1) &&
+                !(model.fixed_nodes[node] & fixed::along(side / 2)))
+                is_free[side] = 1.0;
+    model.exchange.max(is_free, 6);
+    for (int side = 0; side < 6; ++side) is_held[side] = is_free[side] == 0.0;
     forget();
 }
 
-// Whether a side of the grid holds all of its nodes across.
-bool SurfacePair::holds(const Model& model, int direction, bool last) {
-    const GridView grid = model.grid();
-    const std::ptrdiff_t wanted = last ? grid.axis[direction].cells : 0;
-    for (std::size_t node = 0; node < model.nodes(); ++node) {
-        const std::ptrdiff_t i =
-            static_cast<std::ptrdiff_t>(node) / grid.step(direction) % grid.nodes(direction);
-        if (i == wanted && !(model.fixed_nodes[node] & fixed::along(direction))) return false;
-    }
-    return true;
-}
-
 // In a plane of symmetry a surface has no other one opposite.
-void SurfacePair::leave_out_planes_of_symmetry(TriangleMesh& mesh, const GridView& grid) const {
+void SurfacePair::leave_out_planes_of_symmetry(TriangleMesh& mesh) const {
+    const GridView& grid = zone.whole_grid();
     std::size_t kept = 0;
     for (std::size_t f = 0; f < mesh.facet.size(); f += 3) {
         bool lies_in_one = false;
@@ -81,40 +73,24 @@ void SurfacePair::forget() {
     reports.clear();
 }
 
-// In the order of ids, however particles are sorted.
-void SurfacePair::find_mesh(int which, Part& part, const GridView& grid) {
-    Particles& particles = part.body.particles;
-    const ParticleView q = particles.view();
+void SurfacePair::find_mesh(int which, Part& part) {
     TriangleMesh& mesh = skins[which].mesh;
-    const auto is_near = [&](std::ptrdiff_t p) { return near.has(grid.cell_of(q.position(p))); };
-    if (which == 0 && !mesh_a.empty())
-        return mesh_a.place(
-            q,
-            [&](int id) {
-                const std::ptrdiff_t p = part.find(id);
-                return p >= 0 && is_near(p) ? p : -1;
-            },
-            mesh);
-    near_particles.clear();
-    for (std::ptrdiff_t p = 0; p < particles.size(); ++p)
-        if (is_near(p)) near_particles.push_back(p);
-    const int* ids = particles.ids();
-    std::sort(near_particles.begin(), near_particles.end(),
-              [ids](std::ptrdiff_t i, std::ptrdiff_t j) { return ids[i] < ids[j]; });
-    domains.clear();
-    for (const std::ptrdiff_t p : near_particles) {
-        const baseline::Place place = baseline::place_of(grid, q, p);
-        const Vector3* r = place.domain.r;
-        domains.push_back({place.at, {r[0], r[1], r[2]}});
-    }
-    faces.find(grid, domains, mesh);
+    if (!rides(which)) return faces.find(zone.whole_grid(), zone.domains(which), mesh);
+    const ParticleView q = part.body.particles.view();
+    mesh_a.place(
+        q,
+        [&](int id) {
+            const std::ptrdiff_t p = part.find(id);
+            return p >= 0 && zone.has(q.position(p)) ? p : -1;
+        },
+        mesh);
 }
 
 // Weights of the vertices at the nodes that the body has mass at. Facets whose vertices have none are left out.
-void SurfacePair::find_nodes(Skin& skin, const Part& part, const Model& model) {
+void SurfacePair::find_nodes(int which, const Part& part) {
+    Skin& skin = skins[which];
     const auto vertices = static_cast<std::size_t>(skin.mesh.vertices());
     skin.velocity.clear();
-    skin.places.clear();
     if (part.body.rigid()) {
         for (std::size_t v = 0; v < vertices; ++v) {
             const Vector3 u =
@@ -123,7 +99,7 @@ void SurfacePair::find_nodes(Skin& skin, const Part& part, const Model& model) {
         }
         return;
     }
-    const GridView grid = model.grid();
+    const GridView& grid = zone.whole_grid();
     skin.node.assign(nodes_each * vertices, 0);
     skin.weight.assign(nodes_each * vertices, 0.0);
     skin.is_lost.resize(vertices);
@@ -135,21 +111,17 @@ void SurfacePair::find_nodes(Skin& skin, const Part& part, const Model& model) {
             x[d] = std::clamp(x[d], axis.node[0], axis.node[axis.cells]);
         }
         const GridPoint at = grid_point(grid, x);
-        double sum = 0.0;
+        std::ptrdiff_t* node = &skin.node[nodes_each * v];
+        double *weight = &skin.weight[nodes_each * v], sum = 0.0;
         for (std::size_t i = 0; i < of_a_cell; ++i) {
-            const auto node = static_cast<std::size_t>(at.node[i]);
-            const bool has_mass = part.records[node][record::m] > part.least_mass;
-            const double weight = has_mass ? std::clamp(at.N[i], 0.0, 1.0) : 0.0;
-            skin.node[nodes_each * v + i] = at.node[i];
-            skin.weight[nodes_each * v + i] = weight;
-            sum += weight;
+            const std::ptrdiff_t place = zone.place_of(which, at.node[i]);
+            node[i] = std::max<std::ptrdiff_t>(place, 0);
+            weight[i] = place < 0 ? 0.0 : std::clamp(at.N[i], 0.0, 1.0);
+            sum += weight[i];
         }
         skin.is_lost[v] = !(sum > 1e-3);
-        for (std::size_t i = 0; i < of_a_cell; ++i) {
-            double& weight = skin.weight[nodes_each * v + i];
-            weight = skin.is_lost[v] ? 0.0 : weight / sum;
-            if (weight > 0.0) skin.places.push_back(skin.node[nodes_each * v + i]);
-        }
+        for (std::size_t i = 0; i < of_a_cell; ++i)
+            weight[i] = skin.is_lost[v] ? 0.0 : weight[i] / sum;
     }
     for (std::size_t v = corners; v < vertices; ++v) {
         skin.is_lost[v] = 0;
@@ -164,26 +136,6 @@ void SurfacePair::find_nodes(Skin& skin, const Part& part, const Model& model) {
         }
     }
     keep_facets(skin);
-    std::sort(skin.places.begin(), skin.places.end());
-    skin.places.erase(std::unique(skin.places.begin(), skin.places.end()), skin.places.end());
-    skin.numbers.assign(number::size * skin.places.size(), 0.0);
-    skin.fixed.assign(skin.places.size(), 0);
-    for (std::size_t i = 0; i < skin.places.size(); ++i) {
-        const auto node = static_cast<std::size_t>(skin.places[i]);
-        double* to = &skin.numbers[number::size * i];
-        to[number::m] = part.records[node][record::m];
-        std::copy_n(part.motions[node].value, 3, to + number::v);
-        std::copy_n(part.motions[node].value + motion::other_x, 3, to + number::before);
-        for (int d = 0; d < 3; ++d)
-            if (model.fixed_nodes[node] & fixed::along(d)) skin.fixed[i] |= 1 << d;
-    }
-    for (std::size_t k = 0; k < skin.node.size(); ++k) {
-        std::ptrdiff_t& node = skin.node[k];
-        node = skin.weight[k] > 0.0
-                   ? std::lower_bound(skin.places.begin(), skin.places.end(), node) -
-                         skin.places.begin()
-                   : 0;
-    }
 }
 
 void SurfacePair::keep_facets(Skin& skin) {
@@ -202,7 +154,8 @@ void SurfacePair::keep_facets(Skin& skin) {
 }
 
 // By the cells along each facet of a, so that cells elsewhere do not matter.
-void SurfacePair::find_spacing(const GridView& grid) {
+void SurfacePair::find_spacing() {
+    const GridView& grid = zone.whole_grid();
     const TriangleMesh& mesh = skins[0].mesh;
     double least = std::numeric_limits<double>::infinity();
     spacing.clear();
@@ -241,12 +194,12 @@ grit_surface SurfacePair::surface(int which, bool rigid) {
     }
     s.node = skin.node.data();
     s.weight = skin.weight.data();
-    s.nodes = static_cast<std::ptrdiff_t>(skin.places.size());
-    double* numbers = skin.numbers.data();
-    s.mass = grit_view_of(numbers + number::m, number::size, 1);
-    s.fixed = skin.fixed.data();
-    s.velocity = grit_mutable_view_of(numbers + number::v, number::size, 1);
-    s.previous_velocity = grit_view_of(numbers + number::before, number::size, 1);
+    s.nodes = static_cast<std::ptrdiff_t>(zone.nodes(which));
+    double* values = zone.values(which);
+    s.mass = grit_view_of(values + near_node::m, near_node::size, 1);
+    s.fixed = zone.fixed(which);
+    s.velocity = grit_mutable_view_of(values + near_node::v, near_node::size, 1);
+    s.previous_velocity = grit_view_of(values + near_node::before, near_node::size, 1);
     return s;
 }
 
@@ -295,33 +248,24 @@ void SurfacePair::add_up(const grit_surface_totals& totals) {
     }
 }
 
-void SurfacePair::write_back(Model& model) const {
-    for (const int which : {0, 1}) {
-        Part& part = model.parts[which == 0 ? pair_law.a : pair_law.b];
-        const Skin& skin = skins[which];
-        for (std::size_t i = 0; i < skin.places.size(); ++i)
-            std::copy_n(&skin.numbers[number::size * i + number::v], 3,
-                        part.motions[static_cast<std::size_t>(skin.places[i])].value);
-    }
-}
-
 void SurfacePair::correct(Model& model) {
     forget();
-    Part* of[2] = {&model.parts[pair_law.a], &model.parts[pair_law.b]};
-    find_shared_nodes(*of[0], *of[1], shared);
-    if (shared.empty()) return;
-    const GridView grid = model.grid();
-    near.find(grid, shared);
+    Part &a = model.parts[pair_law.a], &b = model.parts[pair_law.b];
+    double is_near = zone.find(a, b) ? 1.0 : 0.0;  // of any process
+    model.exchange.max(&is_near, 1);
+    if (is_near == 0.0) return;
+    zone.gather(model, {&a, &b}, {rides(0) ? nullptr : &a, &b});
     for (const int k : {0, 1}) {
-        find_mesh(k, *of[k], grid);
-        leave_out_planes_of_symmetry(skins[k].mesh, grid);
-        find_nodes(skins[k], *of[k], model);
+        find_mesh(k, k == 0 ? a : b);
+        leave_out_planes_of_symmetry(skins[k].mesh);
+        find_nodes(k, k == 0 ? a : b);
         if (skins[k].mesh.facets() == 0) return;
     }
-    find_spacing(grid);
+    find_spacing();
     pair_law.options.time_step = model.dt;
-    solve(surface(0, of[0]->body.rigid()), surface(1, of[1]->body.rigid()));
-    write_back(model);
+    solve(surface(0, a.body.rigid()), surface(1, b.body.rigid()));
+    zone.write(0, a);
+    zone.write(1, b);
 }
 
 Twist SurfacePair::impulse_on(std::size_t body, const Vector3& about) const {

@@ -9,7 +9,7 @@
 #include <grit/contact_surface.h>
 
 #include "adapters/mpm/space/step/contact_pair.hpp"
-#include "adapters/mpm/space/step/near_cells.hpp"
+#include "adapters/mpm/space/step/contact_zone.hpp"
 #include "adapters/mpm/space/step/ridden_mesh.hpp"
 #include "adapters/mpm/step/sweeps.hpp"
 
@@ -61,36 +61,30 @@ class SurfacePair {
     }
 
   private:
-    // Of a body where the other one is near: its surface, and the nodes that move it.
+    // Of a body where the other one is near: its surface, and the nodes of the zone that move it.
     struct Skin {
         TriangleMesh mesh;
         std::vector<double> weight, velocity;
         std::vector<std::ptrdiff_t> node;
-        std::vector<char> is_lost;           // vertices that no node moves
-        std::vector<std::ptrdiff_t> places;  // nodes of the grid, ascending
-        std::vector<double> numbers;         // of these: mass, velocities now and before
-        std::vector<int> fixed;
+        std::vector<char> is_lost;  // vertices that no node moves
     };
-    static bool holds(const Model& model, int direction, bool last);
-    void leave_out_planes_of_symmetry(TriangleMesh& mesh, const GridView& grid) const;
+    // Its surface is mesh_a; there is one process then.
+    bool rides(int which) const { return which == 0 && !mesh_a.empty(); }
+    void leave_out_planes_of_symmetry(TriangleMesh& mesh) const;
     void forget();
-    void find_mesh(int which, Part& part, const GridView& grid);
-    void find_nodes(Skin& skin, const Part& part, const Model& model);
+    void find_mesh(int which, Part& part);
+    void find_nodes(int which, const Part& part);
     static void keep_facets(Skin& skin);
-    void find_spacing(const GridView& grid);
+    void find_spacing();
     grit_surface surface(int which, bool rigid);
     void solve(const grit_surface& a, const grit_surface& b);
-    void write_back(Model& model) const;
     void add_up(const grit_surface_totals& totals);
 
     SurfaceLaw pair_law;
     RiddenMesh mesh_a;
     bool is_held[6] = {};  // sides of the grid: no velocity across
-    std::vector<std::ptrdiff_t> shared;
-    NearCells near;
+    ContactZone zone;
     FreeFaces faces;
-    std::vector<std::ptrdiff_t> near_particles;
-    std::vector<NearDomain> domains;
     Skin skins[2];
     std::vector<double> spacing;  // [facets of a] of what carries the pressure [m]
     std::vector<std::uint64_t> workspace;

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where two bodies may touch in space, of all processes that share the grid: the domains of the particles there, and
+// the nodes that move them. Every process has all of it, in the same order and with the same bits, however the grid
+// is cut.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "adapters/mpm/kernel/exchange.hpp"
+#include "adapters/mpm/space/step/free_faces.hpp"
+#include "adapters/mpm/space/step/near_cells.hpp"
+
+namespace grit::mpm::space {
+
+// The grid of all processes, and which of its nodes is the first one here.
+struct WholeGrid {
+    GridView grid;
+    int first[3] = {0, 0, 0};
+
+    WholeGrid(const GridView& here, const WholeAxes* whole) : grid(here) {
+        for (int d = 0; whole && d < 3; ++d) {
+            grid.axis[d] = whole->axis[d];
+            first[d] = whole->first[d];
+        }
+    }
+};
+
+namespace near_node {
+enum : std::size_t { m, v, before = 4, fixed = 7, size = 8 };
+}  // namespace near_node
+
+class ContactZone {
+  public:
+    explicit ContactZone(const Model& model);
+
+    // False where no node of this process is reached by both.
+    bool find(const Part& a, const Part& b);
+    // After find, by all processes if one of them has found something. domains_of: null for a body whose own are not asked for.
+    void gather(const Model& model, const std::array<Part*, 2>& bodies,
+                const std::array<Part*, 2>& domains_of);
+    // Whether a particle of this process is near.
+    bool has(const Vector3& at) const { return near.has(here.cell_of(at)); }
+
+    const GridView& whole_grid() const { return whole.grid; }
+    // Whether a node of this process is the first or the last one of the whole grid along a direction.
+    bool is_at_side(std::ptrdiff_t node, int direction, bool last) const {
+        const std::ptrdiff_t along =
+            node / here.step(direction) % here.nodes(direction) + whole.first[direction];
+        return along == (last ? whole.grid.nodes(direction) - 1 : 0);
+    }
+    // Of body 0 or 1, in the order of the particles' ids.
+    const std::vector<NearDomain>& domains(int body) const { return of[body].domains; }
+    // By their numbers in the whole grid; of a rigid body there are none.
+    std::size_t nodes(int body) const { return of[body].number.size(); }
+    double* values(int body) { return of[body].values.data(); }        // [nodes][near_node::size]
+    const int* fixed(int body) const { return of[body].held.data(); }  // [nodes] bits of components
+    // Of a node of the whole grid among those of a body; -1: it has no mass there.
+    std::ptrdiff_t place_of(int body, std::ptrdiff_t node) const;
+    // The velocities of its nodes, to those that are here.
+    void write(int body, Part& to) const;
+
+  private:
+    struct OfBody {
+        std::vector<NearDomain> domains;
+        std::vector<std::ptrdiff_t> number;
+        std::vector<double> values;
+        std::vector<int> held;
+    };
+    void add_domains(Part& part, int body);
+    void add_nodes(const Model& model, const Part& part, int body);
+    void unpack(int body);
+    std::span<const KeyedNumbers> items_of(int part) const;
+
+    GridView here;
+    WholeGrid whole;
+    NearCells near;
+    std::vector<std::ptrdiff_t> shared;
+    std::vector<KeyedNumbers> items;
+    OfBody of[2];
+};
+
+}  // namespace grit::mpm::space
