@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <numeric>
 
 #include "support/meeting_grids.hpp"
 
@@ -607,6 +608,87 @@ TEST(SurfaceContact, InSpaceIsNotDisturbedBySlivers) {
     }
     EXPECT_GT(impulse[0], 0.5);
     EXPECT_NEAR(impulse[1], impulse[0], 1e-3 * impulse[0]);
+}
+
+// Vertices and facets in another order, and facets from another corner on.
+void shuffle(GridBody& body, std::mt19937_64& random) {
+    const auto n = body.vertices(), each = static_cast<std::size_t>(body.corners());
+    std::vector<std::size_t> order(n);
+    std::iota(order.begin(), order.end(), 0);
+    std::shuffle(order.begin(), order.end(), random);
+    const GridBody before = body;
+    std::vector<std::ptrdiff_t> now(n);
+    for (std::size_t v = 0; v < n; ++v) {
+        const std::size_t old = order[v];
+        now[old] = static_cast<std::ptrdiff_t>(v);
+        for (std::size_t c = 0; c < 3; ++c) body.position[3 * v + c] = before.position[3 * old + c];
+        for (std::size_t k = 0; k < each; ++k) {
+            body.node[each * v + k] = before.node[each * old + k];
+            body.weight[each * v + k] = before.weight[each * old + k];
+        }
+    }
+    std::vector<std::array<std::ptrdiff_t, 3>> facets;
+    for (std::size_t f = 0; f < body.facet.size(); f += 3) {
+        std::array<std::ptrdiff_t, 3> corners{};
+        for (std::size_t k = 0; k < 3; ++k)
+            corners[k] = now[static_cast<std::size_t>(before.facet[f + k])];
+        std::rotate(corners.begin(), corners.begin() + static_cast<int>(random() % 3),
+                    corners.end());
+        facets.push_back(corners);
+    }
+    std::shuffle(facets.begin(), facets.end(), random);
+    for (std::size_t f = 0; f < facets.size(); ++f)
+        std::copy(facets[f].begin(), facets[f].end(),
+                  body.facet.begin() + 3 * static_cast<std::ptrdiff_t>(f));
+}
+
+// What is its own mirror image about the diagonal of the first two directions stays so, whatever the order of its parts.
+TEST(SurfaceContact, InSpaceIsTheSameOnBothSidesOfAMirror) {
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+        std::mt19937_64 random(seed);
+        const auto dice = [&](double low, double high) {
+            return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
+        };
+        const double phase = dice(0.0, 6.0);
+        const auto wave = [&](double x, double y) {
+            return 3.4 + 0.2 * std::sin(0.8 * (x + y) + phase) * std::cos(0.6 * (x - y));
+        };
+        GridBody a, b;
+        a.components = b.components = 3;
+        add_face(a, false, 0.5, 6.5, 6, wave);
+        // Alike, so that corners and sides of the one lie on sides of the other; or not.
+        if (seed % 3 == 0) add_face(b, true, 0.5, 6.5, 12, wave);
+        else add_face(b, true, dice(0.1, 0.4), dice(6.0, 6.8), 5, wave);
+        const std::ptrdiff_t size = a.size;
+        const auto mirror = [size](std::ptrdiff_t node) {
+            const std::ptrdiff_t i = node % size, j = node / size % size;
+            return static_cast<std::size_t>(node - i - j * size + j + i * size);
+        };
+        for (GridBody* body : {&a, &b}) {
+            body->fill(random, 1.0, 1.0);
+            for (std::ptrdiff_t node = 0; node < body->nodes(); ++node) {
+                const std::size_t to = mirror(node), from = static_cast<std::size_t>(node);
+                body->mass[to] = body->mass[from];
+                body->v[3 * to] = body->v[3 * from + 1];
+                body->v[3 * to + 1] = body->v[3 * from];
+                body->v[3 * to + 2] = body->v[3 * from + 2];
+                if (to == from) body->v[3 * to] = body->v[3 * to + 1];
+            }
+            shuffle(*body, random);
+        }
+        SurfaceCall call(3, 0.3);
+        call.options.spacing = dice(1.0, 2.5);
+        ASSERT_EQ(call(a, b), GRIT_OK) << call.error.message;
+        EXPECT_LT(call.totals.sweeps, call.options.sweep_limit);
+        EXPECT_GT(call.totals.normal_impulse, 0.0);
+        for (const GridBody* body : {&a, &b})
+            for (std::ptrdiff_t node = 0; node < body->nodes(); ++node)
+                for (std::size_t c = 0; c < 3; ++c)
+                    ASSERT_NEAR(body->v[3 * mirror(node) + c],
+                                body->v[3 * static_cast<std::size_t>(node) + (c < 2 ? 1 - c : 2)],
+                                1e-10)
+                        << seed << ' ' << node << ' ' << c;
+    }
 }
 
 // A round pile thinner than the spacing: its normals turn by more than a right angle around a point of pressure.

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 #include <adapters/mpm/space/kernel/place.hpp>
@@ -156,6 +158,37 @@ TEST(RiddenMesh, MovesAsTheParticlesThatItsVerticesWereNearestToAndHasNoLongEdge
         q, [](int id) { return std::ptrdiff_t{id == 0 ? 0 : -1}; }, now);
     EXPECT_LT(now.facets(), all);
     EXPECT_GT(now.facets(), 0);
+}
+
+// Where two edges of a triangle are halved, what is left of it is parted as its mirror image is; sides alike, and not.
+TEST(RiddenMesh, IsDividedAlikeOnBothSidesOfAMirror) {
+    Particles particles;
+    particles.add({{0.5, 0.5, 0.5}, {0.5, 0.5, 0.5}, 1.0});
+    for (const double longest : {1.9, 1.1, 0.7, 0.35}) {
+        TriangleMesh tetrahedron;
+        tetrahedron.position = {0.0, 0.0, 0.0, 2.0, 0.3, 0.0, 0.3, 2.0, 0.0, 0.2, 0.2, 1.0};
+        tetrahedron.facet = {0, 2, 1, 0, 1, 3, 3, 2, 0, 2, 3, 1};
+        const RiddenMesh mesh(tetrahedron, longest, particles.view(), 1, particles.ids());
+        TriangleMesh now;
+        mesh.place(
+            particles.view(), [](int) { return std::ptrdiff_t{0}; }, now);
+        EXPECT_EQ(Measures(now).open, 0);
+        using Corner = std::array<long, 3>;
+        std::set<std::set<Corner>> facets, images;
+        for (std::ptrdiff_t f = 0; f < now.facets(); ++f) {
+            std::set<Corner> own, image;
+            for (int k = 0; k < 3; ++k) {
+                const Vector3 x = now.corner(f, k);
+                const long u = std::lround(1e9 * x[0]), v = std::lround(1e9 * x[1]),
+                           w = std::lround(1e9 * x[2]);
+                own.insert({u, v, w});
+                image.insert({v, u, w});
+            }
+            facets.insert(own);
+            images.insert(image);
+        }
+        EXPECT_EQ(facets, images) << longest;
+    }
 }
 
 TEST(SpaceSurfaceContact, PressesEveryParticleAlikeWhereverTheInterfaceIs) {
