@@ -27,9 +27,10 @@ struct Cells {
 };
 
 inline std::string trimmed(const std::string& text) {
-    const auto first = text.find_first_not_of(" \t\r\"");
+    constexpr const char* blank = " \t\v\f\r\"";
+    const auto first = text.find_first_not_of(blank);
     if (first == std::string::npos) return "";
-    return text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1);
+    return text.substr(first, text.find_last_not_of(blank) - first + 1);
 }
 
 inline std::vector<std::string> cells_of(const std::string& line) {

@@ -33,6 +33,13 @@ class CsvFiles : public testing::Test {
     fs::path folder;
 };
 
+// Blanks of every kind make no row, and no cell.
+TEST_F(CsvFiles, HaveNoRowOnALineOfOddBlanks) {
+    const auto table = grit::csv::read_numbers(file("a,\vb\f\n\v\n \t\f\v\r\n1,2\n"));
+    EXPECT_EQ(table.names, (std::vector<std::string>{"a", "b"}));
+    EXPECT_EQ(table.rows.size(), 1u);
+}
+
 TEST_F(CsvFiles, HaveNamesUnitsAndRowsBesideComments) {
     const auto table =
         grit::csv::read_numbers(file("\xEF\xBB\xBF# of a machine\r\ntime [s], \"p\" ,f "
