@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "contact/surface/ascending.hpp"
 #include "contact/surface/facets.hpp"
@@ -236,7 +237,7 @@ template <int C> class Pressures {
         }
     };
     // In space: all vertices that have none near yet, the rims of stretches first, what is far from the middle before what is
-    // nearer. Of vertices that are like each other and near each other none, unless nothing else is near.
+    // nearer. Of vertices that are like each other and near each other none, unless nothing else is near: then the first one.
     void spread_points() {
         auto* candidate = arena.take<Candidate>(C * facets);
         auto* middle = arena.take<Vector<double, C>>(facets);
@@ -251,6 +252,7 @@ template <int C> class Pressures {
                 middle[stretch[f]] = middle[stretch[f]] + facet.size / C * facet.x[i];
         }
         std::ptrdiff_t n = 0;
+        double least_spacing = std::numeric_limits<double>::infinity();
         each_ridge([&](const Corner* first, const Corner* last) {
             const std::ptrdiff_t of = first->stretch;
             Candidate& c = candidate[n++];
@@ -264,9 +266,12 @@ template <int C> class Pressures {
             c.key[0] = norm(away);
             for (int i = 0; i < C; ++i) c.key[1 + i] = std::fabs(away[i]);
             std::sort(c.key + 1, c.key + 1 + C, std::greater<>());
-            // By less than roundoff they do not differ.
-            for (double& each : c.key) each = std::floor(each / (1e-7 * c.spacing) + 0.3);
+            least_spacing = std::min(least_spacing, c.spacing);
         });
+        // Places that are farther apart than what sweeps leave of a symmetry.
+        for (std::ptrdiff_t i = 0; i < n; ++i)
+            for (double& each : candidate[i].key)
+                each = std::floor(1e4 * (each / least_spacing) + 0.3);
         sort_ascending(candidate, candidate + n);
         for (std::ptrdiff_t i = 0; i < n; ++i) {
             is_near[i] = false;
@@ -279,6 +284,9 @@ template <int C> class Pressures {
             const double length = norm(v);  // 0 where no facet has a size
             return length > 0.0 ? v / length : v;
         };
+        constexpr struct {
+            bool rim, alone;
+        } passes[] = {{true, true}, {true, false}, {false, true}, {false, false}};
         const auto each_near = [&](std::ptrdiff_t i, const auto& take) {
             const double least = candidate[i].spacing * (1.0 - 1e-9);
             tree.each(boxes[i].grown(least), [&](std::ptrdiff_t k) {
@@ -287,15 +295,16 @@ template <int C> class Pressures {
                     take(k);
             });
         };
-        for (const bool alone : {true, false})
+        for (const auto& [rim, alone] : passes)
             for (std::ptrdiff_t i = 0; i < n; ++i) {
+                if (is_near[i] || candidate[i].is_rim != rim) continue;
                 const Candidate& c = candidate[i];
                 bool is_alone = true;
                 if (alone)
                     each_near(i, [&](std::ptrdiff_t k) {
                         is_alone = is_alone && (k == i || !candidate[k].is_like(c));
                     });
-                if (is_near[i] || !is_alone) continue;
+                if (!is_alone) continue;
                 point[count++] = {c.x, unit(c.n), c.stretch, c.spacing};
                 is_near[i] = true;
                 each_near(i, [&](std::ptrdiff_t k) { is_near[k] = true; });

@@ -287,13 +287,34 @@ TEST(SpaceRun, GoesOnFromACheckpointWithTheBitsOfOneThatNeverStopped) {
     }
 }
 
+TEST(SpaceRun, SweepsPressuresAsFarAsTheCaseSays) {
+    long sweeps[2];
+    for (const bool fine : {false, true}) {
+        mpm::Case plan = stamp();
+        plan.contacts[0].at_surfaces = true;
+        plan.contacts[0].sweep_tolerance = fine ? 1e-13 : 1e-2;
+        mpm::Runner run(plan);
+        for (int i = 0; i < 5; ++i) run.step();
+        sweeps[fine] = run.space()->surface_contact(0).sweeps().all;
+    }
+    EXPECT_GT(sweeps[0], 0);
+    EXPECT_GT(sweeps[1], 2 * sweeps[0]);
+}
+
 TEST(SpaceRun, RefusesTheCheckpointOfAnotherCase) {
-    mpm::Case rough = stamp(), freed = stamp();
+    struct Pair {
+        mpm::Case of, other;
+        const char* what;
+    };
+    mpm::Case rough = stamp(), freed = stamp(), surface = stamp(), finer = stamp();
+    for (mpm::Case* plan : {&surface, &finer}) plan->contacts[0].at_surfaces = true;
+    finer.contacts[0].sweep_tolerance = 1e-9;
     rough.contacts[0].friction_coefficient = 0.4;
     std::get<mpm::RigidPlan>(freed.bodies[1].material).free[2] = true;
-    for (const auto& [other, what] :
-         {std::pair{&rough, "friction coefficient"}, std::pair{&freed, "free"}}) {
-        mpm::Runner one(stamp()), another(*other);
+    for (const auto& [of, other, what] :
+         {Pair{stamp(), rough, "friction coefficient"}, Pair{stamp(), freed, "free"},
+          Pair{surface, finer, "sweeps to"}}) {
+        mpm::Runner one(of), another(other);
         std::istringstream in(saved(one));
         try {
             another.subject().restore(in, mpm::OtherBits::refused);

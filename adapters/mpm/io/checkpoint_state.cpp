@@ -75,7 +75,7 @@ void contact_words(const Simulation& s, std::ostream& out) {
             << ", friction coefficient " << law.options.friction_coefficient;
         if (law.spacing != SurfaceLaw{}.spacing)
             out << ", pressures " << law.spacing << " cells apart";
-        out << word_of_layer(law.options);
+        out << word_of_surface(law.options);
         if (law.after_damping) out << ", after damping too";
         if (!law.line_a.points.empty()) out << (law.line_a.closed ? ", closed line" : ", line");
         for (const Vector2& x : law.line_a.points) out << ' ' << x[0] << ' ' << x[1];
@@ -119,12 +119,16 @@ std::string word_of_contact(const ContactLaw& law) {
     return out.str();
 }
 
-std::string word_of_layer(const grit_surface_options& options) {
+std::string word_of_surface(const grit_surface_options& options) {
+    grit_surface_options usual;
+    grit_surface_options_init(&usual, sizeof usual);
     std::ostringstream out;
     out.precision(17);
     if (options.contact_stiffness > 0.0)
         out << ", stiffness " << options.contact_stiffness << " Pa/m, relaxation time "
             << options.relaxation_time << " s";
+    if (options.sweep_tolerance != usual.sweep_tolerance)
+        out << ", sweeps to " << options.sweep_tolerance;
     return out.str();
 }
 

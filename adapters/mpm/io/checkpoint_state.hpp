@@ -16,7 +16,7 @@ std::string word_of_axis(const Axis& axis);
 std::string word_of_body(const std::string& name, bool rigid, const ParticleColumns& particles,
                          int mass_column);
 std::string word_of_contact(const ContactLaw& law);
-std::string word_of_layer(const grit_surface_options& options);
+std::string word_of_surface(const grit_surface_options& options);
 
 // Of a simulation that has visit and index_ids.
 template <class Simulated> std::string state_bytes(const Simulated& simulation) {

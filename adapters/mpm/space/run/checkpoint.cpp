@@ -48,7 +48,7 @@ std::string words_of(const Simulation& s) {
         const std::vector<double>& mesh = law.mesh_a.position;
         out << "surface contact " << i << ": bodies " << law.a << " and " << law.b
             << ", friction coefficient " << law.options.friction_coefficient << ", pressures "
-            << law.spacing << " cells apart" << word_of_layer(law.options) << ", mesh of "
+            << law.spacing << " cells apart" << word_of_surface(law.options) << ", mesh of "
             << law.mesh_a.facets() << " triangles, checksum "
             << checksum(mesh.data(), mesh.size() * sizeof(double)) << '\n';
     }

@@ -85,15 +85,19 @@ void FreeFaces::find_neighbours(const GridView& grid, std::ptrdiff_t i) {
         last[d] = axis.cell_of(std::min(own.x[d] + reach, axis.node[axis.cells]));
     }
     const int rows = last_row[0] - first_row[0] + 1;
+    const auto is_before = [this](std::ptrdiff_t domain, std::ptrdiff_t cell) {
+        return cell_of[static_cast<std::size_t>(domain)] < cell;
+    };
     for (int z = std::max(first[2], first_row[1]); z <= std::min(last[2], last_row[1]); ++z)
         for (int y = std::max(first[1], first_row[0]); y <= std::min(last[1], last_row[0]); ++y) {
             const auto row = static_cast<std::size_t>((z - first_row[1]) * rows + y - first_row[0]);
             const std::ptrdiff_t from = grid.cell(first[0], y, z), to = grid.cell(last[0], y, z);
-            for (std::ptrdiff_t k = first_of_row[row]; k < first_of_row[row + 1]; ++k) {
-                const std::ptrdiff_t other = by_cell[static_cast<std::size_t>(k)];
-                const std::ptrdiff_t cell = cell_of[static_cast<std::size_t>(other)];
-                if (cell < from || other == i) continue;
-                if (cell > to) break;
+            const auto end = by_cell.begin() + first_of_row[row + 1];
+            for (auto at =
+                     std::lower_bound(by_cell.begin() + first_of_row[row], end, from, is_before);
+                 at != end && cell_of[static_cast<std::size_t>(*at)] <= to; ++at) {
+                const std::ptrdiff_t other = *at;
+                if (other == i) continue;
                 const Covering& of = covering[static_cast<std::size_t>(other)];
                 bool is_near = true;
                 for (int d = 0; d < 3; ++d)

@@ -75,7 +75,8 @@ class NearCells {
         cells.push_back(cell);
     }
 
-    std::vector<char> is_near, is_reached;  // of the cells, and, between calls none, of the nodes
+    std::vector<char> is_near;     // [cells of the grid]
+    std::vector<char> is_reached;  // [nodes] 0 between calls
     std::vector<std::ptrdiff_t> cells, reached;
 };
 

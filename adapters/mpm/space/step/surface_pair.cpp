@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "adapters/mpm/space/kernel/place.hpp"
 #include "adapters/mpm/space/step/grid_point.hpp"
@@ -27,6 +28,10 @@ SurfaceLaw surface_law(double friction_coefficient) {
 
 SurfacePair::SurfacePair(const SurfaceLaw& law, Model& model) : pair_law(law), zone(model) {
     Particles& of_a = model.parts[law.a].body.particles;
+    if (law.mesh_a.facets() > 0 && model.exchange.whole())
+        throw std::invalid_argument(
+            "a surface of triangles is for one process: its vertices ride on "
+            "particles of all of them");
     if (law.mesh_a.facets() > 0)
         mesh_a = RiddenMesh(law.mesh_a, model.shortest, of_a.view(), of_a.size(), of_a.ids());
     double is_free[6] = {};
