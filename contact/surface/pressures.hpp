@@ -2,7 +2,7 @@
 // The points of a surface that carry its pressure, (V2): some of its vertices. A stretch is what hangs together and
 // turns by less than 30 degrees from facet to facet; in the plane it is parted into equal lengths, as near to the
 // spacing as they go, counted in spacings where these change, but for what lies next to its ends, which may be longer;
-// in space no point of it is nearer to another than its spacing, its rim comes first.
+// in space no point of it is nearer to another than its spacing, its rim comes first but for what waits.
 #pragma once
 
 #include <algorithm>
@@ -237,7 +237,7 @@ template <int C> class Pressures {
         }
     };
     // In space: all vertices that have none near yet, the rims of stretches first, what is far from the middle before what is
-    // nearer. Of vertices that are like each other and near each other none, unless nothing else is near: then the first one.
+    // nearer. Vertices that are like each other and near each other wait until all others have been asked, then the first one is taken.
     void spread_points() {
         auto* candidate = arena.take<Candidate>(C * facets);
         auto* middle = arena.take<Vector<double, C>>(facets);
@@ -268,10 +268,10 @@ template <int C> class Pressures {
             std::sort(c.key + 1, c.key + 1 + C, std::greater<>());
             least_spacing = std::min(least_spacing, c.spacing);
         });
-        // Places that are farther apart than what sweeps leave of a symmetry.
+        // By more than roundoff, and no more: what is nearly alike besides, as above and below the middle, would wait for nothing.
         for (std::ptrdiff_t i = 0; i < n; ++i)
             for (double& each : candidate[i].key)
-                each = std::floor(1e4 * (each / least_spacing) + 0.3);
+                each = std::floor(1e7 * (each / least_spacing) + 0.3);
         sort_ascending(candidate, candidate + n);
         for (std::ptrdiff_t i = 0; i < n; ++i) {
             is_near[i] = false;
@@ -284,9 +284,6 @@ template <int C> class Pressures {
             const double length = norm(v);  // 0 where no facet has a size
             return length > 0.0 ? v / length : v;
         };
-        constexpr struct {
-            bool rim, alone;
-        } passes[] = {{true, true}, {true, false}, {false, true}, {false, false}};
         const auto each_near = [&](std::ptrdiff_t i, const auto& take) {
             const double least = candidate[i].spacing * (1.0 - 1e-9);
             tree.each(boxes[i].grown(least), [&](std::ptrdiff_t k) {
@@ -295,9 +292,9 @@ template <int C> class Pressures {
                     take(k);
             });
         };
-        for (const auto& [rim, alone] : passes)
+        for (const bool alone : {true, false})
             for (std::ptrdiff_t i = 0; i < n; ++i) {
-                if (is_near[i] || candidate[i].is_rim != rim) continue;
+                if (is_near[i]) continue;
                 const Candidate& c = candidate[i];
                 bool is_alone = true;
                 if (alone)
