@@ -7,6 +7,7 @@
 
 #include "support/block.hpp"
 #include "support/both_hosts.hpp"
+#include "support/ground.hpp"
 
 namespace {
 
@@ -15,27 +16,14 @@ class LammpsSurfaces : public ::testing::Test {
     // material: of the ground, up to 15.5 m. block: from r, to r.
     static std::string case_with(const std::string& material,
                                  const std::string& block = "9.5, 13") {
-        std::string text = block_case("2.5, -2", "0.5", R"([[body]]
-name = "ground"
-density_kg_per_m3 = 1500
-[[body.box]]
-r_m = [5.25, 15.5]
-z_m = [8, 12]
-)" + material + R"(
-[[contact]]
-stiff = "ground"
-soft = "block"
-law = "surface"
-friction_coefficient = 0.3
-)");
+        std::string text =
+            block_case("2.5, -2", "0.5", ground("r_m = [5.25, 15.5]\nz_m = [8, 12]", material));
         text =
             replaced(text, "r_m = [2, 6]\nz_m = [3, 6]", "r_m = [" + block + "]\nz_m = [12, 15]");
         text = replaced(text, "fixed_point = true", "fixed_point = true\ncfl = 0.1");
         return replaced(text, "kPa = 20", "kPa = 200");
     }
-    static constexpr const char* soft =
-        "[body.elastic]\nyoungs_modulus_kPa = 400\npoissons_ratio = 0.2";
-    static std::string on_soft_ground() { return case_with(soft); }
+    static std::string on_soft_ground() { return case_with(soft_ground); }
     // Of the history.
     static constexpr std::size_t tip_force = 6, contact_loss = 16;
 };
@@ -60,7 +48,8 @@ TEST_F(LammpsSurfaces, HaveTheBitsOfTheDriverWhereAProcessHasNoParticle) {
 
 // The first process has nodes up to 15 m and counts them; that they are near, the second one alone knows.
 TEST_F(LammpsSurfaces, HaveTheBitsOfTheDriverWhereTheyBeginBeyondTheNodesOfAProcess) {
-    const BothHosts hosts(replaced(case_with(soft, "16.25, 19.5"), "[5.25, 15.5]", "[5.25, 20]"));
+    const BothHosts hosts(
+        replaced(case_with(soft_ground, "16.25, 19.5"), "[5.25, 15.5]", "[5.25, 20]"));
     const Told driver = hosts.in_driver(1000000);
     EXPECT_GT(driver.rows.back()[contact_loss], 0.0);
     EXPECT_EQ(first_difference(driver, hosts.in_lammps(2, 1)), "");

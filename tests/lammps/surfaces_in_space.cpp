@@ -7,6 +7,7 @@
 
 #include "support/both_hosts.hpp"
 #include "support/brick.hpp"
+#include "support/ground.hpp"
 
 namespace {
 
@@ -17,27 +18,14 @@ class LammpsSpaceSurfaces : public ::testing::Test {
     // material: of the ground. block: from x, to x. more: of the contact.
     static std::string case_with(const std::string& material, const std::string& block = "10, 13",
                                  const std::string& more = "") {
-        std::string text = brick_case("2.5, 1.5, -2", "0.4", R"([[body]]
-name = "ground"
-density_kg_per_m3 = 1500
-[[body.box]]
-x_m = [5, 15.5]
-y_m = [4.5, 14]
-z_m = [6, 9]
-)" + material + R"(
-[[contact]]
-stiff = "ground"
-soft = "block"
-law = "surface"
-friction_coefficient = 0.3
-)" + more);
+        std::string text =
+            brick_case("2.5, 1.5, -2", "0.4",
+                       ground("x_m = [5, 15.5]\ny_m = [4.5, 14]\nz_m = [6, 9]", material, more));
         text = replaced(text, "x_m = [2, 6]\ny_m = [2, 5]\nz_m = [3, 6]",
                         "x_m = [" + block + "]\ny_m = [7, 10.5]\nz_m = [9, 11]");
         text = replaced(text, "fixed_point = true", "fixed_point = true\ncfl = 0.1");
         return replaced(text, "kPa = 20", "kPa = 200");
     }
-    static constexpr const char* soft =
-        "[body.elastic]\nyoungs_modulus_kPa = 400\npoissons_ratio = 0.2";
     static void expect_contact(const Told& driver) {
         constexpr std::size_t tip_force = 6, contact_loss = 16;
         ASSERT_GT(driver.rows.size(), 30u);
@@ -47,7 +35,7 @@ friction_coefficient = 0.3
 };
 
 TEST_F(LammpsSpaceSurfaces, HaveTheBitsOfTheDriverHoweverTheGridIsCut) {
-    const BothHosts hosts(case_with(soft));
+    const BothHosts hosts(case_with(soft_ground));
     const Told driver = hosts.in_driver(all);
     expect_contact(driver);
     for (const auto& bricks : {std::array{1, 1, 1}, std::array{2, 1, 1}, std::array{1, 2, 1},
@@ -58,9 +46,9 @@ TEST_F(LammpsSpaceSurfaces, HaveTheBitsOfTheDriverHoweverTheGridIsCut) {
 
 // The last one of three, from 16 m on; and where the first one counts nodes of which the second alone knows that they are near.
 TEST_F(LammpsSpaceSurfaces, HaveTheBitsOfTheDriverWhereAProcessHasNoneOfThem) {
-    const BothHosts hosts(case_with(soft));
+    const BothHosts hosts(case_with(soft_ground));
     EXPECT_EQ(first_difference(hosts.in_driver(all), hosts.in_lammps({3, 1, 1})), "");
-    const BothHosts beyond(replaced(case_with(soft, "16.25, 19.5"), "[5, 15.5]", "[5, 20]"));
+    const BothHosts beyond(replaced(case_with(soft_ground, "16.25, 19.5"), "[5, 15.5]", "[5, 20]"));
     const Told driver = beyond.in_driver(all);
     expect_contact(driver);
     EXPECT_EQ(first_difference(driver, beyond.in_lammps({2, 1, 1})), "");
@@ -82,14 +70,14 @@ TEST_F(LammpsSpaceSurfaces, OfARigidBodyAndWithAStiffnessHaveTheBitsOfTheDriver)
 }
 
 TEST_F(LammpsSpaceSurfaces, GoOnWhereTheGridIsCutAnew) {
-    const BothHosts hosts(case_with(soft));
+    const BothHosts hosts(case_with(soft_ground));
     const std::string script = replaced(hosts.folder.read(hosts.name + ".in"), "run ${most_steps}",
                                         "run 11\nbalance 1.0 x 0.4 y 0.6\nrun ${most_steps}");
     EXPECT_EQ(first_difference(hosts.in_driver(all), hosts.in_lammps({2, 2, 1}, script)), "");
 }
 
 TEST_F(LammpsSpaceSurfaces, GoOnFromARestartFileOnMoreProcesses) {
-    const BothHosts hosts(case_with(soft));
+    const BothHosts hosts(case_with(soft_ground));
     const Told before = hosts.in_lammps({2, 1, 1}, "restart 20 surfaces\n" + hosts.script());
     const Told after = hosts.in_lammps({2, 2, 2}, hosts.go_on("surfaces.20"));
     ASSERT_FALSE(after.rows.empty());

@@ -5,20 +5,12 @@
 
 #include "adapters/mpm/kernel/nodes.hpp"
 #include "adapters/mpm/kernel/place.hpp"
+#include "adapters/mpm/step/keyed_items.hpp"
 #include "adapters/mpm/step/water.hpp"
 
 namespace grit::mpm {
 namespace {
 
-// Part of the zone, and number within it.
-constexpr int number_bits = 60;
-std::uint64_t key_of(int part, std::ptrdiff_t number) {
-    return static_cast<std::uint64_t>(part) << number_bits | static_cast<std::uint64_t>(number);
-}
-std::ptrdiff_t number_of(const KeyedNumbers& item) {
-    return static_cast<std::ptrdiff_t>(item.key & ((std::uint64_t{1} << number_bits) - 1));
-}
-bool is_before(const KeyedNumbers& item, std::uint64_t key) { return item.key < key; }
 int mask_of(double bits) {
     const int held = static_cast<int>(bits);
     return (held & fixed::r ? 1 : 0) | (held & fixed::z ? 2 : 0);
@@ -49,8 +41,8 @@ void ContactZone::gather(const SurfaceBody& a, const SurfaceBody& b, Exchange& e
         add_domains(which == 0 ? a : b, which);
         add_nodes(which == 0 ? a : b, which);
     }
-    exchange.gather(items);
-    sort();
+    gather_sorted(exchange, items);
+    find_parts();
 }
 
 void ContactZone::add_domains(const SurfaceBody& body, int which) {
@@ -91,15 +83,7 @@ void ContactZone::add_nodes(const SurfaceBody& body, int which) {
     });
 }
 
-// However particles are sorted and the grid is cut. A node that several processes have told of is one: they have the
-// same bits of it.
-void ContactZone::sort() {
-    std::sort(items.begin(), items.end(),
-              [](const KeyedNumbers& x, const KeyedNumbers& y) { return x.key < y.key; });
-    items.erase(
-        std::unique(items.begin(), items.end(),
-                    [](const KeyedNumbers& x, const KeyedNumbers& y) { return x.key == y.key; }),
-        items.end());
+void ContactZone::find_parts() {
     for (int part = 1; part < parts; ++part)
         start[part] = std::lower_bound(items.begin(), items.end(), key_of(part, 0), is_before) -
                       items.begin();

@@ -101,7 +101,7 @@ class ContactZone {
     }
     void add_domains(const SurfaceBody& body, int which);
     void add_nodes(const SurfaceBody& body, int which);
-    void sort();
+    void find_parts();
 
     GridView grid;
     WholeGrid whole;

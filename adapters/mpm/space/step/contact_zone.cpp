@@ -4,20 +4,14 @@
 #include <algorithm>
 
 #include "adapters/mpm/space/kernel/place.hpp"
+#include "adapters/mpm/step/keyed_items.hpp"
 
 namespace grit::mpm::space {
 namespace {
 
-// What there is of a body, each in two halves; a key is one of these of body 0 or 1, and a number within it.
+// What there is of a body, each in two halves; a part is one of these of body 0 or 1.
 enum Kind { domain_place, domain_sides, node_now, node_before, kinds };
-constexpr int number_bits = 60;
 int part_of(Kind kind, int body) { return 2 * kind + body; }
-std::uint64_t key_of(int part, std::ptrdiff_t number) {
-    return static_cast<std::uint64_t>(part) << number_bits | static_cast<std::uint64_t>(number);
-}
-std::ptrdiff_t number_of(const KeyedNumbers& item) {
-    return static_cast<std::ptrdiff_t>(item.key & ((std::uint64_t{1} << number_bits) - 1));
-}
 Vector3 half(const KeyedNumbers& item, int which) {
     const double* from = item.value + 3 * which;
     return {from[0], from[1], from[2]};
@@ -47,14 +41,7 @@ void ContactZone::gather(const Model& model, const std::array<Part*, 2>& bodies,
         if (domains_of[k]) add_domains(*domains_of[k], body);
         if (!bodies[k]->body.rigid()) add_nodes(model, *bodies[k], body);
     }
-    model.exchange.gather(items);
-    std::sort(items.begin(), items.end(),
-              [](const KeyedNumbers& x, const KeyedNumbers& y) { return x.key < y.key; });
-    // A node that several processes have told of is one: they have the same bits of it.
-    items.erase(
-        std::unique(items.begin(), items.end(),
-                    [](const KeyedNumbers& x, const KeyedNumbers& y) { return x.key == y.key; }),
-        items.end());
+    gather_sorted(model.exchange, items);
     for (const int body : {0, 1}) unpack(body);
 }
 
@@ -90,10 +77,7 @@ void ContactZone::add_nodes(const Model& model, const Part& part, int body) {
 
 std::span<const KeyedNumbers> ContactZone::items_of(int part) const {
     const auto from = [this](int first) {
-        return std::lower_bound(
-            items.begin(), items.end(), first, [](const KeyedNumbers& item, int its) {
-                return item.key < static_cast<std::uint64_t>(its) << number_bits;
-            });
+        return std::lower_bound(items.begin(), items.end(), key_of(first, 0), is_before);
     };
     return {from(part), part + 1 < 2 * kinds ? from(part + 1) : items.end()};
 }
