@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <set>
 #include <span>
 #include <stdexcept>
@@ -12,6 +13,7 @@
 #include "adapters/lammps/read_function.hpp"
 #include "adapters/lammps/words.hpp"
 #include "adapters/mpm/case/case_words.hpp"
+#include "adapters/mpm/case/closed_surface.hpp"
 #include "adapters/mpm/io/checksum.hpp"
 #include "adapters/mpm/space/step/settings.hpp"
 #include "adapters/mpm/step/contact_pair.hpp"
@@ -117,6 +119,31 @@ void read_traction(Words& words, FixCase& out) {
     out.plan.tractions.push_back(std::move(traction));
 }
 
+// The surface of the stiffer body, where that is told. False: the next word is another one.
+bool read_stiff(Words& words, const Case& plan, mpm::ContactPlan& contact) {
+    const bool is_line = words.peek() == "stiff_line";
+    if (!is_line && words.peek() != "stiff_surface") return false;
+    const std::string key = words.word("a surface");
+    if (is_line) refuse_in_space(plan, key.c_str());
+    else if (!plan.space) throw std::invalid_argument(key + " is there in space alone");
+    if (!contact.at_surfaces)
+        throw std::invalid_argument(
+            key + " belongs to the law surface, not to " +
+            std::string(word_of(mpm::words::contact_laws, mpm::words::law_of(contact))));
+    if (!is_line) {
+        contact.surface_mesh = std::make_shared<mpm::ClosedSurface>(
+            mpm::read_stl(words.word("the file of " + key), 1.0, {}));
+        return true;
+    }
+    std::vector<Vector2> points;
+    for (int n = words.integer("the number of points of " + key, mpm::words::many); n > 0; --n) {
+        const double r = words.number("r of " + key);
+        points.push_back({r, words.number("z of " + key)});
+    }
+    contact.surface_line = mpm::line_through(std::move(points));
+    return true;
+}
+
 void read_contact(Words& words, Case& plan) {
     mpm::ContactPlan contact;
     contact.stiff = words.word("the stiffer body of a contact");
@@ -125,8 +152,12 @@ void read_contact(Words& words, Case& plan) {
     contact.friction_coefficient =
         words.number("a friction coefficient", case_word("contact", "friction_coefficient"));
     std::set<std::string> given;
-    while (const auto* member = member_called(mpm::contact_members(), words.peek()))
+    for (;;) {
+        if (read_stiff(words, plan, contact)) continue;
+        const auto* member = member_called(mpm::contact_members(), words.peek());
+        if (!member) break;
         words.read(*given.insert(words.word("a keyword")).first, *member, contact);
+    }
     if (contact.after_damping) refuse_in_space(plan, "contact after damping");
     const KeyName name = fix_words(mpm::contact_members());
     refuse(
@@ -226,6 +257,8 @@ void check_names(const Case& plan) {
         const mpm::ContactPlan& contact = plan.contacts[i];
         const std::string which = "contact " + contact.stiff + ' ' + contact.soft;
         refuse(which, mpm::objection_to_contact(plan, i, name_of_body), name_of_body);
+        if (!contact.surface_line.points.empty())
+            refuse(which + ": stiff_line", mpm::objection_to(plan, contact.surface_line), no_name);
         for (const std::string& body : {contact.stiff, contact.soft}) {
             const auto& water = plan.bodies[plan.body(body)].water;
             if (water && water->implicit && contact.at_surfaces)
@@ -261,6 +294,8 @@ FixCase read_fix(const std::vector<std::string>& given, const Box& box) {
             throw std::invalid_argument("unknown keyword \"" + keyword + '"');
         if (keyword != "points" && keyword != "threads") matters += words.taken_since(first);
     }
+    for (const mpm::ContactPlan& contact : plan.contacts)
+        if (contact.surface_mesh) matters += mpm::stl_text(*contact.surface_mesh);
     out.fingerprint = mpm::checksum(matters.data(), matters.size());
     for (const mpm::Spelling& axis : axes_of(plan))
         check_grid(axis_of(plan, axis.value), box[static_cast<std::size_t>(axis.value)][1],

@@ -178,15 +178,17 @@ void add_bodies(const Case& plan, const std::string& stem, FixWords& fix) {
     }
 }
 
-void add_contacts(const Case& plan, FixWords& fix) {
+std::string of_line(const BoundaryLine& line) {
+    std::vector<grit::Vector2> points = line.points;
+    if (line.closed) points.push_back(points.front());
+    std::string out = fmt::format(" stiff_line {}", points.size());
+    for (const grit::Vector2& x : points) out += fmt::format(" {} {}", exact(x[0]), exact(x[1]));
+    return out;
+}
+
+void add_contacts(const Case& plan, const std::string& stem, FixWords& fix) {
     for (const ContactPlan& contact : plan.contacts) {
         if (contact.penalty) throw BadInput("fix grit/mpm of LAMMPS has no penalty contact");
-        if (contact.surface_mesh)
-            throw BadInput(
-                "fix grit/mpm of LAMMPS has no stiff_surface: surfaces are free faces there");
-        if (!contact.surface_line.points.empty())
-            throw BadInput(
-                "fix grit/mpm of LAMMPS has no stiff_line: surfaces are free edges there");
         const int law = words::law_of(contact);
         const std::string_view word = word_of(words::contact_laws, law);
         std::string more;
@@ -202,6 +204,8 @@ void add_contacts(const Case& plan, FixWords& fix) {
                 continue;
             more += fmt::format(" {} {}", member.fix, value_of(member, contact));
         }
+        if (!contact.surface_line.points.empty()) more += of_line(contact.surface_line);
+        if (contact.surface_mesh) more += " stiff_surface " + lammps_stl(stem, contact);
         fix.add("contact {} {} {} {}{}", contact.stiff, contact.soft, word,
                 exact(contact.friction_coefficient), more);
     }
@@ -280,6 +284,10 @@ std::string pore_columns_comment(const Case& plan) {
 
 }  // namespace
 
+std::string lammps_stl(const std::string& stem, const ContactPlan& contact) {
+    return fmt::format("{}_{}_{}.stl", stem, contact.stiff, contact.soft);
+}
+
 std::string lammps_fix(const Case& plan, const std::string& stem) {
     FixWords fix;
     using words::Geometry;
@@ -294,7 +302,7 @@ std::string lammps_fix(const Case& plan, const std::string& stem) {
     fix.add("{}", stages);
     add_bodies(plan, stem, fix);
     add_tractions(plan, fix);
-    add_contacts(plan, fix);
+    add_contacts(plan, stem, fix);
     if (plan.history.profile.parts > 0)
         throw BadInput("fix grit/mpm of LAMMPS has no columns by height (profile_z_m)");
     fix.add("driven {} {}", plan.history.body, word_of(words::depths, plan.history.depth_of));

@@ -60,38 +60,14 @@ grit::Vector2 direction_of(TomlTable& table, Edge edge) {
     return {(*given)[0] / length, (*given)[1] / length};
 }
 
-// Each segment has a length, beside that of the line.
-void check_apart(const TomlTable& table, const BoundaryLine& line) {
-    const std::size_t n = line.points.size(), segments = line.closed ? n : n - 1;
-    const auto length = [&](std::size_t i) {
-        return norm(line.points[(i + 1) % n] - line.points[i]);
-    };
-    double whole = 0.0;
-    for (std::size_t i = 0; i < segments; ++i) whole += length(i);
-    for (std::size_t i = 0; i < segments; ++i)
-        if (!(length(i) > 1e-9 * whole))
-            table.fail("r_m",
-                       fmt::format("{} has no length from point {} to the next, at ({:g}, {:g}) m",
-                                   table.full(""), i + 1, line.points[i][0], line.points[i][1]));
-}
-
 // A line in the grid; closed if its last point is its first.
 BoundaryLine read_line(TomlTable table, const Case& plan) {
-    BoundaryLine out;
     const std::vector<double> r = table.numbers("r_m"), z = table.numbers("z_m", r.size());
-    for (std::size_t i = 0; i < r.size(); ++i) {
-        if (!(r[i] >= plan.r.from && r[i] <= plan.r.to() && z[i] >= plan.z.from &&
-              z[i] <= plan.z.to()))
-            table.fail("r_m", fmt::format("{} leaves the grid at ({:g}, {:g}) m", table.full(""),
-                                          r[i], z[i]));
-        out.points.push_back({r[i], z[i]});
-    }
-    out.closed = r.size() > 2 && r.front() == r.back() && z.front() == z.back();
-    if (out.closed) out.points.pop_back();
-    if (out.points.size() < 2)
-        table.fail("r_m", fmt::format("{} needs two points at least, got {}", table.full(""),
-                                      out.points.size()));
-    check_apart(table, out);
+    std::vector<grit::Vector2> points;
+    for (std::size_t i = 0; i < r.size(); ++i) points.push_back({r[i], z[i]});
+    BoundaryLine out = line_through(std::move(points));
+    if (const auto objection = objection_to(plan, out))
+        table.fail("r_m", table.full("") + objection->what);
     table.finish();
     return out;
 }

@@ -6,6 +6,7 @@
 #include <deque>
 
 #include <adapters/mpm/case/build_case.hpp>
+#include <adapters/mpm/case/closed_surface.hpp>
 #include <adapters/mpm/case/fill.hpp>
 #include <adapters/mpm/space/case/solids.hpp>
 #include <adapters/mpm/step/column_names.hpp>
@@ -147,11 +148,17 @@ void write_files(const Case& plan, Simulated& simulation, const std::filesystem:
     Outputs outputs;
     for (const char* end : {".data", ".fix", ".in"}) outputs.add(named(end), plan.name);
     for (std::size_t i = 0; i < plan.bodies.size(); ++i) outputs.add(points(i), plan.name);
+    for (const ContactPlan& contact : plan.contacts)
+        if (contact.surface_mesh) outputs.add(folder / lammps_stl(plan.name, contact), plan.name);
     const auto lock = outputs.lock();
     TextFiles files;
     write_data(plan, simulation, files.open(named(".data")));
     for (std::size_t i = 0; i < plan.bodies.size(); ++i)
         write_points(simulation, i, files.open(points(i)));
+    for (const ContactPlan& contact : plan.contacts)
+        if (contact.surface_mesh)
+            fmt::print(files.open(folder / lammps_stl(plan.name, contact)), "{}",
+                       stl_text(*contact.surface_mesh));
     fmt::print(files.open(named(".fix")), "{}", fix);
     fmt::print(files.open(named(".in")), "{}", script);
     files.complete();

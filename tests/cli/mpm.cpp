@@ -62,12 +62,15 @@ TEST(MaterialPointCommand, RunsTheFileThatExplainsEveryKeyInSpace) {
     EXPECT_EQ(number("NumberOfPoints=\""), 8 * number("NumberOfCells=\""));
 }
 
-TEST(MaterialPointCommand, WritesNoSurfaceOfTrianglesForLammps) {
+TEST(MaterialPointCommand, WritesTheSurfaceOfTrianglesForLammps) {
     const Workplace here;
-    const Answer answer = here.grit("mpm " + cases + "/every_key_in_space.toml --to-lammps out");
-    EXPECT_EQ(answer.status, 2);
-    EXPECT_TRUE(answer.says("every_key_in_space.toml: fix grit/mpm of LAMMPS has no stiff_surface"))
-        << answer.text;
+    const Answer answer =
+        here.grit("mpm " + cases + "/../space/stub_quarter_surface.toml --to-lammps out");
+    EXPECT_EQ(answer.status, 0) << answer.text;
+    const std::string name = "stub_quarter_surface_stub_soil.stl";
+    EXPECT_NE(here.text("out/stub_quarter_surface.fix").find("stiff_surface " + name),
+              std::string::npos);
+    EXPECT_EQ(here.text("out/" + name).rfind("solid", 0), 0U);
 }
 
 TEST(MaterialPointCommand, WritesNoColumnsByHeightForLammps) {

@@ -24,6 +24,12 @@ class LammpsSurfaces : public ::testing::Test {
         return replaced(text, "kPa = 20", "kPa = 200");
     }
     static std::string on_soft_ground() { return case_with(soft_ground); }
+    // All around the ground.
+    static std::string on_a_line() {
+        return replaced(on_soft_ground(), "law = \"surface\"",
+                        "law = \"surface\"\nstiff_line = {r_m = [15.5, 15.5, 5.25, 5.25, 15.5], "
+                        "z_m = [8, 12, 12, 8, 8]}");
+    }
     // Of the history.
     static constexpr std::size_t tip_force = 6, contact_loss = 16;
 };
@@ -70,6 +76,24 @@ TEST_F(LammpsSurfaces, GoOnWhereTheGridIsCutAnew) {
     const std::string script = replaced(hosts.folder.read(hosts.name + ".in"), "run ${most_steps}",
                                         "run 17\nbalance 1.0 x 0.4\nrun ${most_steps}");
     EXPECT_EQ(first_difference(hosts.in_driver(1000000), hosts.in_lammps(2, 2, script)), "");
+}
+
+TEST_F(LammpsSurfaces, ThatRideOnParticlesOfAllProcessesHaveTheBitsOfTheDriver) {
+    const BothHosts hosts(on_a_line());
+    const Told driver = hosts.in_driver(1000000);
+    EXPECT_GT(driver.rows.back()[contact_loss], 0.0);
+    EXPECT_NE(first_difference(driver, BothHosts(on_soft_ground()).in_driver(1000000)), "");
+    EXPECT_EQ(first_difference(driver, hosts.in_lammps(1, 1)), "");
+    const std::string script = replaced(hosts.folder.read(hosts.name + ".in"), "run ${most_steps}",
+                                        "run 17\nbalance 1.0 x 0.4\nrun ${most_steps}");
+    EXPECT_EQ(first_difference(driver, hosts.in_lammps(2, 2, script)), "");
+    const Told before = hosts.in_lammps(2, 1, "restart 30 line\n" + hosts.script());
+    EXPECT_EQ(first_difference(driver, before), "");
+    const Told after = hosts.in_lammps(2, 2, hosts.go_on("line.30"));
+    ASSERT_FALSE(after.rows.empty());
+    EXPECT_EQ(first_difference({{driver.rows.back()}, driver.points},
+                               {{after.rows.back()}, after.points}),
+              "");
 }
 
 TEST_F(LammpsSurfaces, GoOnFromARestartFileOnMoreProcesses) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "support/both_hosts.hpp"
+#include "support/box_stl.hpp"
 #include "support/brick.hpp"
 #include "support/ground.hpp"
 
@@ -31,6 +32,11 @@ class LammpsSpaceSurfaces : public ::testing::Test {
         ASSERT_GT(driver.rows.size(), 30u);
         EXPECT_GT(driver.rows.back()[contact_loss], 0.0);
         EXPECT_GT(driver.rows.back()[tip_force], 0.0);  // still pressed
+    }
+    // Of the ground: triangles that ride on its particles. material: of the ground.
+    static BothHosts hosts_with_mesh(const std::string& material) {
+        return BothHosts(case_with(material, "10, 13", "stiff_surface = {file = \"ground.stl\"}\n"),
+                         {{"ground.stl", stl_of_box({5.0, 4.5, 6.0}, {15.5, 14.0, 9.0})}});
     }
 };
 
@@ -84,6 +90,42 @@ TEST_F(LammpsSpaceSurfaces, GoOnFromARestartFileOnMoreProcesses) {
     EXPECT_EQ(first_difference({{before.rows.back()}, before.points},
                                {{after.rows.back()}, after.points}),
               "");
+}
+
+TEST_F(LammpsSpaceSurfaces, ThatRideOnParticlesOfAllProcessesHaveTheBitsOfTheDriver) {
+    const BothHosts hosts = hosts_with_mesh(soft_ground);
+    const Told driver = hosts.in_driver(all);
+    expect_contact(driver);
+    const BothHosts without(case_with(soft_ground));
+    EXPECT_NE(first_difference(driver, without.in_driver(all)), "");
+    for (const auto& bricks : {std::array{1, 1, 1}, std::array{2, 1, 1}, std::array{2, 2, 2}})
+        EXPECT_EQ(first_difference(driver, hosts.in_lammps(bricks)), "")
+            << bricks[0] << ' ' << bricks[1] << ' ' << bricks[2];
+    // Cut anew where particles have moved, vertices ride on those that they rode on before.
+    const std::string script = replaced(hosts.folder.read(hosts.name + ".in"), "run ${most_steps}",
+                                        "run 11\nbalance 1.0 x 0.4 y 0.6\nrun ${most_steps}");
+    EXPECT_EQ(first_difference(driver, hosts.in_lammps({2, 2, 1}, script)), "");
+}
+
+TEST_F(LammpsSpaceSurfaces, ThatRideOnARigidBodyGoOnFromARestartFile) {
+    const BothHosts hosts = hosts_with_mesh("[body.rigid]\nvelocity_x_m_per_s = [-0.5]\n"
+                                            "velocity_z_m_per_s = [0.5]\n"
+                                            "angular_velocity_z_rad_per_s = [0.5]\n"
+                                            "centre_m = [10, 9, 7]");
+    const Told driver = hosts.in_driver(all);
+    expect_contact(driver);
+    const Told before = hosts.in_lammps({2, 1, 1}, "restart 20 mesh\n" + hosts.script());
+    EXPECT_EQ(first_difference(driver, before), "");
+    const Told after = hosts.in_lammps({2, 2, 2}, hosts.go_on("mesh.20"));
+    ASSERT_FALSE(after.rows.empty());
+    EXPECT_EQ(first_difference({{driver.rows.back()}, driver.points},
+                               {{after.rows.back()}, after.points}),
+              "");
+    // Another surface is another run.
+    hosts.folder.write("both_ground_block.stl", stl_of_box({5.0, 4.5, 6.0}, {15.5, 14.0, 8.999}));
+    const Answer refused = hosts.lammps(2, hosts.go_on("mesh.20"));
+    EXPECT_NE(refused.status, 0);
+    EXPECT_TRUE(refused.says("ERROR") && !refused.says("terminate called")) << refused.text;
 }
 
 }  // namespace

@@ -128,7 +128,13 @@ KeyedNumbers domain(std::uint64_t id, double r, double z, const double (&sides)[
 TEST(RiddenLine, MovesAsTheDomainsThatItsVerticesWereNearestTo) {
     Particles particles(0);
     for (const double r : {0.5, 1.5}) particles.add({r, 0.5, 0.5, 0.5, 1.0}, false);
-    const RiddenLine line({{{2.0, 1.2}, {0.0, 1.2}}, false}, 1.0, particles);
+    Exchange alone;
+    RiddenLine line({{{2.0, 1.2}, {0.0, 1.2}}, false}, 1.0);
+    EXPECT_FALSE(line.has_riders());
+    line.find_riders(particles.view(), 0, particles.ids(), alone);
+    EXPECT_FALSE(line.has_riders());
+    line.find_riders(particles.view(), particles.size(), particles.ids(), alone);
+    EXPECT_TRUE(line.has_riders());
     std::vector<double> x;
     std::vector<std::ptrdiff_t> facet, owner;
     // F = [[1.1, 0.2], [-0.1, 0.9]], moved by (3, 4).
@@ -160,7 +166,9 @@ TEST(RiddenLine, MovesAsTheDomainsThatItsVerticesWereNearestTo) {
 TEST(RiddenLine, OfAClosedLineIsClosed) {
     Particles particles(0);
     particles.add({0.5, 0.5, 0.5, 0.5, 1.0}, false);
-    const RiddenLine line({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, true}, 0.5, particles);
+    Exchange alone;
+    RiddenLine line({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, true}, 0.5);
+    line.find_riders(particles.view(), particles.size(), particles.ids(), alone);
     std::vector<double> x;
     std::vector<std::ptrdiff_t> facet, owner;
     const KeyedNumbers one =

@@ -166,6 +166,21 @@ TEST_F(StlFiles, AreReadBinaryAndAsText) {
     }
 }
 
+TEST_F(StlFiles, OfASurfaceHaveItsBits) {
+    Triangles turned = torus(16, 8);
+    for (auto& t : turned) std::swap(t[0], t[1]);  // clockwise
+    for (const Triangles& of : {torus(16, 8), turned}) {
+        const ClosedSurface surface(of);
+        const auto file = folder / "again.stl";
+        std::ofstream(file) << stl_text(surface);
+        const Triangles before = surface.outward(), after = read_stl(file, 1.0, {}).outward();
+        ASSERT_EQ(before.size(), after.size());
+        for (std::size_t t = 0; t < before.size(); ++t)
+            for (std::size_t k = 0; k < 3; ++k)
+                for (int d = 0; d < 3; ++d) EXPECT_EQ(before[t][k][d], after[t][k][d]);
+    }
+}
+
 TEST_F(StlFiles, ThatAreWrongAreRefusedByName) {
     const auto file = folder / "wrong.stl";
     EXPECT_NE(error_of(file).find("wrong.stl: cannot be read"), std::string::npos);

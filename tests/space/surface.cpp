@@ -113,14 +113,31 @@ TEST(FreeFaces, ThatAreCoveredInPartCountIfAQuarterIsOpen) {
     }
 }
 
+// is_near(id): of particles whose places are their ids.
+template <class IsNear>
+void place(const RiddenMesh& mesh, const ParticleView& q, TriangleMesh& out,
+           const IsNear& is_near) {
+    std::vector<NearVertex> near;
+    mesh.each_near(
+        q, [&](int id) { return is_near(id) ? std::ptrdiff_t{id} : std::ptrdiff_t{-1}; },
+        [&near](const NearVertex& v) { near.push_back(v); });
+    mesh.place(near, out);
+}
+
 TEST(RiddenMesh, MovesAsTheParticlesThatItsVerticesWereNearestToAndHasNoLongEdge) {
     Particles particles;
     for (int i = 0; i < 2; ++i) particles.add({{0.5 + i, 0.5, 0.5}, {0.5, 0.5, 0.5}, 1.0});
     TriangleMesh tetrahedron;
     tetrahedron.position = {0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
     tetrahedron.facet = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
-    const RiddenMesh mesh(tetrahedron, 0.3, particles.view(), 2, particles.ids());
+    RiddenMesh mesh(tetrahedron, 0.3);
     const ParticleView q = particles.view();
+    grit::mpm::Exchange alone;
+    EXPECT_FALSE(mesh.has_riders());
+    mesh.find_riders(q, 0, particles.ids(), alone);
+    EXPECT_FALSE(mesh.has_riders());
+    mesh.find_riders(q, 2, particles.ids(), alone);
+    EXPECT_TRUE(mesh.has_riders());
     // F and a way, the same for both.
     const double F[3][3] = {{1.1, 0.2, 0.0}, {-0.1, 0.9, 0.1}, {0.0, 0.1, 1.2}};
     const auto image = [&](const Vector3& x) {
@@ -137,8 +154,7 @@ TEST(RiddenMesh, MovesAsTheParticlesThatItsVerticesWereNearestToAndHasNoLongEdge
         }
     }
     TriangleMesh now;
-    mesh.place(
-        q, [](int id) { return std::ptrdiff_t{id}; }, now);
+    place(mesh, q, now, [](int) { return true; });
     const Measures seen(now);
     EXPECT_EQ(seen.open, 0);
     const double J = particles.view().J(0);
@@ -154,8 +170,7 @@ TEST(RiddenMesh, MovesAsTheParticlesThatItsVerticesWereNearestToAndHasNoLongEdge
     EXPECT_LT(least, 1e-12);
     // What is not near is left out.
     const std::ptrdiff_t all = now.facets();
-    mesh.place(
-        q, [](int id) { return std::ptrdiff_t{id == 0 ? 0 : -1}; }, now);
+    place(mesh, q, now, [](int id) { return id == 0; });
     EXPECT_LT(now.facets(), all);
     EXPECT_GT(now.facets(), 0);
 }
@@ -177,10 +192,11 @@ TEST(RiddenMesh, IsDividedAlikeOnBothSidesOfAMirror) {
         TriangleMesh tetrahedron;
         tetrahedron.position = position;
         tetrahedron.facet = {0, 2, 1, 0, 1, 3, 3, 2, 0, 2, 3, 1};
-        const RiddenMesh mesh(tetrahedron, longest, particles.view(), 1, particles.ids());
+        RiddenMesh mesh(tetrahedron, longest);
+        grit::mpm::Exchange alone;
+        mesh.find_riders(particles.view(), 1, particles.ids(), alone);
         TriangleMesh now;
-        mesh.place(
-            particles.view(), [](int) { return std::ptrdiff_t{0}; }, now);
+        place(mesh, particles.view(), now, [](int) { return true; });
         EXPECT_EQ(Measures(now).open, 0);
         using Corner = std::array<long, 3>;
         std::set<std::set<Corner>> facets, images;

@@ -139,9 +139,12 @@ constexpr FixKeyword keywords[] = {
      "STIFF SOFT {contact.law} MU [`power` K] [`normal` {contact.normal}] [`distance` "
      "{contact.distance}] [`gated` `yes`|`no`] [`relaxation_time` TAU] [`stiffness_multiple` X "
      "`modulus` M] [`pressure_spacing` CELLS] [`sweep_tolerance` "
-     "SHARE] [`after_damping` `yes`|`no`]",
+     "SHARE] [`after_damping` `yes`|`no`] [`stiff_line` N R Z...|`stiff_surface` FILE]",
      "geo and frictional have `normal`, `distance` and `gated`, geo `power` besides, surface "
-     "`pressure_spacing`, `sweep_tolerance` and `after_damping`; geo and surface TAU [s] and X of "
+     "`pressure_spacing`, `sweep_tolerance`, `after_damping` and the surface of STIFF at the "
+     "begin: `stiff_line` through N points [m], STIFF on its left, closed if the last is the "
+     "first, "
+     "in space `stiff_surface`, an STL file [m]; geo and surface TAU [s] and X of "
      "M [Pa] / shortest "
      "cell: of geo X with gate, of surface TAU with X, X without `after_damping`; `distance` not "
      "without gate where it is frictional"},

@@ -204,6 +204,19 @@ std::vector<ClosedSurface::Triangle> triangles_of_text(const std::filesystem::pa
 
 }  // namespace
 
+std::string stl_text(const ClosedSurface& surface) {
+    std::ostringstream out;
+    out.precision(17);
+    out << "solid grit\n";
+    for (const ClosedSurface::Triangle& t : surface.outward()) {
+        out << "facet normal 0 0 0\nouter loop\n";  // those who want a normal have its corners
+        for (const Vector3& x : t) out << "vertex " << x[0] << ' ' << x[1] << ' ' << x[2] << '\n';
+        out << "endloop\nendfacet\n";
+    }
+    out << "endsolid grit\n";
+    return out.str();
+}
+
 ClosedSurface read_stl(const std::filesystem::path& file, double unit, const Vector3& moved) {
     std::ifstream in(file, std::ios::binary);
     if (!in) fail(file, "cannot be read");

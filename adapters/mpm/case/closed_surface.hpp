@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "support/vector.hpp"
@@ -44,5 +45,7 @@ class ClosedSurface {
 // An STL file, binary or text, its numbers times unit [m] and then moved. Throws std::invalid_argument naming the file and
 // what is wrong with it.
 ClosedSurface read_stl(const std::filesystem::path& file, double unit, const Vector3& moved);
+// The text of an STL file [m] that gives the same surface, to the bit.
+std::string stl_text(const ClosedSurface& surface);
 
 }  // namespace grit::mpm

@@ -113,6 +113,26 @@ Objections objection_to(const Case& plan, const InflowPlan& inflow) {
     return Objection{"", ": no body has water that flows"};
 }
 
+Objections objection_to(const Case& plan, const BoundaryLine& line) {
+    const std::size_t n = line.points.size(), segments = line.closed ? n : n - 1;
+    const auto at = [](const Vector2& x) { return " at " + place_text(x[0], x[1]); };
+    for (const Vector2& x : line.points)
+        if (!(x[0] >= plan.r.from && x[0] <= plan.r.to() && x[1] >= plan.z.from &&
+              x[1] <= plan.z.to()))
+            return Objection{"", " leaves the grid" + at(x)};
+    if (n < 2) return Objection{"", " needs two points at least, got " + std::to_string(n)};
+    const auto length = [&](std::size_t i) {
+        return norm(line.points[(i + 1) % n] - line.points[i]);
+    };
+    double whole = 0.0;
+    for (std::size_t i = 0; i < segments; ++i) whole += length(i);
+    for (std::size_t i = 0; i < segments; ++i)
+        if (!(length(i) > 1e-9 * whole))
+            return Objection{"", " has no length from point " + std::to_string(i + 1) +
+                                     " to the next," + at(line.points[i])};
+    return {};
+}
+
 Objections objection_to(const Case& plan, const MaterialPlan& material, const WaterPlan& water,
                         const IsGiven& given) {
     if (std::holds_alternative<RigidPlan>(material))

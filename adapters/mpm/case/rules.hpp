@@ -34,6 +34,7 @@ Objections objection_to(const TimeTable& table);
 Objections objection_to(const PulseTrain& pulses, const KeyName& name);
 Objections objection_to(const Case& plan, const TractionPlan& traction);
 Objections objection_to(const Case& plan, const InflowPlan& inflow);
+Objections objection_to(const Case& plan, const BoundaryLine& line);
 // Of pore water, as a body of this material has it.
 Objections objection_to(const Case& plan, const MaterialPlan& material, const WaterPlan& water,
                         const IsGiven& given);

@@ -29,6 +29,7 @@
 //   contacts at surfaces        whether any node is in one: maxima              8 each
 //   ... that have one           particles near the surfaces, and nodes: all     56 each, 112 in space
 //                               of all processes to each of them
+//   ... on a line or triangles  in the first step: maxima, of each vertex       32, 40 in space
 //   fixed point, per scatter    maxima of contributions, eight a body           8 each
 //   ... with tractions          maximum of their forces                         8
 //   in space                    records as above, 32 for gradients, loads 24     a halo node

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "adapters/mpm/step/contact_zone.hpp"
 
@@ -26,26 +25,21 @@ std::vector<Vector2> divided(const BoundaryLine& line, double longest) {
 
 }  // namespace
 
-RiddenLine::RiddenLine(const BoundaryLine& line, double longest, const Particles& particles)
-    : closed(line.closed) {
-    const std::ptrdiff_t n = particles.size();
-    for (const Vector2& x : divided(line, longest)) {
-        std::ptrdiff_t nearest = -1;
-        double least = std::numeric_limits<double>::infinity();
-        for (std::ptrdiff_t p = 0; p < n; ++p) {
-            const double away =
-                std::hypot(particles(column::r, p) - x[0], particles(column::z, p) - x[1]);
-            const bool is_first = away == least && particles.ids()[p] < particles.ids()[nearest];
-            if (!(away < least) && !is_first) continue;
-            least = away;
-            nearest = p;
-        }
-        if (nearest < 0) continue;
-        riders.push_back(
-            {particles.ids()[nearest],
-             (x[0] - particles(column::r, nearest)) / particles(column::l_r, nearest),
-             (x[1] - particles(column::z, nearest)) / particles(column::l_z, nearest)});
-    }
+RiddenLine::RiddenLine(const BoundaryLine& line, double longest)
+    : start(divided(line, longest)), riders(start.size()), closed(line.closed) {}
+
+void RiddenLine::find_riders(const ParticleView& q, std::ptrdiff_t count, const int* ids,
+                             Exchange& exchange) {
+    const auto way = [&](std::size_t v, std::ptrdiff_t p) {
+        return Vector2{start[v][0] - q[column::r][p], start[v][1] - q[column::z][p]};
+    };
+    find_nearest(
+        riders, count, ids, exchange,
+        [&](std::size_t v, std::ptrdiff_t p) { return std::hypot(way(v, p)[0], way(v, p)[1]); },
+        [&](std::size_t v, std::ptrdiff_t p, double* from) {
+            from[0] = way(v, p)[0] / q[column::l_r][p];
+            from[1] = way(v, p)[1] / q[column::l_z][p];
+        });
 }
 
 void RiddenLine::place(std::span<const KeyedNumbers> domains, std::vector<double>& position,
@@ -57,18 +51,18 @@ void RiddenLine::place(std::span<const KeyedNumbers> domains, std::vector<double
     constexpr std::ptrdiff_t lost = -1;
     std::ptrdiff_t first = lost, before = lost, count = 0, first_domain = lost;
     for (std::size_t i = 0; i < riders.size(); ++i) {
-        const Rider& rider = riders[i];
+        const Seat& rider = riders[i];
         const auto found = std::lower_bound(
             domains.begin(), domains.end(), rider.id,
-            [](const KeyedNumbers& x, int id) { return ContactZone::id_of(x) < id; });
+            [](const KeyedNumbers& x, std::int64_t id) { return ContactZone::id_of(x) < id; });
         if (found == domains.end() || ContactZone::id_of(*found) != rider.id) {
             before = lost;
             continue;
         }
         const auto& d = found->value;
         using namespace near_domain;
-        position.push_back(d[r] + rider.along_1 * d[r1r] + rider.along_2 * d[r2r]);
-        position.push_back(d[z] + rider.along_1 * d[r1z] + rider.along_2 * d[r2z]);
+        position.push_back(d[r] + rider.from[0] * d[r1r] + rider.from[1] * d[r2r]);
+        position.push_back(d[z] + rider.from[0] * d[r1z] + rider.from[1] * d[r2z]);
         const std::ptrdiff_t domain = found - domains.begin();
         if (before != lost) {
             facet.insert(facet.end(), {before, count});

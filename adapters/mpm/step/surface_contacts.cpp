@@ -13,7 +13,7 @@ void SurfaceContacts::add(const SurfaceLaw& law) {
     pairs.emplace_back(
         law, model.shortest,
         ContactZone(model.grid(), model.exchange.whole(), axisymmetric, model.fixed_nodes),
-        axisymmetric, model.parts[law.a].body.particles);
+        axisymmetric);
     are_near.resize(pairs.size());
 }
 
@@ -36,6 +36,7 @@ SurfaceBody SurfaceContacts::body(std::size_t i) {
 
 void SurfaceContacts::correct(Energy& sums) {
     if (pairs.empty()) return;
+    for (SurfacePair& pair : pairs) pair.find_riders(body(pair.law().a), model.exchange);
     // Masses say where bodies are near: contacts change none.
     for (std::size_t i = 0; i < pairs.size(); ++i)
         are_near[i] = pairs[i].find(body(pairs[i].law().a), body(pairs[i].law().b)) ? 1.0 : 0.0;

@@ -34,8 +34,8 @@ SurfaceLaw surface_law(double friction_coefficient) {
 }
 
 SurfacePair::SurfacePair(const SurfaceLaw& law, double shortest_cell, ContactZone of_both,
-                         bool axisymmetric, const Particles& a)
-    : pair_law(law), zone(std::move(of_both)), line_a(law.line_a, 0.5 * shortest_cell, a) {
+                         bool axisymmetric)
+    : pair_law(law), zone(std::move(of_both)), line_a(law.line_a, 0.5 * shortest_cell) {
     if (law.after_damping && law.options.contact_stiffness > 0.0)
         throw std::invalid_argument("surface contact: a stiffness would act twice in a step");
     pair_law.options.axisymmetric = axisymmetric;
@@ -53,6 +53,11 @@ void SurfacePair::forget() {
     step_rows.rows.clear();
     step_rows.terms.clear();
     step_rows.dissipation = 0.0;
+}
+
+void SurfacePair::find_riders(const SurfaceBody& a, Exchange& exchange) {
+    if (!line_a.empty() && !line_a.has_riders())
+        line_a.find_riders(a.particles, a.count, a.ids, exchange);
 }
 
 bool SurfacePair::find(const SurfaceBody& a, const SurfaceBody& b) {

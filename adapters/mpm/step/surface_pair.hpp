@@ -29,9 +29,10 @@ SurfaceLaw surface_law(double friction_coefficient);
 
 class SurfacePair {
   public:
-    // a: its particles, at the start. Throws std::invalid_argument where a stiffness would act after damping too.
-    SurfacePair(const SurfaceLaw& law, double shortest_cell, ContactZone zone, bool axisymmetric,
-                const Particles& a);
+    // Throws std::invalid_argument where a stiffness would act after damping too.
+    SurfacePair(const SurfaceLaw& law, double shortest_cell, ContactZone zone, bool axisymmetric);
+    // Of a's line, in the first step, by all processes.
+    void find_riders(const SurfaceBody& a, Exchange& exchange);
     // False where no node of this process is reached by both bodies.
     bool find(const SurfaceBody& a, const SurfaceBody& b);
     // After find, by all processes if one of them has found something: velocities after the momentum update become
@@ -55,6 +56,7 @@ class SurfacePair {
     template <class Self, class Archive> static void visit(Self& pair, Archive& archive) {
         archive.value(pair.step_totals);
         archive.value(pair.step_faces);
+        RiddenLine::visit(pair.line_a, archive);
     }
 
   private:

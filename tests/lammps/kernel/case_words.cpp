@@ -141,4 +141,18 @@ TEST(CaseWords, OfOtherLawsAreRefusedByAContactWithThoseThatHaveThem) {
               "stiffness_multiple belongs to the laws geo and surface, not to frictional");
 }
 
+TEST(CaseWords, OfASurfaceThatIsToldAreForTheLawSurface) {
+    const auto of = [](const std::string& geometry, const std::string& law,
+                       const std::string& word = "stiff_surface",
+                       const std::string& next = "nowhere.stl") {
+        return refusal_of({geometry, "contact", "a", "b", law, "0.3", word, next});
+    };
+    EXPECT_EQ(of("space", "surface", "stiff_line", "2"), "stiff_line is not there in space");
+    EXPECT_EQ(of("axisymmetric", "frictional", "stiff_line", "2"),
+              "stiff_line belongs to the law surface, not to frictional");
+    EXPECT_EQ(of("axisymmetric", "surface"), "stiff_surface is there in space alone");
+    EXPECT_EQ(of("space", "geo"), "stiff_surface belongs to the law surface, not to geo");
+    EXPECT_EQ(of("space", "surface"), "nowhere.stl: cannot be read");
+}
+
 }  // namespace

@@ -64,7 +64,9 @@ template <class Simulated> void add_points(const Simulated& simulation, Told& ou
 
 }  // namespace
 
-BothHosts::BothHosts(const std::string& toml) : name("both"), toml_name("both.toml") {
+BothHosts::BothHosts(const std::string& toml, const std::map<std::string, std::string>& beside)
+    : name("both"), toml_name("both.toml") {
+    for (const auto& [file, text] : beside) folder.write(file, text);
     folder.write(toml_name, toml);
     const grit::mpm::Case plan = cli::read_mpm_case(folder.path() / toml_name).plan;
     in_space = plan.space.has_value();

@@ -18,8 +18,9 @@ struct Told {
 
 class BothHosts {
   public:
-    // A TOML case; its history has a row for each step.
-    explicit BothHosts(const std::string& toml);
+    // A TOML case; its history has a row for each step. beside: other files that it needs, by name.
+    explicit BothHosts(const std::string& toml,
+                       const std::map<std::string, std::string>& beside = {});
 
     // steps: the most of them.
     Told in_driver(long steps) const;

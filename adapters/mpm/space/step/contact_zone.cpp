@@ -10,7 +10,7 @@ namespace grit::mpm::space {
 namespace {
 
 // What there is of a body, each in two halves; a part is one of these of body 0 or 1.
-enum Kind { domain_place, domain_sides, node_now, node_before, kinds };
+enum Kind { domain_place, domain_sides, node_now, node_before, mesh_vertex, kinds };
 int part_of(Kind kind, int body) { return 2 * kind + body; }
 Vector3 half(const KeyedNumbers& item, int which) {
     const double* from = item.value + 3 * which;
@@ -34,15 +34,30 @@ bool ContactZone::find(const Part& a, const Part& b) {
 // Which cells of particles are near, this process knows: it has the two nodes on both sides of them. Whether a node is,
 // which may be three from the one that both bodies reach, some process knows that has both.
 void ContactZone::gather(const Model& model, const std::array<Part*, 2>& bodies,
-                         const std::array<Part*, 2>& domains_of) {
+                         const RiddenMesh& mesh_a) {
     items.clear();
     for (const int body : {0, 1}) {
-        const auto k = static_cast<std::size_t>(body);
-        if (domains_of[k]) add_domains(*domains_of[k], body);
-        if (!bodies[k]->body.rigid()) add_nodes(model, *bodies[k], body);
+        Part& part = *bodies[static_cast<std::size_t>(body)];
+        if (body == 0 && !mesh_a.empty()) add_vertices(part, mesh_a);
+        else add_domains(part, body);
+        if (!part.body.rigid()) add_nodes(model, part, body);
     }
     gather_sorted(model.exchange, items);
     for (const int body : {0, 1}) unpack(body);
+    vertices.clear();
+    for (const KeyedNumbers& item : items_of(part_of(mesh_vertex, 0)))
+        vertices.push_back({number_of(item), half(item, 0)});
+}
+
+void ContactZone::add_vertices(Part& part, const RiddenMesh& mesh) {
+    const ParticleView q = part.body.particles.view();
+    const auto place_of = [&](int id) {
+        const std::ptrdiff_t p = part.find(id);
+        return p >= 0 && has(q.position(p)) ? p : -1;
+    };
+    mesh.each_near(q, place_of, [this](const NearVertex& v) {
+        items.push_back(item_of(key_of(part_of(mesh_vertex, 0), v.number), v.at, {}));
+    });
 }
 
 void ContactZone::add_domains(Part& part, int body) {

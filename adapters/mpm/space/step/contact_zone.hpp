@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where two bodies may touch in space, of all processes that share the grid: the domains of the particles there, and
-// the nodes that move them. Every process has all of it, in the same order and with the same bits, however the grid
+// Where two bodies may touch in space, of all processes that share the grid: the domains of the particles there, or
+// vertices that ride on them, and the nodes that move them. Every process has all of it, in the same order and with the same bits, however the grid
 // is cut.
 #pragma once
 
@@ -11,6 +11,7 @@
 #include "adapters/mpm/kernel/exchange.hpp"
 #include "adapters/mpm/space/step/free_faces.hpp"
 #include "adapters/mpm/space/step/near_cells.hpp"
+#include "adapters/mpm/space/step/ridden_mesh.hpp"
 
 namespace grit::mpm::space {
 
@@ -37,11 +38,9 @@ class ContactZone {
 
     // False where no node of this process is reached by both.
     bool find(const Part& a, const Part& b);
-    // After find, by all processes if one of them has found something. domains_of: null for a body whose own are not asked for.
-    void gather(const Model& model, const std::array<Part*, 2>& bodies,
-                const std::array<Part*, 2>& domains_of);
-    // Whether a particle of this process is near.
-    bool has(const Vector3& at) const { return near.has(here.cell_of(at)); }
+    // After find, by all processes if one of them has found something. mesh_a: of body 0, in the place of its domains,
+    // unless it is empty.
+    void gather(const Model& model, const std::array<Part*, 2>& bodies, const RiddenMesh& mesh_a);
 
     const GridView& whole_grid() const { return whole.grid; }
     // Whether a node of this process is the first or the last one of the whole grid along a direction.
@@ -52,6 +51,7 @@ class ContactZone {
     }
     // Of body 0 or 1, in the order of the particles' ids.
     const std::vector<NearDomain>& domains(int body) const { return of[body].domains; }
+    const std::vector<NearVertex>& vertices_of_mesh() const { return vertices; }
     // By their numbers in the whole grid; of a rigid body there are none.
     std::size_t nodes(int body) const { return of[body].number.size(); }
     double* values(int body) { return of[body].values.data(); }        // [nodes][near_node::size]
@@ -68,7 +68,10 @@ class ContactZone {
         std::vector<double> values;
         std::vector<int> held;
     };
+    // Whether a particle of this process is near.
+    bool has(const Vector3& at) const { return near.has(here.cell_of(at)); }
     void add_domains(Part& part, int body);
+    void add_vertices(Part& part, const RiddenMesh& mesh);
     void add_nodes(const Model& model, const Part& part, int body);
     void unpack(int body);
     std::span<const KeyedNumbers> items_of(int part) const;
@@ -79,6 +82,7 @@ class ContactZone {
     std::vector<std::ptrdiff_t> shared;
     std::vector<KeyedNumbers> items;
     OfBody of[2];
+    std::vector<NearVertex> vertices;
 };
 
 }  // namespace grit::mpm::space

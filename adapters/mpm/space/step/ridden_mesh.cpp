@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -81,25 +80,45 @@ void divide(TriangleMesh& mesh, double longest) {
 
 }  // namespace
 
-RiddenMesh::RiddenMesh(const TriangleMesh& mesh, double longest, const ParticleView& particles,
-                       std::ptrdiff_t count, const int* ids) {
+RiddenMesh::RiddenMesh(const TriangleMesh& mesh, double longest) {
     TriangleMesh divided = mesh;
     divide(divided, longest);
-    for (std::ptrdiff_t v = 0; v < divided.vertices(); ++v) {
-        const Vector3 x = divided.vertex(v);
-        std::ptrdiff_t nearest = -1;
-        double least = std::numeric_limits<double>::infinity();
-        for (std::ptrdiff_t p = 0; p < count; ++p) {
-            const double away = norm(particles.position(p) - x);
-            const bool is_first = away == least && ids[p] < ids[nearest];
-            if (!(away < least) && !is_first) continue;
-            least = away;
-            nearest = p;
-        }
-        if (nearest < 0) return;  // a body of nothing
-        riders.push_back({ids[nearest], x - particles.position(nearest)});
-    }
+    start = divided.position;
+    riders.resize(start.size() / 3);
     for (const std::ptrdiff_t v : divided.facet) facet.push_back(static_cast<std::size_t>(v));
+}
+
+void RiddenMesh::find_riders(const ParticleView& q, std::ptrdiff_t count, const int* ids,
+                             Exchange& exchange) {
+    const auto way = [&](std::size_t v, std::ptrdiff_t p) {
+        return Vector3{start[3 * v], start[3 * v + 1], start[3 * v + 2]} - q.position(p);
+    };
+    find_nearest(
+        riders, count, ids, exchange,
+        [&](std::size_t v, std::ptrdiff_t p) { return norm(way(v, p)); },
+        [&](std::size_t v, std::ptrdiff_t p, double* from) { std::copy_n(way(v, p).c, 3, from); });
+}
+
+void RiddenMesh::place(const std::vector<NearVertex>& near, TriangleMesh& out) const {
+    constexpr std::ptrdiff_t is_far = -2, unused = -1;
+    std::vector<std::ptrdiff_t> vertex(riders.size(), is_far);
+    std::vector<Vector3> at(riders.size());
+    for (const NearVertex& v : near) {
+        vertex[static_cast<std::size_t>(v.number)] = unused;
+        at[static_cast<std::size_t>(v.number)] = v.at;
+    }
+    out.clear();
+    for (std::size_t f = 0; f + 2 < facet.size(); f += 3) {
+        const std::size_t* of = &facet[f];
+        if (std::any_of(of, of + 3, [&](std::size_t v) { return vertex[v] == is_far; })) continue;
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (vertex[of[k]] == unused) {
+                vertex[of[k]] = out.vertices();
+                out.position.insert(out.position.end(), at[of[k]].c, at[of[k]].c + 3);
+            }
+            out.facet.push_back(vertex[of[k]]);
+        }
+    }
 }
 
 }  // namespace grit::mpm::space

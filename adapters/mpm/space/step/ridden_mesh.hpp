@@ -7,54 +7,55 @@
 
 #include "adapters/mpm/space/kernel/particles.hpp"
 #include "adapters/mpm/space/step/free_faces.hpp"
+#include "adapters/mpm/step/nearest_particles.hpp"
 
 namespace grit::mpm::space {
+
+// Where a vertex of it is.
+struct NearVertex {
+    std::ptrdiff_t number = 0;
+    Vector3 at;
+};
 
 class RiddenMesh {
   public:
     RiddenMesh() = default;
-    // Its triangles are divided until no edge is longer. Particles: at the start.
-    RiddenMesh(const TriangleMesh& mesh, double longest, const ParticleView& particles,
-               std::ptrdiff_t count, const int* ids);
+    // Its triangles are divided until no edge is longer.
+    RiddenMesh(const TriangleMesh& mesh, double longest);
     bool empty() const { return facet.empty(); }
-    // Triangles whose vertices all have a particle that is near: place_of(id), -1 where it is not.
-    template <class PlaceOf>
-    void place(const ParticleView& q, const PlaceOf& place_of, TriangleMesh& out) const {
-        out.clear();
-        std::vector<std::ptrdiff_t> vertex(riders.size(), -1);
-        for (std::size_t f = 0; f + 2 < facet.size(); f += 3) {
-            std::ptrdiff_t on[3];
-            bool all = true;
-            for (std::size_t k = 0; k < 3; ++k) {
-                on[k] = place_of(riders[facet[f + k]].id);
-                all = all && on[k] >= 0;
-            }
-            for (std::size_t k = 0; all && k < 3; ++k) {
-                std::ptrdiff_t& v = vertex[facet[f + k]];
-                if (v < 0) {
-                    v = out.vertices();
-                    const Vector3 x = now(riders[facet[f + k]], q, on[k]);
-                    out.position.insert(out.position.end(), x.c, x.c + 3);
-                }
-                out.facet.push_back(v);
-            }
+    // A body without particles carries none.
+    bool has_riders() const { return !empty() && riders[0].id != Seat::none; }
+    // Particles of this process, at the start; all processes that share the grid call it.
+    void find_riders(const ParticleView& q, std::ptrdiff_t count, const int* ids,
+                     Exchange& exchange);
+    // take(vertex) of those whose particle is near, in order: place_of(id) is here, -1 where it is not.
+    template <class PlaceOf, class Take>
+    void each_near(const ParticleView& q, const PlaceOf& place_of, const Take& take) const {
+        for (std::size_t v = 0; v < riders.size(); ++v) {
+            const std::ptrdiff_t p = place_of(static_cast<int>(riders[v].id));
+            if (p >= 0) take(NearVertex{static_cast<std::ptrdiff_t>(v), now(riders[v], q, p)});
         }
+    }
+    // Triangles all of whose vertices are near. near: in order.
+    void place(const std::vector<NearVertex>& near, TriangleMesh& out) const;
+
+    // The same on all processes.
+    template <class Self, class Archive> static void visit(Self& mesh, Archive& archive) {
+        for (auto& rider : mesh.riders) archive.value(rider);
     }
 
   private:
-    struct Rider {
-        int id;
-        Vector3 from;  // the centre of its particle, at the start [m]
-    };
-    static Vector3 now(const Rider& rider, const ParticleView& q, std::ptrdiff_t p) {
+    using Seat = Rider<3>;  // from the centre of its particle, at the start [m]
+    static Vector3 now(const Seat& seat, const ParticleView& q, std::ptrdiff_t p) {
         Vector3 x = q.position(p);
         for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j) x[i] += q.F(i, j, p) * rider.from[j];
+            for (int j = 0; j < 3; ++j) x[i] += q.F(i, j, p) * seat.from[j];
         return x;
     }
 
-    std::vector<Rider> riders;
-    std::vector<std::size_t> facet;  // three riders each
+    std::vector<double> start;       // three coordinates of each vertex [m]
+    std::vector<Seat> riders;        // of each vertex
+    std::vector<std::size_t> facet;  // three vertices each
 };
 
 }  // namespace grit::mpm::space

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "adapters/mpm/space/kernel/place.hpp"
 #include "adapters/mpm/space/step/grid_point.hpp"
@@ -27,13 +26,7 @@ SurfaceLaw surface_law(double friction_coefficient) {
 }
 
 SurfacePair::SurfacePair(const SurfaceLaw& law, Model& model) : pair_law(law), zone(model) {
-    Particles& of_a = model.parts[law.a].body.particles;
-    if (law.mesh_a.facets() > 0 && model.exchange.whole())
-        throw std::invalid_argument(
-            "a surface of triangles is for one process: its vertices ride on "
-            "particles of all of them");
-    if (law.mesh_a.facets() > 0)
-        mesh_a = RiddenMesh(law.mesh_a, model.shortest, of_a.view(), of_a.size(), of_a.ids());
+    if (law.mesh_a.facets() > 0) mesh_a = RiddenMesh(law.mesh_a, model.shortest);
     double is_free[6] = {};
     for (std::size_t node = 0; node < model.nodes(); ++node)
         for (int side = 0; side < 6; ++side)
@@ -78,17 +71,10 @@ void SurfacePair::forget() {
     reports.clear();
 }
 
-void SurfacePair::find_mesh(int which, Part& part) {
+void SurfacePair::find_mesh(int which) {
     TriangleMesh& mesh = skins[which].mesh;
-    if (!rides(which)) return faces.find(zone.whole_grid(), zone.domains(which), mesh);
-    const ParticleView q = part.body.particles.view();
-    mesh_a.place(
-        q,
-        [&](int id) {
-            const std::ptrdiff_t p = part.find(id);
-            return p >= 0 && zone.has(q.position(p)) ? p : -1;
-        },
-        mesh);
+    if (which == 0 && !mesh_a.empty()) mesh_a.place(zone.vertices_of_mesh(), mesh);
+    else faces.find(zone.whole_grid(), zone.domains(which), mesh);
 }
 
 // Weights of the vertices at the nodes that the body has mass at. Facets whose vertices have none are left out.
@@ -256,12 +242,16 @@ void SurfacePair::add_up(const grit_surface_totals& totals) {
 void SurfacePair::correct(Model& model) {
     forget();
     Part &a = model.parts[pair_law.a], &b = model.parts[pair_law.b];
+    if (!mesh_a.empty() && !mesh_a.has_riders()) {
+        Particles& of_a = a.body.particles;
+        mesh_a.find_riders(of_a.view(), of_a.size(), of_a.ids(), model.exchange);
+    }
     double is_near = zone.find(a, b) ? 1.0 : 0.0;  // of any process
     model.exchange.max(&is_near, 1);
     if (is_near == 0.0) return;
-    zone.gather(model, {&a, &b}, {rides(0) ? nullptr : &a, &b});
+    zone.gather(model, {&a, &b}, mesh_a);
     for (const int k : {0, 1}) {
-        find_mesh(k, k == 0 ? a : b);
+        find_mesh(k);
         leave_out_planes_of_symmetry(skins[k].mesh);
         find_nodes(k, k == 0 ? a : b);
         if (skins[k].mesh.facets() == 0) return;

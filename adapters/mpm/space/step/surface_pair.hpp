@@ -58,6 +58,7 @@ class SurfacePair {
     template <class Self, class Archive> static void visit(Self& pair, Archive& archive) {
         archive.value(pair.step_totals);
         archive.value(pair.step_measured);
+        RiddenMesh::visit(pair.mesh_a, archive);
     }
 
   private:
@@ -68,11 +69,9 @@ class SurfacePair {
         std::vector<std::ptrdiff_t> node;
         std::vector<char> is_lost;  // vertices that no node moves
     };
-    // Its surface is mesh_a; there is one process then.
-    bool rides(int which) const { return which == 0 && !mesh_a.empty(); }
     void leave_out_planes_of_symmetry(TriangleMesh& mesh) const;
     void forget();
-    void find_mesh(int which, Part& part);
+    void find_mesh(int which);
     void find_nodes(int which, const Part& part);
     static void keep_facets(Skin& skin);
     void find_spacing();

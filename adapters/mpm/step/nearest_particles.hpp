@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What rides on particles: each place on the one of all processes that is nearest to it.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "adapters/mpm/kernel/exchange.hpp"
+
+namespace grit::mpm {
+
+// A place that rides on a particle, where from it the process that has that one told.
+template <int numbers> struct Rider {
+    static constexpr std::int64_t none = -1;
+    std::int64_t id = none;
+    double from[numbers] = {};
+};
+
+// Of several particles that are as near the one with the least id; all processes that share the grid call it, with
+// count particles of their own. away(place, particle) [m]; from(place, particle, numbers) of the rider. Where there is no
+// particle, riders stay as they are.
+template <int numbers, class Away, class From>
+void find_nearest(std::vector<Rider<numbers>>& riders, std::ptrdiff_t count, const int* ids,
+                  Exchange& exchange, const Away& away, const From& from) {
+    constexpr double unknown = -std::numeric_limits<double>::infinity();
+    const std::size_t places = riders.size();
+    // By maxima: of what is near, of what comes first, and of what one process alone knows.
+    std::vector<std::ptrdiff_t> mine(places, -1);
+    std::vector<double> close(places, unknown), first(places, unknown);
+    std::vector<double> told(numbers * places, unknown);
+    for (std::size_t v = 0; v < places; ++v)
+        for (std::ptrdiff_t p = 0; p < count; ++p) {
+            const double here = -away(v, p);
+            const bool is_first = here == close[v] && ids[p] < ids[mine[v]];
+            if (!(here > close[v]) && !is_first) continue;
+            close[v] = here;
+            mine[v] = p;
+        }
+    const std::vector<double> close_here = close;
+    exchange.max(close.data(), static_cast<int>(places));
+    for (std::size_t v = 0; v < places; ++v)
+        if (mine[v] >= 0 && close_here[v] == close[v]) first[v] = -ids[mine[v]];
+    const std::vector<double> first_here = first;
+    exchange.max(first.data(), static_cast<int>(places));
+    for (std::size_t v = 0; v < places; ++v)
+        if (first_here[v] != unknown && first_here[v] == first[v])
+            from(v, mine[v], &told[numbers * v]);
+    exchange.max(told.data(), static_cast<int>(told.size()));
+    for (std::size_t v = 0; v < places; ++v) {
+        if (first[v] == unknown) continue;
+        riders[v].id = static_cast<std::int64_t>(-first[v]);
+        std::copy_n(&told[numbers * v], numbers, riders[v].from);
+    }
+}
+
+}  // namespace grit::mpm
