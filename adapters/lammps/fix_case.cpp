@@ -120,7 +120,7 @@ void read_traction(Words& words, FixCase& out) {
 }
 
 // The surface of the stiffer body, where that is told. False: the next word is another one.
-bool read_stiff(Words& words, const Case& plan, mpm::ContactPlan& contact) {
+bool read_stiff(Words& words, const Case& plan, mpm::ContactPlan& contact, std::string& file) {
     const bool is_line = words.peek() == "stiff_line";
     if (!is_line && words.peek() != "stiff_surface") return false;
     const std::string key = words.word("a surface");
@@ -131,8 +131,7 @@ bool read_stiff(Words& words, const Case& plan, mpm::ContactPlan& contact) {
             key + " belongs to the law surface, not to " +
             std::string(word_of(mpm::words::contact_laws, mpm::words::law_of(contact))));
     if (!is_line) {
-        contact.surface_mesh = std::make_shared<mpm::ClosedSurface>(
-            mpm::read_stl(words.word("the file of " + key), 1.0, {}));
+        file = words.word("the file of " + key);
         return true;
     }
     std::vector<Vector2> points;
@@ -144,7 +143,8 @@ bool read_stiff(Words& words, const Case& plan, mpm::ContactPlan& contact) {
     return true;
 }
 
-void read_contact(Words& words, Case& plan) {
+void read_contact(Words& words, FixCase& out) {
+    Case& plan = out.plan;
     mpm::ContactPlan contact;
     contact.stiff = words.word("the stiffer body of a contact");
     contact.soft = words.word("the softer body of a contact");
@@ -152,8 +152,9 @@ void read_contact(Words& words, Case& plan) {
     contact.friction_coefficient =
         words.number("a friction coefficient", case_word("contact", "friction_coefficient"));
     std::set<std::string> given;
+    std::string file;
     for (;;) {
-        if (read_stiff(words, plan, contact)) continue;
+        if (read_stiff(words, plan, contact, file)) continue;
         const auto* member = member_called(mpm::contact_members(), words.peek());
         if (!member) break;
         words.read(*given.insert(words.word("a keyword")).first, *member, contact);
@@ -165,6 +166,7 @@ void read_contact(Words& words, Case& plan) {
         mpm::objection_to(contact, [&](std::string_view key) { return given.contains(name(key)); }),
         name);
     plan.contacts.push_back(contact);
+    out.surfaces.push_back(file);
 }
 
 void add_stage(const std::string& name, Case& plan) {
@@ -192,7 +194,7 @@ const std::map<std::string, Reader>& readers() {
         {"motion", read_motion},
         {"points", read_points},
         {"traction", read_traction},
-        {"contact", [](Words& w, FixCase& c) { read_contact(w, c.plan); }},
+        {"contact", read_contact},
         {"stages",
          [](Words& w, FixCase& c) {
              for (int n = w.integer("the number of stages", mpm::words::many); n > 0; --n)
@@ -269,6 +271,13 @@ void check_names(const Case& plan) {
     plan.body(plan.history.body);
 }
 
+// Names of files do not matter, what is in them does.
+std::string without_file(std::string words, const std::string& keyword, const FixCase& plan) {
+    if (keyword != "contact" || plan.surfaces.back().empty()) return words;
+    const std::string name = "\n" + plan.surfaces.back() + "\n";
+    return words.replace(words.rfind(name), name.size(), "\n");
+}
+
 }  // namespace
 
 bool is_in_space(const std::string& geometry) {
@@ -292,10 +301,9 @@ FixCase read_fix(const std::vector<std::string>& given, const Box& box) {
             reader->second(words, out);
         else if (!read_numerics(keyword, words, plan))
             throw std::invalid_argument("unknown keyword \"" + keyword + '"');
-        if (keyword != "points" && keyword != "threads") matters += words.taken_since(first);
+        if (keyword != "points" && keyword != "threads")
+            matters += without_file(words.taken_since(first), keyword, out);
     }
-    for (const mpm::ContactPlan& contact : plan.contacts)
-        if (contact.surface_mesh) matters += mpm::stl_text(*contact.surface_mesh);
     out.fingerprint = mpm::checksum(matters.data(), matters.size());
     for (const mpm::Spelling& axis : axes_of(plan))
         check_grid(axis_of(plan, axis.value), box[static_cast<std::size_t>(axis.value)][1],
@@ -324,6 +332,17 @@ mpm::StagePlan read_stage(const std::vector<std::string>& given, const mpm::Stag
     const KeyName name = fix_words(mpm::end_members());
     refuse("", mpm::objection_to(plan, out.end, name), name);
     return out;
+}
+
+void read_surfaces(FixCase& plan, const std::function<std::string(const std::string&)>& bytes_of) {
+    for (std::size_t i = 0; i < plan.surfaces.size(); ++i) {
+        const std::string& file = plan.surfaces[i];
+        if (file.empty()) continue;
+        const std::string bytes = bytes_of(file);
+        plan.plan.contacts[i].surface_mesh =
+            std::make_shared<mpm::ClosedSurface>(mpm::surface_of_stl(bytes, file, 1.0, {}));
+        plan.fingerprint ^= (i + 1) * mpm::checksum(bytes.data(), bytes.size());
+    }
 }
 
 }  // namespace grit::lammps

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -28,6 +29,7 @@ struct FixCase {
     mpm::Case plan;                       // bodies without outlines
     std::vector<Members> members;         // of each body
     std::vector<std::string> points;      // files, of each body; empty: none
+    std::vector<std::string> surfaces;    // STL files, of each contact; empty: none
     std::vector<MotionVariables> motion;  // of each body
     int dimensions() const { return plan.space ? 3 : 2; }
     std::vector<std::string> traction_groups;     // of each traction
@@ -39,6 +41,9 @@ struct FixCase {
 using Box = std::array<std::array<double, 2>, 3>;
 // The words after the style's name. Throws std::invalid_argument.
 FixCase read_fix(const std::vector<std::string>& words, const Box& box);
+// The surfaces that contacts name, from the bytes of their files: these belong to the fingerprint. Throws
+// std::invalid_argument.
+void read_surfaces(FixCase& plan, const std::function<std::string(const std::string&)>& bytes_of);
 // Of a first word that is one of them; others are refused by read_fix.
 bool is_in_space(const std::string& geometry);
 

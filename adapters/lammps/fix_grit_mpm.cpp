@@ -17,6 +17,7 @@
 
 #include "adapters/lammps/points_file.hpp"
 #include "adapters/lammps/run_bytes.hpp"
+#include "adapters/mpm/case/closed_surface.hpp"
 #include "adapters/mpm/case/initial_state.hpp"
 #include "adapters/mpm/run/history.hpp"
 #include "adapters/mpm/step/column_names.hpp"
@@ -70,6 +71,17 @@ PointRow unpack(const double* from) {
             {from + before_columns, from + static_cast<std::ptrdiff_t>(from[0])}};
 }
 
+double pressure_of_table(const mpm::Case& plan, std::size_t body, double z) {
+    const mpm::WaterPlan& water = *plan.bodies[body].water;
+    const double p_w = mpm::pore_pressure_at(water, plan.gravity, z);
+    if (p_w < 0.0 && water.drainage == mpm::Drainage::flow)
+        throw std::invalid_argument("the table of water " + plan.bodies[body].name +
+                                    " must not lie below the body where water flows, as its "
+                                    "surfaces stand in water: a point is at z = " +
+                                    std::to_string(z) + " m");
+    return p_w;
+}
+
 static_assert(sizeof(double) == sizeof(std::uint64_t));
 
 }  // namespace
@@ -100,9 +112,12 @@ FixGritMpm::FixGritMpm(LAMMPS* host, int count, char** words) : Fix(host, count,
     guarded([&] {
         Box box;
         for (std::size_t d = 0; d < box.size(); ++d) box[d] = {domain->boxlo[d], domain->boxhi[d]};
-        run = std::make_unique<LocalRun>(
-            read_fix({words + 3, words + count}, box),
-            [this](const std::string& name, double t) { return variable_at(name, t); });
+        FixCase plan = read_fix({words + 3, words + count}, box);
+        read_surfaces(plan, [this](const std::string& file) { return bytes_of(file); });
+        run =
+            std::make_unique<LocalRun>(std::move(plan), [this](const std::string& name, double t) {
+                return variable_at(name, t);
+            });
         for (std::size_t b = 0; b < run->description().members.size(); ++b)
             most_columns = std::max(most_columns, run->column_names(b).size());
     });
@@ -326,6 +341,35 @@ void FixGritMpm::post_run() {
     report_traffic();
 }
 
+// One process reads, so that all have the same or none.
+std::string FixGritMpm::bytes_of(const std::string& file) {
+    std::string bytes, wrong;
+    if (comm->me == 0) {
+        try {
+            bytes = mpm::stl_bytes(file);
+        } catch (const std::invalid_argument& refused) {
+            wrong = refused.what();
+        }
+    }
+    broadcast(wrong);
+    if (!wrong.empty()) throw std::invalid_argument(wrong);
+    broadcast(bytes);
+    return bytes;
+}
+
+void FixGritMpm::broadcast(std::string& text) {
+    auto left = static_cast<std::uint64_t>(text.size());
+    MPI_Bcast(&left, 1, MPI_UINT64_T, 0, world);
+    text.resize(left);
+    constexpr std::uint64_t most = 1 << 30;
+    for (char* at = text.data(); left > 0;) {
+        const auto now = static_cast<int>(std::min(left, most));
+        MPI_Bcast(at, now, MPI_CHAR, 0, world);
+        at += now;
+        left -= static_cast<std::uint64_t>(now);
+    }
+}
+
 void FixGritMpm::read_points(std::size_t body) {
     const std::string& name = run->description().points[body];
     std::ifstream file;
@@ -357,8 +401,7 @@ void FixGritMpm::read_points(std::size_t body) {
                         std::vector<PointsFile::Otherwise>{
                             {"p_w",
                              [&plan, body](std::vector<double>& of) {
-                                 return mpm::pore_pressure_at(*plan.bodies[body].water,
-                                                              plan.gravity, of[mpm::column::z]);
+                                 return pressure_of_table(plan, body, of[mpm::column::z]);
                              }},
                             {"m_w", [this, body](std::vector<double>& of) {
                                  return run->water(body)->mass({of.data(), 1}, 0);

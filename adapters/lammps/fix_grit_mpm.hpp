@@ -49,6 +49,8 @@ class FixGritMpm : public LAMMPS_NS::Fix {
     void check_variables() const;
     void check_host() const;
     void check_bricks() const;
+    std::string bytes_of(const std::string& file);
+    void broadcast(std::string& text);
     void read_points(std::size_t body);
     LoadedIds loaded_here() const;
     LoadedIds checked_loads() const;

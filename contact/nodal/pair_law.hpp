@@ -49,7 +49,7 @@ struct Law {
 // x^k of x in [0, 1] with 0^k = 0: by multiplication where k is a small whole number, as it mostly is.
 template <class Real> GRIT_INLINE Real power(const Real& x, double k) {
     constexpr double largest_whole = 64.0;
-    if (k <= largest_whole && k == static_cast<double>(static_cast<int>(k))) {
+    if (k >= 1.0 && k <= largest_whole && k == static_cast<double>(static_cast<int>(k))) {
         auto bits = static_cast<unsigned>(k);
         Real square = x;
         while (!(bits & 1)) {

@@ -109,12 +109,14 @@ grit_status check_free(const grit_surface& s, const char* name, const grit_surfa
     GRIT_CHECK(check_given(s.weight, {name, "weight"}, error));
     GRIT_CHECK(check_base(s.mass, {name, "mass"}, error));
     GRIT_CHECK(check_output(s.velocity, components, {name, "velocity"}, error));
+    GRIT_CHECK(check_apart(s.velocity, components, s.nodes, {name, "velocity"}, "nodes", error));
     if (s.previous_velocity.base)
         GRIT_CHECK(
             check_components(s.previous_velocity, components, {name, "previous_velocity"}, error));
     if (s.pores.base) {
         GRIT_CHECK(check_components(s.pores, 3, {name, "pores"}, error));
         GRIT_CHECK(check_output(s.seepage, components, {name, "seepage"}, error));
+        GRIT_CHECK(check_apart(s.seepage, components, s.nodes, {name, "seepage"}, "nodes", error));
         if (s.previous_seepage.base)
             GRIT_CHECK(check_components(s.previous_seepage, components, {name, "previous_seepage"},
                                         error));

@@ -238,6 +238,12 @@ grit_status grit_surface_correct(const grit_surface_options* options, const grit
     GRIT_CHECK(read_surface(a, "surface a", o, s[0], error));
     GRIT_CHECK(read_surface(b, "surface b", o, s[1], error));
     GRIT_REQUIRE(!s[0].rigid || !s[1].rigid, "surface a and surface b are both rigid");
+    const bool both_move = !s[0].rigid && !s[1].rigid && s[0].facets > 0 && s[1].facets > 0;
+    GRIT_REQUIRE(!both_move || s[0].velocity.base != s[1].velocity.base,
+                 "surface a and surface b: velocity is written to the same memory");
+    GRIT_REQUIRE(!both_move || !s[0].pores.base || !s[1].pores.base ||
+                     s[0].seepage.base != s[1].seepage.base,
+                 "surface a and surface b: seepage is written to the same memory");
     GRIT_CHECK(check_understood(!totals || is_possible_size(size_of_versioned(totals)), totals,
                                 "grit_surface_totals", set_it_to_sizeof, error));
     constexpr size_t least = 4096;

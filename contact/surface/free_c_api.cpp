@@ -79,6 +79,9 @@ class FreeEdges {
     grit_status read(const grit_surface_domains& d, grit_error* error) {
         for (std::ptrdiff_t i = 0; i < n; ++i) {
             const std::ptrdiff_t p = d.index ? d.index[i] : i;
+            if (p < 0)
+                return failure(error, GRIT_BAD_CALL, i, "entry %td of index must be >= 0, got %td",
+                               i, p);
             Parallelogram& q = domains[i];
             for (int c = 0; c < 2; ++c) {
                 q.x[c] = component(d.position, p, c);

@@ -50,6 +50,7 @@ template <int C> struct ContactNode {
     std::ptrdiff_t id;
     Vector<double, C> v, v_old;
     Vector<double, C> inverse_mass;  // 0: held
+    double unheld;                   // ... as if nothing were
     // Of water that flows through the body: against it, as drag leaves it, and by what porosity it counts. What it
     // answers: to an impulse on the body, and to one on it with the opposite on the body [1/mass].
     Vector<double, C> seepage, seepage_old, by_body, by_itself;
@@ -113,7 +114,7 @@ template <int C> class System {
         }
         largest = std::max(largest, out.largest_approach);
         if (largest == 0.0) return out;
-        const double enough = tolerance * largest;
+        const double enough = std::max(tolerance * largest, smallest_change());
         do {
             out.residual = 0.0;
             const bool forth = out.sweeps % 2 == 0;
@@ -209,6 +210,19 @@ template <int C> class System {
   private:
     using Node = ContactNode<C>;
 
+    // Of a velocity, that its roundoff lets sweeps tell from none.
+    double smallest_change() const {
+        double largest = 0.0;
+        for (std::ptrdiff_t r = 0; r < n_rows; ++r)
+            for (int k = 0; k < C; ++k) {
+                double w = std::fabs(rows[r].rigid[k]);
+                for (std::ptrdiff_t i = rows[r].begin; i < rows[r].end; ++i)
+                    w += std::fabs(dot(terms[i].d[k], nodes[terms[i].node].v));
+                largest = std::max(largest, w);
+            }
+        return 4.0 * std::numeric_limits<double>::epsilon() * largest;
+    }
+
     bool sort_shares(std::ptrdiff_t n) {
         const std::ptrdiff_t count = pressures.size();
         start = arena.take<std::ptrdiff_t>(count + 1);
@@ -298,8 +312,8 @@ template <int C> class System {
             node.v_old =
                 s.previous_velocity.base ? vector_of<C>(s.previous_velocity, node.id) : node.v;
             const int held = s.fixed ? s.fixed[node.id] : 0;
-            for (int c = 0; c < C; ++c)
-                node.inverse_mass[c] = held >> c & 1 ? 0.0 : 1.0 / component(s.mass, node.id, 0);
+            node.unheld = 1.0 / component(s.mass, node.id, 0);
+            for (int c = 0; c < C; ++c) node.inverse_mass[c] = held >> c & 1 ? 0.0 : node.unheld;
             read_water(s, node, held);
         }
     }
@@ -307,7 +321,8 @@ template <int C> class System {
     static void read_water(const grit_surface& s, Node& node, int held) {
         node.porosity = 0.0;
         node.seepage = node.seepage_old = node.by_body = node.by_itself = {};
-        if (!s.pores.base || !(component(s.pores, node.id, 0) > 0.0)) return;
+        // No less water than a node may have of the body.
+        if (!s.pores.base || !(component(s.pores, node.id, 0) >= 1.0 / largest_number)) return;
         const double m = component(s.mass, node.id, 0), m_w = component(s.pores, node.id, 0);
         const double drag = component(s.pores, node.id, 1);
         const double all = m * m_w + drag * (m + m_w);
@@ -424,6 +439,7 @@ template <int C> class System {
     void add_terms(std::ptrdiff_t* const* vertex, const std::ptrdiff_t* count, Row<C>& row,
                    Growing<Term<C>>& found) {
         std::ptrdiff_t n_touched = 0;
+        double unheld[C] = {};  // 1 / mass, as if nothing were held
         for (int body = 0; body < 2; ++body) {
             const grit_surface& s = *skin[body]->given;
             for (std::ptrdiff_t w = 0; w < count[body]; ++w) {
@@ -456,7 +472,9 @@ template <int C> class System {
             for (int m = 0; m < C; ++m) {
                 term.d[m] = node_sum[node].d[m];
                 for (int c = 0; c < C; ++c) {
-                    row.effective[m] += term.d[m][c] * term.d[m][c] * nodes[node].inverse_mass[c];
+                    const double square = term.d[m][c] * term.d[m][c];
+                    row.effective[m] += square * nodes[node].inverse_mass[c];
+                    unheld[m] += square * nodes[node].unheld;
                     any = any || term.d[m][c] != 0.0;
                 }
             }
@@ -467,6 +485,9 @@ template <int C> class System {
                     at.porosity * at.porosity * term.d[0][c] * term.d[0][c] * at.by_itself[c];
             if (any) found.add(term);
         }
+        // What moves by roundoff alone, as all else is held, does not move.
+        for (int m = 0; m < C; ++m)
+            if (!(row.effective[m] > 1e-20 * unheld[m])) row.effective[m] = 0.0;
     }
 
     double approach(const Row<C>& row, int k, Vector<double, C> Node::*velocity) const {

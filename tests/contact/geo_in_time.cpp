@@ -68,6 +68,19 @@ TEST(GeoContactInTime, DriftsUnderALoadByItsOwnRate) {
     }
 }
 
+// The power of a step that is nothing of the relaxation time underflows to 0, where that of the time is small.
+TEST(GeoContactInTime, DoesNothingInNoTime) {
+    for (const double touching : {share, 0.0}) {
+        OneNode node(1.0);
+        node.nodes.node[0].s = touching;
+        const double before = node.w();
+        grit_contact_options options = in_time(1e-100, 1e100);
+        options.penalty_power = 1e-200;
+        node.step(options);
+        EXPECT_NEAR(node.w(), touching > 0.0 ? before : 0.0, 1e-15);
+    }
+}
+
 TEST(GeoContactInTime, OfTheStepIsThePublishedOneBitForBit) {
     for (const double k : {1.0, 2.0, 6.0, 2.5}) {
         Nodes published = random_nodes(20000, 3, 81), in_a_step = published;

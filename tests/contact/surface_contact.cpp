@@ -431,6 +431,30 @@ TEST(SurfaceContact, ChangesNothingWhereItIsRefusedOrOnlyValidates) {
     }
 }
 
+TEST(SurfaceContact, RefusesMemoryThatWouldBeWrittenTwice) {
+    Meeting m(2, 2);
+    const grit_surface a = m.a.surface(), b = m.b.surface();
+    SurfaceCall call(2);
+    call.workspace.resize(grit_surface_workspace_size(&a, &b));
+    const auto text_of = [&](const grit_surface& one, const grit_surface& other) {
+        const std::vector<double> before = m.a.v;
+        EXPECT_EQ(grit_surface_correct(&call.options, &one, &other, call.workspace.data(),
+                                       call.workspace.size() * sizeof(double), nullptr, nullptr,
+                                       nullptr, &call.error),
+                  GRIT_BAD_CALL);
+        EXPECT_EQ(m.a.v, before);
+        return std::string(call.error.message);
+    };
+    grit_surface close = a;
+    close.velocity.point_stride = 1;
+    EXPECT_EQ(text_of(close, b),
+              "surface a: velocity is written: strides of 1 (nodes) and 1 (components) put two of "
+              "its numbers in one place");
+    grit_surface same = b;
+    same.velocity = a.velocity;
+    EXPECT_EQ(text_of(a, same), "surface a and surface b: velocity is written to the same memory");
+}
+
 TEST(SurfaceContact, SaysHowMuchMemoryItNeeds) {
     Meeting m(2, 2);
     const GridBody before = m.b;
@@ -535,6 +559,49 @@ TEST(SurfaceContact, TakesTheSmallestAndTheLargestMass) {
         ASSERT_EQ(call(floor, block), GRIT_OK) << call.error.message;
         EXPECT_NEAR(block.v[1], -0.5, 1e-12);
         EXPECT_NEAR(floor.v[3], -0.5, 1e-12);
+    }
+}
+
+// Nodes that are held have all of the weight but for roundoff: nothing is there that could give way, and what the rest
+// would need is no impulse.
+TEST(SurfaceContact, MovesNothingThatHangsOnByRoundoff) {
+    auto [floor, block] = block_above_floor(7, 0.0, 1.0);
+    for (std::size_t k = 0; k < block.weight.size(); ++k) {
+        const auto node = static_cast<std::size_t>(block.node[k]);
+        if (block.weight[k] > 0.0) {
+            block.weight[k] *= 1.0 - 0x1p-53;
+            block.fixed[node] = 3;
+            block.v[2 * node] = block.v[2 * node + 1] = 0.0;
+        } else {
+            block.weight[k] = 1e-16;
+        }
+    }
+    SurfaceCall call(2, 0.5);
+    const std::vector<double> before = block.v;
+    ASSERT_EQ(call(floor, block), GRIT_OK) << call.error.message;
+    EXPECT_GT(call.totals.points, 0);
+    EXPECT_EQ(block.v, before);
+    EXPECT_EQ(call.totals.normal_impulse, 0.0);
+}
+
+// What moves along together approaches by roundoff alone, which no sweep makes less.
+TEST(SurfaceContact, NeedsFewSweepsWhereNothingApproaches) {
+    for (const int components : {2, 3}) {
+        Meeting m(components, 2);
+        const double speed[] = {0.7, 0.1, 0.3};
+        for (GridBody* body : {&m.a, &m.b}) {
+            std::fill(body->fixed.begin(), body->fixed.end(), 0);
+            for (std::size_t i = 0; i < body->v.size(); ++i)
+                body->v[i] = speed[i % static_cast<std::size_t>(components)];
+            body->v_old = body->v;
+        }
+        SurfaceCall call(components, 0.3);
+        ASSERT_EQ(call(m.a, m.b), GRIT_OK) << call.error.message;
+        EXPECT_GT(call.totals.points, 0);
+        EXPECT_LT(call.totals.largest_approach, 1e-14);
+        EXPECT_LE(call.totals.sweeps, 3);
+        for (std::size_t i = 0; i < m.a.v.size(); ++i)
+            EXPECT_NEAR(m.a.v[i], speed[i % static_cast<std::size_t>(components)], 1e-12);
     }
 }
 

@@ -12,7 +12,7 @@ namespace {
 struct Domains {
     std::vector<double> data;  // x, r_1, r_2 of a particle
     std::vector<double> position;
-    std::vector<std::ptrdiff_t> facet, owner;
+    std::vector<std::ptrdiff_t> facet, owner, index;  // no index: all
     std::ptrdiff_t vertices = -1, facets = -1;
     double tolerance = 0.25;
     grit_error error{};
@@ -28,6 +28,7 @@ struct Domains {
         d.position = grit_view_of(data.data(), 6, 1);
         d.side = grit_matrix_view_of(data.data() + 2, 6, 2, 1);
         d.tolerance = tolerance;
+        d.index = index.empty() ? nullptr : index.data();
         position.assign(8 * n, 0.0);
         facet.assign(8 * n, -1);
         owner.assign(4 * n, -1);
@@ -156,6 +157,9 @@ TEST(FreeEdges, OfNothingAreNoneAndOfBadDomainsRefused) {
     EXPECT_EQ(d.error.point, 0);
     d.data[1] = std::nan("");
     EXPECT_EQ(d.find(), GRIT_BAD_STATE);
+    d.index = {-1};
+    EXPECT_EQ(d.find(), GRIT_BAD_CALL);
+    EXPECT_STREQ(d.error.message, "entry 0 of index must be >= 0, got -1");
     d.tolerance = 0.6;
     EXPECT_EQ(d.find(), GRIT_BAD_CALL);
     EXPECT_STREQ(d.error.message, "tolerance must be in (0, 0.5], got 0.6");

@@ -121,11 +121,19 @@ TEST_F(LammpsSpaceSurfaces, ThatRideOnARigidBodyGoOnFromARestartFile) {
     EXPECT_EQ(first_difference({{driver.rows.back()}, driver.points},
                                {{after.rows.back()}, after.points}),
               "");
-    // Another surface is another run.
-    hosts.folder.write("both_ground_block.stl", stl_of_box({5.0, 4.5, 6.0}, {15.5, 14.0, 8.999}));
-    const Answer refused = hosts.lammps(2, hosts.go_on("mesh.20"));
-    EXPECT_NE(refused.status, 0);
-    EXPECT_TRUE(refused.says("ERROR") && !refused.says("terminate called")) << refused.text;
+    // A file may be elsewhere; another surface is another run.
+    const std::string name = "both_ground_block.stl";
+    const auto go_on_with = [&](const std::string& file, const std::string& text) {
+        if (!text.empty()) hosts.folder.write(file, text);
+        hosts.folder.write("other.fix", replaced(hosts.folder.read("both.fix"), name, file));
+        return hosts.lammps(2, replaced(hosts.go_on("mesh.20"), "both.fix", "other.fix"));
+    };
+    const Answer moved = go_on_with("elsewhere.stl", hosts.folder.read(name));
+    EXPECT_EQ(moved.status, 0) << moved.text;
+    const Answer other = go_on_with("other.stl", stl_of_box({5.0, 4.5, 6.0}, {15.5, 14.0, 8.999}));
+    EXPECT_TRUE(other.status != 0 && other.says("with other words")) << other.text;
+    const Answer missing = go_on_with("nowhere.stl", "");
+    EXPECT_TRUE(missing.status != 0 && missing.says("nowhere.stl: cannot be read")) << missing.text;
 }
 
 }  // namespace

@@ -199,6 +199,10 @@ TEST(LammpsWaterTable, GivesPressuresThatTheFileOfPointsDoesNotHave) {
     EXPECT_EQ(without.find("p_w"), std::string::npos);
     hosts.folder.write("both_soil.points", without);
     const std::string fix = hosts.folder.read("both.fix");
+    hosts.folder.write("both.fix", replaced(fix, "water soil flow", "water soil flow table -0.3"));
+    const Answer low = hosts.lammps(1, hosts.script());
+    EXPECT_TRUE(low.status != 0 && low.says("the table of water soil must not lie below the body"))
+        << low.text;
     hosts.folder.write("both.fix", replaced(fix, "water soil flow", "water soil flow table 0"));
     EXPECT_EQ(first_difference(hosts.in_driver(all), hosts.in_lammps(2, 1)), "");
 }

@@ -389,6 +389,65 @@ TEST(SaturatedSand, StartsWithItsBuoyantWeight) {
         EXPECT_NEAR(q(Sand::work + 1, p), 1000.0 * 9.81 * (1.0 - q(column::z, p)), 20.0);
 }
 
+// Weight of grains and water above, less what the water bears there: no more than its tension where it has cavitated,
+// nothing without a table; and free water above the surface presses on it.
+TEST(SaturatedSand, StartsInBalanceWhereverItsTableIs) {
+    struct Start {
+        std::optional<double> table;
+        double largest_tension;
+    };
+    for (const auto& [table, tension] : {Start{0.4, 1e5}, Start{0.4, 2e3}, Start{0.4, 0.0},
+                                         Start{std::nullopt, 1e5}, Start{1.5, 1e5}}) {
+        Case plan = column_case();
+        BodyPlan& body = plan.bodies[0];
+        body.material = lausitz_plan(0.75);
+        body.geostatic = Geostatic{.surface = 1.0, .surcharge = 1000.0};
+        body.water = WaterPlan{.grain_density = 2650.0, .table = table};
+        body.water->largest_tension = tension;
+        BuiltCase built = build_case(plan);
+        Simulation& simulation = *built.simulation;
+        Particles& q = simulation.body(0).particles;
+        const double above = table && *table > 1.0 ? 1000.0 * 9.81 * (*table - 1.0) : 0.0;
+        const double unit_weight = (2650.0 + 0.75 * 1000.0) / 1.75 * 9.81;
+        for (std::ptrdiff_t p = 0; p < q.size(); ++p) {
+            const double borne = simulation.body(0).water->pressure(q.view(), p);
+            const double whole = 1000.0 + above + unit_weight * (1.0 - q(column::z, p));
+            EXPECT_NEAR(borne - q(column::S_zz, p), whole, 0.5) << table.value_or(-1.0) << tension;
+        }
+    }
+}
+
+// Pores that are open as far as they go: the water that is cavitated in them bears again where they close, whatever its cell
+// has opened by in between.
+TEST(PoreWater, BearsAgainWhereItsPoresCloseFromTheCap) {
+    PoreWater water;
+    water.void_ratio_column = column::own;
+    water.opening_cap = 1.2;
+    water.first = column::own + 1;
+    water.largest_tension = 1e3;
+    Particles particles(2);
+    particles.add({0.5, 0.5, 0.5, 0.5, 1.0}, false);
+    const ParticleView q = particles.view();
+    constexpr std::int64_t volume = std::int64_t{1} << 40;
+    WaterSums sums;
+    const auto open = [&](double e, double strain) {
+        WaterCell cell{};
+        cell.volume = volume;
+        cell.weighted = static_cast<std::int64_t>(std::ldexp(strain, 40));
+        const WaterPlace place{1.0, e, 0};
+        update_pressures(q, 0, 1, water, &cell, &place, 1.0, nullptr, false, sums);
+        return q[water.first][0];
+    };
+    q[water.first][0] = 0.0;
+    const double at_cap = open(1.1, 0.01);
+    EXPECT_LT(at_cap, -water.largest_tension);
+    EXPECT_EQ(open(1.2, 0.5), at_cap);
+    EXPECT_EQ(open(1.3, 0.5), at_cap);
+    EXPECT_GT(open(1.2, -0.02), 0.0);                  // closes
+    EXPECT_LT(open(1.2, 1e-7), open(1.1, 0.0) + 1.0);  // what bears opens
+    EXPECT_GT(open(1.1, -1e-3), open(1.1, 1e-3));
+}
+
 // Whatever the porosity does: under a hydrostatic pressure water stays where it is, and under an even one all do.
 TEST(FlowingWater, StaysAtRestInSandOfUnevenPorosity) {
     for (const double gravity : {0.0, 9.81}) {
@@ -500,13 +559,13 @@ TEST(InstructionSets, ChangeNoBitOfTheKernelsOfWater) {
                                       .conductivity_at = 0.6,
                                       .first = column::own};
                 std::vector<NodeRecord> records[2];
-                std::vector<CellIntegers> strains[2];
+                std::vector<WaterCell> strains[2];
                 Particles moved[2] = {start, start};
                 const Kernels* sets[2] = {&kernels(), &baseline_kernels};
                 for (const std::size_t k : {0u, 1u}) {
                     records[k].assign(n, NodeRecord{});
                     strains[k].resize(n);
-                    std::vector<CellIntegers> pressures(n);
+                    std::vector<WaterCell> pressures(n);
                     add_pressures(grid, moved[k].view(), 0, 1, water, 1.0, pressures.data());
                     std::vector<NodeRecord> of_grains(n, NodeRecord{});
                     const WaterScatter scattered{&water, pressures.data(), records[k].data()};
@@ -543,8 +602,8 @@ TEST(InstructionSets, ChangeNoBitOfTheKernelsOfWater) {
                 }
                 EXPECT_EQ(std::memcmp(records[0].data(), records[1].data(), n * sizeof(NodeRecord)),
                           0);
-                EXPECT_EQ(
-                    std::memcmp(strains[0].data(), strains[1].data(), n * sizeof(CellIntegers)), 0);
+                EXPECT_EQ(std::memcmp(strains[0].data(), strains[1].data(), n * sizeof(WaterCell)),
+                          0);
                 for (int c = 0; c < moved[0].column_count(); ++c)
                     EXPECT_EQ(moved[0](c, 0), moved[1](c, 0));
             }

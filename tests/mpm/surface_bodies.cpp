@@ -11,6 +11,7 @@
 namespace {
 
 using namespace mpm_test;
+using grit::Vector2;
 
 TEST(SurfaceContactOfBodies, PressesEveryParticleAlikeWhereverTheInterfaceIs) {
     for (const double offset : {0.0, 0.3, 0.7})
@@ -123,6 +124,44 @@ TEST(SurfaceContactOfBodies, ExpandsACavityOfParticlesOneACellWithTheStressOfFin
 
 KeyedNumbers domain(std::uint64_t id, double r, double z, const double (&sides)[4]) {
     return {id, {r, z, sides[0], sides[1], sides[2], sides[3]}};
+}
+
+// Some of them are as near as others: on the points of a lattice, between them, and twice at one place.
+TEST(NearestParticles, AreThoseThatAreFoundOneByOne) {
+    std::vector<Vector2> particles;
+    std::vector<int> ids;
+    for (int i = 0; i < 200; ++i) {
+        particles.push_back({static_cast<double>(i * 7 % 13), static_cast<double>(i * 5 % 11)});
+        ids.push_back((i * 37 + 11) % 200);
+    }
+    std::vector<Vector2> places;
+    for (int i = 0; i < 300; ++i)
+        places.push_back({-2.0 + 0.5 * (i * 11 % 33), -2.0 + 0.25 * (i * 17 % 59)});
+    const auto way = [&](std::size_t v, std::ptrdiff_t p) {
+        return places[v] - particles[static_cast<std::size_t>(p)];
+    };
+    for (const std::size_t count : {std::size_t{200}, std::size_t{1}}) {
+        std::vector<Rider<2>> riders(places.size());
+        Exchange alone;
+        find_nearest(
+            riders, static_cast<std::ptrdiff_t>(count), ids.data(), alone,
+            [&](std::ptrdiff_t p) { return particles[static_cast<std::size_t>(p)][0]; }, way,
+            [&](std::size_t v, std::ptrdiff_t p, double* from) {
+                from[0] = way(v, p)[0];
+                from[1] = way(v, p)[1];
+            });
+        for (std::size_t v = 0; v < places.size(); ++v) {
+            std::size_t nearest = 0;
+            for (std::size_t p = 1; p < count; ++p) {
+                const double away = norm(places[v] - particles[p]);
+                const double least = norm(places[v] - particles[nearest]);
+                if (away < least || (away == least && ids[p] < ids[nearest])) nearest = p;
+            }
+            EXPECT_EQ(riders[v].id, ids[nearest]) << v;
+            EXPECT_EQ(riders[v].from[0], places[v][0] - particles[nearest][0]);
+            EXPECT_EQ(riders[v].from[1], places[v][1] - particles[nearest][1]);
+        }
+    }
 }
 
 TEST(RiddenLine, MovesAsTheDomainsThatItsVerticesWereNearestTo) {

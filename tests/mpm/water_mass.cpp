@@ -2,8 +2,10 @@
 // Water is neither made nor lost: what particles have less of has crossed surfaces and sides.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <vector>
 
 #include <adapters/mpm/run/measures.hpp>
@@ -27,7 +29,7 @@ std::vector<NodeRecord> areas(const Simulation& simulation, std::size_t i) {
     const GridView grid{simulation.axis_r().view(), simulation.axis_z().view()};
     const std::size_t cells =
         static_cast<std::size_t>(grid.r.cells) * static_cast<std::size_t>(grid.z.cells);
-    const std::vector<CellIntegers> none(cells);
+    const std::vector<WaterCell> none(cells);
     std::vector<NodeRecord> out(static_cast<std::size_t>(grid.nodes_r()) *
                                     (static_cast<std::size_t>(grid.z.cells) + 1),
                                 NodeRecord{});
@@ -139,6 +141,42 @@ TEST(WaterMass, IsKeptWhereItComesInAndLeaves) {
         BuiltCase built = build_case(plan);
         expect_kept(*built.simulation, 0, 500);
     }
+}
+
+// Of a cell all particles lose as much of their volume: one by one a steady flow would empty some and fill others.
+TEST(WaterMass, LeavesTheParticlesOfACellAlike) {
+    PressedSand problem;
+    problem.water = PressedSand::soft_water(true, false);
+    const auto simulation = problem.build();
+    Particles& q = simulation->body(1).particles;
+    const int content = simulation->body(1).water->content_column();
+    for (int i = 0; i < 100; ++i) simulation->step();
+    const GridView grid{simulation->axis_r().view(), simulation->axis_z().view()};
+    struct Before {
+        int id, cell;
+        double volume, content;
+    };
+    std::vector<Before> before;
+    for (std::ptrdiff_t p = 0; p < q.size(); ++p)
+        before.push_back({q.ids()[p],
+                          static_cast<int>(grid.cell_of(q(column::r, p), q(column::z, p))),
+                          q(column::V0, p) * q.view().J(p), q(content, p)});
+    simulation->step();
+    std::map<int, std::vector<double>> lost;
+    double most = 0.0;
+    for (const Before& b : before) {
+        const double share = (b.content - q(content, simulation->find(1, b.id))) / b.volume;
+        lost[b.cell].push_back(share);
+        most = std::max(most, std::fabs(share));
+    }
+    EXPECT_GT(most, 0.0);
+    int shared = 0;
+    for (const auto& [cell, of] : lost) {
+        shared += of.size() > 1 ? 1 : 0;
+        const auto [least, largest] = std::minmax_element(of.begin(), of.end());
+        EXPECT_NEAR(*least, *largest, 1e-6 * most) << cell;
+    }
+    EXPECT_GT(shared, 10);
 }
 
 // In a closed box to the last digits, whatever swings in it.

@@ -217,7 +217,7 @@ std::string stl_text(const ClosedSurface& surface) {
     return out.str();
 }
 
-ClosedSurface read_stl(const std::filesystem::path& file, double unit, const Vector3& moved) {
+std::string stl_bytes(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
     if (!in) fail(file, "cannot be read");
     std::error_code unknown;
@@ -225,7 +225,11 @@ ClosedSurface read_stl(const std::filesystem::path& file, double unit, const Vec
     constexpr std::size_t longest = 300 * most_triangles;  // of a text
     if (unknown || size > longest)
         fail(file, "is no file, or longer than " + std::to_string(longest) + " bytes");
-    const std::string bytes(std::istreambuf_iterator<char>(in), {});
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+ClosedSurface surface_of_stl(const std::string& bytes, const std::filesystem::path& file,
+                             double unit, const Vector3& moved) {
     auto triangles = is_binary(bytes) ? triangles_of_bytes(bytes) : triangles_of_text(file, bytes);
     if (triangles.size() > most_triangles)
         fail(file, "has " + std::to_string(triangles.size()) + " triangles, at most " +
@@ -237,6 +241,10 @@ ClosedSurface read_stl(const std::filesystem::path& file, double unit, const Vec
     } catch (const std::invalid_argument& error) {
         fail(file, error.what());
     }
+}
+
+ClosedSurface read_stl(const std::filesystem::path& file, double unit, const Vector3& moved) {
+    return surface_of_stl(stl_bytes(file), file, unit, moved);
 }
 
 }  // namespace grit::mpm

@@ -45,6 +45,10 @@ class ClosedSurface {
 // An STL file, binary or text, its numbers times unit [m] and then moved. Throws std::invalid_argument naming the file and
 // what is wrong with it.
 ClosedSurface read_stl(const std::filesystem::path& file, double unit, const Vector3& moved);
+// The two halves of that, for hosts of many processes, of which one reads.
+std::string stl_bytes(const std::filesystem::path& file);
+ClosedSurface surface_of_stl(const std::string& bytes, const std::filesystem::path& file,
+                             double unit, const Vector3& moved);
 // The text of an STL file [m] that gives the same surface, to the bit.
 std::string stl_text(const ClosedSurface& surface);
 

@@ -47,21 +47,20 @@ double void_ratio_of(const BodyPlan& body) {
 }
 
 // Effective vertical stresses of a body whose pores are full, compression positive, by depth below its surface:
-// the weight above less the pore pressure, where void ratios follow the stress.
-class BuoyantWeight {
+// the weight above less the pore pressure that bears, where void ratios follow the stress.
+class EffectiveWeight {
   public:
-    BuoyantWeight(const BodyPlan& of, double gravity_down, double deepest)
+    EffectiveWeight(const BodyPlan& of, double gravity_down, double deepest)
         : body(of), gravity(gravity_down), spacing(deepest / levels) {
-        const Geostatic& rest = *body.geostatic;
-        const WaterPlan& water = *body.water;
-        // Free water above the surface presses on grains and pores alike; suction on the grains.
-        const double suction =
-            water.table ? std::max(0.0, rest.surface - *water.table) * water.density * gravity
-                        : 0.0;
-        stress.push_back(rest.surcharge + suction);
+        // Free water above the surface presses on grains and pores alike.
+        double borne = pressure_at(0.0);
+        stress.push_back(body.geostatic->surcharge + std::max(borne, 0.0) - borne);
         for (int i = 0; i < levels; ++i) {
-            const double half = stress.back() + 0.5 * spacing * unit_weight(stress.back());
-            stress.push_back(stress.back() + spacing * unit_weight(half));
+            const double before = stress.back(), below = pressure_at((i + 1) * spacing);
+            const double change = below - borne;
+            const double half = before + 0.5 * (spacing * unit_weight(before) - change);
+            stress.push_back(before + spacing * unit_weight(half) - change);
+            borne = below;
         }
     }
     double operator()(double depth) const {
@@ -73,9 +72,15 @@ class BuoyantWeight {
 
   private:
     static constexpr int levels = 256;
+    double pressure_at(double depth) const {
+        const WaterPlan& water = *body.water;
+        return std::max(pore_pressure_at(water, gravity, body.geostatic->surface - depth),
+                        -water.largest_tension);
+    }
     double unit_weight(double vertical) const {
+        const WaterPlan& water = *body.water;
         const double e = void_ratio(vertical);
-        return (body.water->grain_density - body.water->density) * gravity / (1.0 + e);
+        return (water.grain_density + e * water.density) * gravity / (1.0 + e);
     }
     double void_ratio(double vertical) const {
         const auto* plan = std::get_if<SandPlan>(&body.material);
@@ -104,16 +109,16 @@ void set_geostatic(const BodyPlan& body, double gravity, Particles& particles) {
     const auto depth_of = [&](std::ptrdiff_t p) {
         return std::max(0.0, rest.surface - q[c::z][p]);
     };
-    std::optional<BuoyantWeight> buoyant;
+    std::optional<EffectiveWeight> effective;
     if (body.water) {
         double deepest = 0.0;
         for (std::ptrdiff_t p = 0; p < particles.size(); ++p)
             deepest = std::max(deepest, depth_of(p));
-        buoyant.emplace(body, gravity, deepest);
+        effective.emplace(body, gravity, deepest);
     }
     for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
-        const double weight = buoyant ? 0.0 : unit_weight;
-        const double surcharge = buoyant ? (*buoyant)(depth_of(p)) : rest.surcharge;
+        const double weight = effective ? 0.0 : unit_weight;
+        const double surcharge = effective ? (*effective)(depth_of(p)) : rest.surcharge;
         double stress[6];
         find_stress_at_rest(body, plan ? &sand : nullptr, weight, depth_of(p), surcharge, 1,
                             stress);
@@ -185,6 +190,7 @@ PoreWater make_water(const BodyPlan& body, const Material& material) {
     out.conductivity_at = conductivity_at(body);
     out.first = column::own + material.own_columns();
     out.void_ratio_column = material.separation().void_ratio;
+    if (out.void_ratio_column >= 0) out.opening_cap = material.separation().cap;
     return out;
 }
 
@@ -207,7 +213,13 @@ void fill_pores(const BodyPlan& body, double gravity, const PoreWater& water,
         const double density =
             (1.0 - n) * plan.grain_density + (water.flows ? 0.0 : n * plan.density);
         q[c::mass][p] = density * q[c::V0][p];
-        q[water.first][p] = pore_pressure_at(plan, gravity, q[c::z][p]);
+        const double at_start = pore_pressure_at(plan, gravity, q[c::z][p]);
+        if (!(at_start < plan.bulk_modulus))
+            refuse(body, "the bulk modulus of water, " + std::to_string(plan.bulk_modulus) +
+                             " Pa, must be above the pressure that its table gives at z = " +
+                             std::to_string(q[c::z][p]) + " m, " + std::to_string(at_start) +
+                             " Pa");
+        q[water.first][p] = at_start;
         if (water.flows) q[water.content_column()][p] = water.mass(q, p);
     }
 }

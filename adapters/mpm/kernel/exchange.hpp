@@ -9,7 +9,7 @@
 //   means of cells, per body    sum of cells, of strains and of stresses        16 a halo cell each
 //   ... of mean stresses        maximum                                         8
 //   pore water, per body        sum of node records, or of integers             64 a halo node
-//   ...                         sum of cells, of pressures and of strains       16 a halo cell each
+//   ...                         sum of cells, of pressures and of strains       24 a halo cell each
 //   ... fixed point             maxima of contributions, eight                  8 each
 //   ... implicit                sum of patches, of cells                        256 a halo cell
 //   ... ..., each change        sums of laws, of cells                          16 a halo cell

@@ -68,9 +68,9 @@ void reflect(const PoreWater& water, const ParticleView& q, std::ptrdiff_t p) {
 
 void add_pressures(const GridView& grid, const ParticleView& q, std::ptrdiff_t begin,
                    std::ptrdiff_t end, const PoreWater& water, double per_volume,
-                   CellIntegers* cells) {
+                   WaterCell* cells) {
     for (std::ptrdiff_t p = begin; p < end; ++p) {
-        CellIntegers& cell = cells[grid.cell_of(q[column::r][p], q[column::z][p])];
+        WaterCell& cell = cells[grid.cell_of(q[column::r][p], q[column::z][p])];
         const double V = q[column::V0][p] * q.J(p) * per_volume;
         cell.volume += cell_share_rounded(0.125 * V);
         cell.weighted +=
@@ -87,15 +87,20 @@ namespace {
 
 }  // namespace
 
-// Of undrained water the strain is that of the pores too, whose middle is taken.
+// Of undrained water the strain is that of the pores too, whose middle is taken. What has come and gone is that of the cell,
+// as the pressure is: particle by particle a steady flow would empty some and fill others.
 double update_pressures(const ParticleView& q, std::ptrdiff_t begin, std::ptrdiff_t end,
-                        const PoreWater& water, const CellIntegers* cells, const WaterPlace* places,
+                        const PoreWater& water, const WaterCell* cells, const WaterPlace* places,
                         double per_volume, const double* left, bool fixed_point, WaterSums& sums) {
     double fastest = 0.0;
     for (std::ptrdiff_t p = begin; p < end; ++p) {
         const auto [V, e, cell] = places[p];
-        const CellIntegers& mean = cells[cell];
+        const WaterCell& mean = cells[cell];
         const double of_cell = mean.volume > 0 ? mean.mean() : 0.0;
+        if (water.flows && mean.volume > 0)
+            q[water.content_column()][p] -=
+                water.density * V *
+                (static_cast<double>(mean.left) / static_cast<double>(mean.volume));
         const double gone = left && mean.volume > 0 ? left[cell] / mean.total(per_volume) : 0.0;
         const double strain = of_cell + gone;
         const double e_middle = water.flows ? e : e + 0.5 * (1.0 + e) * of_cell;
@@ -104,7 +109,11 @@ double update_pressures(const ParticleView& q, std::ptrdiff_t begin, std::ptrdif
         if (water.flows && !(q[water.content_column()][p] > 0.0))
             fail(q, p, "water left: more has flowed out of it than was there");
         const double before = water.pressure(q, p);
-        q[water.first][p] -= water.bulk_modulus / PoreWater::porosity_of(e_middle) * strain;
+        // Pores that have opened to the cap stay as they are, and what is cavitated in them.
+        const bool is_held =
+            e >= water.opening_cap && strain > 0.0 && q[water.first][p] <= -water.largest_tension;
+        if (!is_held)
+            q[water.first][p] -= water.bulk_modulus / PoreWater::porosity_of(e_middle) * strain;
         const double now = water.pressure(q, p);
         sums.work.add(-0.5 * (before + now) * strain * V, fixed_point);
         sums.half.add(-0.5 * now * of_cell * V, fixed_point);

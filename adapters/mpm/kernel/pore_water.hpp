@@ -41,6 +41,8 @@ struct PoreWater {
     double conductivity_at = 0.0;  // ... at this void ratio (Kozeny-Carman); 0: at any
     int first = 0;                 // of its columns
     int void_ratio_column = -1;    // of the material; -1: it has none
+    double opening_cap =
+        std::numeric_limits<double>::infinity();  // void ratio beyond which that does not open
 
     // Columns beside those of the material. The pressure is p_w >= -largest_tension; below, it says how
     // far a cavity must close before the water bears again. The velocity is that against the grains. The content, per
@@ -137,6 +139,11 @@ struct alignas(64) CellPatch {
     double force[32];
 };
 
+// Of a cell, beside what its pressure or strain is averaged from: what left it, as a share of volume, times volume.
+struct WaterCell : CellIntegers {
+    std::int64_t left;
+};
+
 // Cells by the patch each has and the first of its nodes, in arrays of nodes with rows of this length.
 struct PatchedCell {
     std::size_t patch, first;
@@ -168,7 +175,7 @@ struct WaterSums {
 // What a scatter leaves of water, beside the grains.
 struct WaterScatter {
     const PoreWater* water;
-    const CellIntegers* cells;            // mean pressures, of add_pressures
+    const WaterCell* cells;               // mean pressures, of add_pressures
     NodeRecord* nodes;                    // added to
     FixedPoint* fixed_point = nullptr;    // in place of nodes, if the grains are
     CellPatch* patches = nullptr;         // added to, of implicit pressure ...
@@ -187,7 +194,7 @@ struct WaterGather {
     // As nodes have it: its divergence takes pressure and water; of undrained bodies the grains'.
     const NodeMotion* volume;
     const NodeMotion* flowing;  // of water that flows: v and other
-    CellIntegers* cells;        // volumetric strains, added to
+    WaterCell* cells;           // volumetric strains and what left, added to
     WaterPlace* places;         // [particles] out
     double per_volume;
     WaterSums* sums;
@@ -195,12 +202,11 @@ struct WaterGather {
 
 // The mean pressures of cells, as shares of K_w.
 void add_pressures(const GridView& grid, const ParticleView& particles, std::ptrdiff_t begin,
-                   std::ptrdiff_t end, const PoreWater& water, double per_volume,
-                   CellIntegers* cells);
+                   std::ptrdiff_t end, const PoreWater& water, double per_volume, WaterCell* cells);
 // (W1), (W2) of a range, after a gather: each particle with the mean strain of its cell and its share of what else left that
 // [m3] (null: nothing did). Returns what water adds to the square of the speed of waves, at the most [m2/s2].
 double update_pressures(const ParticleView& particles, std::ptrdiff_t begin, std::ptrdiff_t end,
-                        const PoreWater& water, const CellIntegers* cells, const WaterPlace* places,
+                        const PoreWater& water, const WaterCell* cells, const WaterPlace* places,
                         double per_volume, const double* left, bool fixed_point, WaterSums& sums);
 
 struct WaterNodeCall {

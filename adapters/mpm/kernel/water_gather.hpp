@@ -98,7 +98,7 @@ GRIT_INLINE void gather_water(const GatherCall& call, const PoreWater& water, co
     move_water(call, water, of_grains.S, velocities_at(w, of.flowing), p, at);
     // Linear in the nodes' velocities: the sum over all particles is what crosses surfaces and sides.
     const double left = gradient_of<axisymmetric>(g, motion::other_r, call.dt).trace();
-    q[water.content_column()][p] -= water.density * V * left;
+    of.cells[at.cell].left += cell_share_rounded(0.125 * share * left);
 }
 
 GRIT_KERNEL_END

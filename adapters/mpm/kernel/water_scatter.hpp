@@ -54,7 +54,7 @@ struct NoRows {};
 // Of a particle of this volume, to nodes and to the patch of its cell.
 template <bool axisymmetric, class Sums, class Rows> struct WaterShares {
     const ScatterCall& call;
-    const CellIntegers* cells;
+    const WaterCell* cells;
     Sums& sums;
     Rows rows;
     PoreWater water;  // numbers of its own: no store to a column can change them
@@ -62,7 +62,7 @@ template <bool axisymmetric, class Sums, class Rows> struct WaterShares {
     template <class Stencil>
     GRIT_INLINE void add(const Place& place, const Stencil& w, std::ptrdiff_t p, double V) {
         const ParticleView& q = call.particles;
-        const CellIntegers& cell = cells[place.cell_z * call.grid.r.cells + place.cell_r];
+        const WaterCell& cell = cells[place.cell_z * call.grid.r.cells + place.cell_r];
         const double force =
             cell.volume > 0 ? V * (water.bulk_modulus * cell.mean()) : V * water.pressure(q, p);
         double mass = 0.0, drag = 0.0, m_v_r = 0.0, m_v_z = 0.0;

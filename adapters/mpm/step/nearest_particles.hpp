@@ -3,8 +3,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 #include "adapters/mpm/kernel/exchange.hpp"
@@ -19,25 +21,41 @@ template <int numbers> struct Rider {
 };
 
 // Of several particles that are as near the one with the least id; all processes that share the grid call it, with
-// count particles of their own. away(place, particle) [m]; from(place, particle, numbers) of the rider. Where there is no
-// particle, riders stay as they are.
-template <int numbers, class Away, class From>
+// count particles of their own. way(place, particle): from that to the place [m]; from(place, particle, numbers) of the
+// rider; across(particle): where it is along the first direction. Where there is no particle, riders stay as they are.
+template <int numbers, class Across, class Way, class From>
 void find_nearest(std::vector<Rider<numbers>>& riders, std::ptrdiff_t count, const int* ids,
-                  Exchange& exchange, const Away& away, const From& from) {
+                  Exchange& exchange, const Across& across, const Way& way, const From& from) {
     constexpr double unknown = -std::numeric_limits<double>::infinity();
     const std::size_t places = riders.size();
     // By maxima: of what is near, of what comes first, and of what one process alone knows.
     std::vector<std::ptrdiff_t> mine(places, -1);
     std::vector<double> close(places, unknown), first(places, unknown);
     std::vector<double> told(numbers * places, unknown);
-    for (std::size_t v = 0; v < places; ++v)
-        for (std::ptrdiff_t p = 0; p < count; ++p) {
-            const double here = -away(v, p);
+    std::vector<std::ptrdiff_t> order(static_cast<std::size_t>(count));
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(),
+              [&](std::ptrdiff_t p, std::ptrdiff_t q) { return across(p) < across(q); });
+    for (std::size_t v = 0; v < places && count > 0; ++v) {
+        // False: this one is farther along one direction than another one is in all, as are those behind it.
+        const auto look_at = [&](std::ptrdiff_t p) {
+            const auto x = way(v, p);
+            if (std::fabs(x[0]) > -close[v]) return false;
+            const double here = -norm(x);
             const bool is_first = here == close[v] && ids[p] < ids[mine[v]];
-            if (!(here > close[v]) && !is_first) continue;
-            close[v] = here;
-            mine[v] = p;
-        }
+            if (here > close[v] || is_first) {
+                close[v] = here;
+                mine[v] = p;
+            }
+            return true;
+        };
+        const double at = across(order[0]) + way(v, order[0])[0];
+        const auto middle =
+            std::lower_bound(order.begin(), order.end(), at,
+                             [&](std::ptrdiff_t p, double x) { return across(p) < x; });
+        for (auto up = middle; up != order.end() && look_at(*up);) ++up;
+        for (auto down = middle; down != order.begin() && look_at(*(down - 1));) --down;
+    }
     const std::vector<double> close_here = close;
     exchange.max(close.data(), static_cast<int>(places));
     for (std::size_t v = 0; v < places; ++v)

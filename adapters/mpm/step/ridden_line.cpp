@@ -34,8 +34,7 @@ void RiddenLine::find_riders(const ParticleView& q, std::ptrdiff_t count, const 
         return Vector2{start[v][0] - q[column::r][p], start[v][1] - q[column::z][p]};
     };
     find_nearest(
-        riders, count, ids, exchange,
-        [&](std::size_t v, std::ptrdiff_t p) { return std::hypot(way(v, p)[0], way(v, p)[1]); },
+        riders, count, ids, exchange, [&](std::ptrdiff_t p) { return q[column::r][p]; }, way,
         [&](std::size_t v, std::ptrdiff_t p, double* from) {
             from[0] = way(v, p)[0] / q[column::l_r][p];
             from[1] = way(v, p)[1] / q[column::l_z][p];

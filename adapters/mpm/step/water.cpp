@@ -75,7 +75,7 @@ WaterNodeCall Water::nodes(std::size_t i, int strip) {
 // The means of cells, of all processes.
 void Water::find_pressures() {
     if (!is_anywhere()) return;
-    for (OfBody& body : bodies) std::fill(body.cells.begin(), body.cells.end(), CellIntegers{});
+    for (OfBody& body : bodies) std::fill(body.cells.begin(), body.cells.end(), WaterCell{});
     model.for_strips_apart([this](std::size_t i, int strip) {
         if (!has(i)) return;
         Part& part = model.parts[i];
@@ -87,10 +87,12 @@ void Water::find_pressures() {
 }
 
 void Water::sum_cells() {
+    constexpr int integers = 3;
+    static_assert(sizeof(WaterCell) == integers * sizeof(std::int64_t));
     for (OfBody& body : bodies)
         if (!body.cells.empty())
-            model.exchange.sum_cells(body.cells.data(),
-                                     static_cast<std::ptrdiff_t>(body.cells.size()));
+            model.exchange.sum_cells(&body.cells[0].volume,
+                                     static_cast<std::ptrdiff_t>(body.cells.size()), integers);
 }
 
 bool Water::check_sums() {
@@ -278,7 +280,7 @@ void Water::follow(std::size_t i, std::size_t node, const Vector2& grains, const
 double Water::pressure_at(std::size_t i, std::ptrdiff_t p) const {
     const ParticleView q = model.parts[i].body.particles.view();
     const PoreWater& water = *model.parts[i].body.water;
-    const CellIntegers& cell = bodies[i].cells[static_cast<std::size_t>(
+    const WaterCell& cell = bodies[i].cells[static_cast<std::size_t>(
         model.grid().cell_of(q[column::r][p], q[column::z][p]))];
     return cell.volume > 0 ? cell.mean() * water.bulk_modulus : water.pressure(q, p);
 }
@@ -686,7 +688,7 @@ void Water::close() {
     });
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         OfBody& body = bodies[i];
-        std::fill(body.cells.begin(), body.cells.end(), CellIntegers{});
+        std::fill(body.cells.begin(), body.cells.end(), WaterCell{});
         if (has(i))
             body.places.resize(static_cast<std::size_t>(model.parts[i].body.particles.size()));
     }

@@ -158,7 +158,7 @@ class Water {
         double grains, water, drag;  // drag: impulse on the grains, by the pressure's [-]
     };
     struct OfBody {
-        std::vector<CellIntegers> cells = {};
+        std::vector<WaterCell> cells = {};
         std::vector<WaterPlace> places = {};  // of particles
         std::vector<NodeRecord> records = {};
         IntegerRecords integers = {};                       // of these, in fixed point

@@ -133,7 +133,7 @@ void FreeFaces::add_face(const NearDomain& q, std::ptrdiff_t i, int direction, d
         if (place < 0) {
             place = static_cast<std::ptrdiff_t>(corners.size());
             const Vector3 x = corner_of_domain(q, c);
-            corners.push_back({x, i, place, 0.61 * x[0] + 0.53 * x[1] + 0.59 * x[2]});
+            corners.push_back({x, i, place, 0.6 * x[0] + 0.53 * x[1] + 0.59 * x[2]});
         }
         out.middle.push_back(place);
     }

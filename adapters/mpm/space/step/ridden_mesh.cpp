@@ -94,8 +94,7 @@ void RiddenMesh::find_riders(const ParticleView& q, std::ptrdiff_t count, const 
         return Vector3{start[3 * v], start[3 * v + 1], start[3 * v + 2]} - q.position(p);
     };
     find_nearest(
-        riders, count, ids, exchange,
-        [&](std::size_t v, std::ptrdiff_t p) { return norm(way(v, p)); },
+        riders, count, ids, exchange, [&](std::ptrdiff_t p) { return q.position(p)[0]; }, way,
         [&](std::size_t v, std::ptrdiff_t p, double* from) { std::copy_n(way(v, p).c, 3, from); });
 }
 
