@@ -2,6 +2,8 @@
 // Bodies in contact at their true surfaces, in the driver.
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "support/cavity_in_sand.hpp"
 #include "support/cylinders.hpp"
 #include "support/inclined_bars.hpp"
@@ -162,6 +164,33 @@ TEST(NearestParticles, AreThoseThatAreFoundOneByOne) {
             EXPECT_EQ(riders[v].from[1], places[v][1] - particles[nearest][1]);
         }
     }
+}
+
+TEST(NearestParticles, AreThoseThatHaveAPlace) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    constexpr double far = std::numeric_limits<double>::infinity();
+    std::vector<Vector2> particles(100, {none, 0.0});
+    std::vector<int> ids;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        if (p % 7 == 3) particles[p] = {p % 2 ? far : -far, none};
+        ids.push_back(static_cast<int>(p));
+    }
+    const auto find = [&] {
+        std::vector<Rider<2>> riders(3);
+        Exchange alone;
+        find_nearest(
+            riders, static_cast<std::ptrdiff_t>(particles.size()), ids.data(), alone,
+            [&](std::ptrdiff_t p) { return particles[static_cast<std::size_t>(p)][0]; },
+            [&](std::size_t v, std::ptrdiff_t p) {
+                return Vector2{static_cast<double>(v), 0.0} -
+                       particles[static_cast<std::size_t>(p)];
+            },
+            [](std::size_t, std::ptrdiff_t, double*) {});
+        return riders[2].id;
+    };
+    EXPECT_EQ(find(), Rider<2>::none);
+    particles[40] = {2.5, 0.5};
+    EXPECT_EQ(find(), 40);
 }
 
 TEST(RiddenLine, MovesAsTheDomainsThatItsVerticesWereNearestTo) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <cstdint>
 #include <limits>
 #include <numeric>
@@ -34,15 +35,17 @@ void find_nearest(std::vector<Rider<numbers>>& riders, std::ptrdiff_t count, con
     std::vector<double> told(numbers * places, unknown);
     std::vector<std::ptrdiff_t> order(static_cast<std::size_t>(count));
     std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(),
-              [&](std::ptrdiff_t p, std::ptrdiff_t q) { return across(p) < across(q); });
+    // An order of what is no number, too, as a state from outside may have.
+    std::sort(order.begin(), order.end(), [&](std::ptrdiff_t p, std::ptrdiff_t q) {
+        return std::strong_order(across(p), across(q)) < 0;
+    });
     for (std::size_t v = 0; v < places && count > 0; ++v) {
         // False: this one is farther along one direction than another one is in all, as are those behind it.
         const auto look_at = [&](std::ptrdiff_t p) {
             const auto x = way(v, p);
             if (std::fabs(x[0]) > -close[v]) return false;
             const double here = -norm(x);
-            const bool is_first = here == close[v] && ids[p] < ids[mine[v]];
+            const bool is_first = mine[v] >= 0 && here == close[v] && ids[p] < ids[mine[v]];
             if (here > close[v] || is_first) {
                 close[v] = here;
                 mine[v] = p;
