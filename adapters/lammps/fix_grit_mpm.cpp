@@ -17,6 +17,7 @@
 
 #include "adapters/lammps/points_file.hpp"
 #include "adapters/lammps/run_bytes.hpp"
+#include "adapters/lammps/words.hpp"
 #include "adapters/mpm/case/closed_surface.hpp"
 #include "adapters/mpm/case/initial_state.hpp"
 #include "adapters/mpm/run/history.hpp"
@@ -72,14 +73,9 @@ PointRow unpack(const double* from) {
 }
 
 double pressure_of_table(const mpm::Case& plan, std::size_t body, double z) {
-    const mpm::WaterPlan& water = *plan.bodies[body].water;
-    const double p_w = mpm::pore_pressure_at(water, plan.gravity, z);
-    if (p_w < 0.0 && water.drainage == mpm::Drainage::flow)
-        throw std::invalid_argument("the table of water " + plan.bodies[body].name +
-                                    " must not lie below the body where water flows, as its "
-                                    "surfaces stand in water: a point is at z = " +
-                                    std::to_string(z) + " m");
-    return p_w;
+    const mpm::BodyPlan& of = plan.bodies[body];
+    refuse("the table of water " + of.name, mpm::objection_to_water_table(of, z), no_name);
+    return mpm::pore_pressure_at(*of.water, plan.gravity, z);
 }
 
 static_assert(sizeof(double) == sizeof(std::uint64_t));

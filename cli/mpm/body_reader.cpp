@@ -165,7 +165,9 @@ void read_water(TomlTable table, const Case& plan, BodyPlan& body) {
     refuse(table, objection_to(plan, body.material, out, [&table](std::string_view key) {
                return table.has(std::string(key));
            }));
-    refuse(table, objection_to_water_table(body));
+    for (const Outline& outline : body.outlines)
+        for (const grit::Vector2& corner : outline.corners)
+            refuse(table, objection_to_water_table(body, corner[1]));
     table.finish();
 }
 

@@ -143,8 +143,7 @@ constexpr FixKeyword keywords[] = {
      "geo and frictional have `normal`, `distance` and `gated`, geo `power` besides, surface "
      "`pressure_spacing`, `sweep_tolerance`, `after_damping` and the surface of STIFF at the "
      "begin: `stiff_line` through N points [m], STIFF on its left, closed if the last is the "
-     "first, "
-     "in space `stiff_surface`, an STL file [m]; geo and surface TAU [s] and X of "
+     "first, in space `stiff_surface`, an STL file [m]; geo and surface TAU [s] and X of "
      "M [Pa] / shortest "
      "cell: of geo X with gate, of surface TAU with X, X without `after_damping`; `distance` not "
      "without gate where it is frictional"},

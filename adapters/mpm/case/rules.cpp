@@ -160,17 +160,14 @@ Objections objection_to(const Case& plan, const MaterialPlan& material, const Wa
     return {};
 }
 
-Objections objection_to_water_table(const BodyPlan& body) {
+Objections objection_to_water_table(const BodyPlan& body, double reached) {
     if (!body.water || body.water->drainage != Drainage::flow || !body.water->table) return {};
     const double table = *body.water->table;
-    for (const Outline& outline : body.outlines)
-        for (const Vector2& corner : outline.corners)
-            if (corner[1] > table + 1e-9 * (1.0 + std::abs(table)))
-                return Objection{"water_table_m",
-                                 " must not lie below the body where water flows, as its "
-                                 "surfaces stand in water: got " +
-                                     text(table) + ", the body reaches " + text(corner[1])};
-    return {};
+    if (!(reached > table + 1e-9 * (1.0 + std::abs(table)))) return {};
+    return Objection{"water_table_m",
+                     " must not lie below the body where water flows, as its surfaces stand in "
+                     "water: got " +
+                         text(table) + ", the body reaches " + text(reached)};
 }
 
 Objections objection_to_contact(const Case& plan, std::size_t contact, const KeyName& name) {

@@ -39,7 +39,8 @@ Objections objection_to(const Case& plan, const BoundaryLine& line);
 Objections objection_to(const Case& plan, const MaterialPlan& material, const WaterPlan& water,
                         const IsGiven& given);
 // Of the level of no pore pressure: water that flows is let in by every surface that suction is behind.
-Objections objection_to_water_table(const BodyPlan& body);
+// reached: by the body.
+Objections objection_to_water_table(const BodyPlan& body, double reached);
 // Of the contact and of those before it, and of the bodies that it knows.
 Objections objection_to_contact(const Case& plan, std::size_t contact, const KeyName& name);
 // Of the law and of what is given for it.

@@ -30,6 +30,7 @@ RiddenLine::RiddenLine(const BoundaryLine& line, double longest)
 
 void RiddenLine::find_riders(const ParticleView& q, std::ptrdiff_t count, const int* ids,
                              Exchange& exchange) {
+    if (empty() || has_riders()) return;
     const auto way = [&](std::size_t v, std::ptrdiff_t p) {
         return Vector2{start[v][0] - q[column::r][p], start[v][1] - q[column::z][p]};
     };

@@ -20,7 +20,7 @@ class RiddenLine {
     bool empty() const { return riders.empty(); }
     // A body without particles carries none.
     bool has_riders() const { return !empty() && riders[0].id != Seat::none; }
-    // Particles of this process, at the start; all processes that share the grid call it.
+    // Particles of this process, at the start; all processes that share the grid call it. Does nothing where there are some.
     void find_riders(const ParticleView& q, std::ptrdiff_t count, const int* ids,
                      Exchange& exchange);
     // Where it is, by the domains of particles by ids (near_domain): vertices, two coordinates each, and facets,

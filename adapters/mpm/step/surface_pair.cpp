@@ -56,8 +56,7 @@ void SurfacePair::forget() {
 }
 
 void SurfacePair::find_riders(const SurfaceBody& a, Exchange& exchange) {
-    if (!line_a.empty() && !line_a.has_riders())
-        line_a.find_riders(a.particles, a.count, a.ids, exchange);
+    line_a.find_riders(a.particles, a.count, a.ids, exchange);
 }
 
 bool SurfacePair::find(const SurfaceBody& a, const SurfaceBody& b) {

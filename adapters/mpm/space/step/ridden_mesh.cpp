@@ -90,6 +90,7 @@ RiddenMesh::RiddenMesh(const TriangleMesh& mesh, double longest) {
 
 void RiddenMesh::find_riders(const ParticleView& q, std::ptrdiff_t count, const int* ids,
                              Exchange& exchange) {
+    if (empty() || has_riders()) return;
     const auto way = [&](std::size_t v, std::ptrdiff_t p) {
         return Vector3{start[3 * v], start[3 * v + 1], start[3 * v + 2]} - q.position(p);
     };

@@ -25,7 +25,7 @@ class RiddenMesh {
     bool empty() const { return facet.empty(); }
     // A body without particles carries none.
     bool has_riders() const { return !empty() && riders[0].id != Seat::none; }
-    // Particles of this process, at the start; all processes that share the grid call it.
+    // Particles of this process, at the start; all processes that share the grid call it. Does nothing where there are some.
     void find_riders(const ParticleView& q, std::ptrdiff_t count, const int* ids,
                      Exchange& exchange);
     // take(vertex) of those whose particle is near, in order: place_of(id) is here, -1 where it is not.

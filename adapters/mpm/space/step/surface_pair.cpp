@@ -242,10 +242,8 @@ void SurfacePair::add_up(const grit_surface_totals& totals) {
 void SurfacePair::correct(Model& model) {
     forget();
     Part &a = model.parts[pair_law.a], &b = model.parts[pair_law.b];
-    if (!mesh_a.empty() && !mesh_a.has_riders()) {
-        Particles& of_a = a.body.particles;
-        mesh_a.find_riders(of_a.view(), of_a.size(), of_a.ids(), model.exchange);
-    }
+    Particles& of_a = a.body.particles;
+    mesh_a.find_riders(of_a.view(), of_a.size(), of_a.ids(), model.exchange);
     double is_near = zone.find(a, b) ? 1.0 : 0.0;  // of any process
     model.exchange.max(&is_near, 1);
     if (is_near == 0.0) return;
