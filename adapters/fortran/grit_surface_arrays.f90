@@ -6,11 +6,16 @@ module grit_surface_arrays
    use grit_surface_interface
    implicit none
    private
-   public :: grit_surface_options_init, grit_surface_of, grit_surface_correct, grit_surface_find_free
+   public :: grit_surface_options_init, grit_surface_of, grit_surface_correct, grit_surface_correct_pairs, &
+             grit_surface_find_free
 
    ! status = grit_surface_correct(options, a, b [, reports, totals, error])
    interface grit_surface_correct
       procedure correct, c_surface_correct
+   end interface
+   ! status = grit_surface_correct_pairs(options, a, b [, totals, error]): arrays of as many pairs.
+   interface grit_surface_correct_pairs
+      procedure correct_pairs, c_surface_correct_pairs
    end interface
    ! status = grit_surface_find_free(position, side, tolerance, vertex, facet, vertices, facets
    !    [, owner, error]): position (2, n), side (2, 2, n) with side(:, j, p) = r_j, vertex (2, 4 n),
@@ -112,6 +117,41 @@ contains
          allocate (workspace(bytes/8 + 1))
          status = c_surface_correct(options, a, b, c_loc(workspace), 8*size(workspace, kind=c_size_t), &
                                     bytes, to, totals, error)
+         if (bytes == 0) exit
+      end do
+      if (.not. present(totals)) return
+      totals%row = c_null_ptr
+      totals%term = c_null_ptr
+      totals%rows = 0
+   end function
+
+   integer(c_int) function correct_pairs(options, a, b, totals, error) result(status)
+      type(grit_surface_options), intent(in), target, contiguous :: options(:)
+      type(grit_surface), intent(in), target, contiguous :: a(:), b(:)
+      type(grit_surface_totals), intent(inout), target, contiguous, optional :: totals(:)
+      type(grit_error), intent(inout), optional :: error
+      type(grit_surface_pair) :: pairs(size(a))
+      real(c_double), allocatable, target :: workspace(:)
+      integer(c_size_t) :: bytes
+      integer :: p
+      status = grit_bad_call
+      if (.not. grit_fits('options', shape(options), shape(a), error)) return
+      if (.not. grit_fits('b', shape(b), shape(a), error)) return
+      if (present(totals)) then
+         if (.not. grit_fits('totals', shape(totals), shape(a), error)) return
+      end if
+      do p = 1, size(a)
+         pairs(p)%options = c_loc(options(p))
+         pairs(p)%a = c_loc(a(p))
+         pairs(p)%b = c_loc(b(p))
+         if (present(totals)) pairs(p)%totals = c_loc(totals(p))
+      end do
+      bytes = grit_surface_pairs_workspace_size(pairs, size(a, kind=c_ptrdiff_t))
+      do
+         if (allocated(workspace)) deallocate (workspace)
+         allocate (workspace(bytes/8 + 1))
+         status = c_surface_correct_pairs(pairs, size(a, kind=c_ptrdiff_t), c_loc(workspace), &
+                                          8*size(workspace, kind=c_size_t), bytes, error)
          if (bytes == 0) exit
       end do
       if (.not. present(totals)) return

@@ -19,10 +19,10 @@ module grit_surface_interface
       real(c_double) :: relaxation_time       ! tau [time]
    end type
 
-   ! facet (components, facets), node and weight (nodes_each, vertices), fixed and water_fixed (nodes), spacing and
+   ! facet (components, facets), node and weight (nodes_each, vertices), fixed, water_fixed and number (nodes), spacing and
    ! pore_pressure (facets): c_loc of arrays. pores (3, nodes): mass of water, drag, porosity.
    type, bind(c) :: grit_surface
-      integer(c_size_t) :: struct_size = 288
+      integer(c_size_t) :: struct_size = 304
       integer(c_int) :: rigid = 0, nodes_each = 0
       integer(c_ptrdiff_t) :: vertices = 0, facets = 0
       type(grit_view) :: position
@@ -38,6 +38,14 @@ module grit_surface_interface
       type(grit_mutable_view) :: seepage
       type(grit_view) :: previous_seepage
       type(c_ptr) :: pore_pressure = c_null_ptr
+      integer(c_int) :: body = 0
+      type(c_ptr) :: number = c_null_ptr
+   end type
+
+   ! c_loc of grit_surface_options, grit_surface, reports (facets of a) and grit_surface_totals.
+   type, bind(c) :: grit_surface_pair
+      type(c_ptr) :: options = c_null_ptr, a = c_null_ptr, b = c_null_ptr
+      type(c_ptr) :: reports = c_null_ptr, totals = c_null_ptr
    end type
 
    type, bind(c) :: grit_surface_report
@@ -97,6 +105,21 @@ module grit_surface_interface
          integer(c_size_t), intent(inout), optional :: needed
          type(c_ptr), value :: reports
          type(grit_surface_totals), intent(inout), optional :: totals
+         type(grit_error), intent(inout), optional :: error
+      end function
+      integer(c_size_t) function grit_surface_pairs_workspace_size(pairs, n) bind(c)
+         import
+         type(grit_surface_pair), intent(in) :: pairs(*)
+         integer(c_ptrdiff_t), value :: n
+      end function
+      integer(c_int) function c_surface_correct_pairs(pairs, n, workspace, workspace_size, needed, error) &
+         bind(c, name='grit_surface_correct_pairs')
+         import
+         type(grit_surface_pair), intent(in) :: pairs(*)
+         integer(c_ptrdiff_t), value :: n
+         type(c_ptr), value :: workspace
+         integer(c_size_t), value :: workspace_size
+         integer(c_size_t), intent(inout), optional :: needed
          type(grit_error), intent(inout), optional :: error
       end function
       integer(c_size_t) function grit_surface_find_free_workspace_size(n) bind(c)

@@ -231,7 +231,7 @@ std::vector<mpm::space::Traction> LocalRun::tractions(const mpm::space::Simulati
         const mpm::FacePlan& face = plan.plan.space->faces[i];
         const std::size_t body = plan.plan.body(plan.plan.tractions[i].body);
         for (const int id : loaded[i])
-            out.push_back({body, id, {face.across, face.upper}, face_stress[i]});
+            out.push_back({body, id, {face.across, face.upper}, face_stress[i], 1.0});
     }
     return out;
 }

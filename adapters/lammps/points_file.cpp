@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "adapters/mpm/kernel/particles.hpp"
 #include "adapters/mpm/space/kernel/particles.hpp"
+#include "adapters/mpm/step/text.hpp"
 
 namespace grit::lammps {
 
@@ -17,7 +19,8 @@ using mpm::words::Geometry;
 
 PointsFile::PointsFile(std::vector<std::string> given, const std::string& first_line,
                        Geometry geometry, std::vector<Otherwise> otherwise)
-    : names(std::move(given)), axisymmetric(geometry == Geometry::axisymmetric) {
+    : names(std::move(given)), axisymmetric(geometry == Geometry::axisymmetric),
+      in_space(geometry == Geometry::space) {
     if (geometry == Geometry::space) {
         namespace c = mpm::space::column;
         sides = {c::l_x, c::l_y, c::l_z};
@@ -65,7 +68,14 @@ PointsFile::PointsFile(std::vector<std::string> given, const std::string& first_
     }
 }
 
-int PointsFile::id_of(const char* line) { return static_cast<int>(std::strtol(line, nullptr, 10)); }
+int PointsFile::id_of(const char* line) {
+    char* end = nullptr;
+    const long id = std::strtol(line, &end, 10);
+    if (id < 0 || id > std::numeric_limits<int>::max())
+        throw std::invalid_argument("an id must be in [1, 2147483647], got " +
+                                    std::string(line, static_cast<std::size_t>(end - line)));
+    return static_cast<int>(id);
+}
 
 void PointsFile::read(const char* line, std::vector<double>& row) const {
     row.resize(names.size(), 0.0);
@@ -92,8 +102,12 @@ void PointsFile::read(const char* line, std::vector<double>& row) const {
     }
     if (!has_volume) row[volume] = axisymmetric ? brick * row[mpm::column::r] : brick;
     if (!has_mass) row[mass] = density * row[volume];
-    if (!(is_positive && row[mass] > 0.0 && row[volume] > 0.0))
-        fail("half sides, mass and volume must be positive");
+    if (!(is_positive && row[mass] > 0.0 && row[volume] > 0.0 && std::isfinite(row[mass]) &&
+          std::isfinite(row[volume])))
+        fail("half sides, mass and volume must be positive and finite");
+    const double stretch = in_space ? mpm::space::ParticleView{row.data(), 1}.J(0)
+                                    : mpm::ParticleView{row.data(), 1}.J(0);
+    if (!(stretch > 0.0)) fail("det F must be positive, got " + mpm::text(stretch));
     for (std::size_t i = 0; i < left_out.size(); ++i)
         row[left_out_columns[i]] = left_out[i].value(row);
 }

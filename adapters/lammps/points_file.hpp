@@ -35,7 +35,7 @@ class PointsFile {
     std::vector<std::size_t> sides,
         diagonal;  // half sides; the components of F that a unit tensor has
     std::size_t mass, volume;
-    bool axisymmetric, has_mass, has_volume;
+    bool axisymmetric, in_space, has_mass, has_volume;
     std::vector<Otherwise> left_out;
     std::vector<std::size_t> left_out_columns;  // of these
 };

@@ -78,11 +78,12 @@ RigidPlan read_rigid(TomlTable table, bool in_space) {
     bool moves = table.has(along_r) || table.has("velocity_z_m_per_s");
     if (in_space) moves = read_rigid_in_space(table, out) || moves;
     out.from_stage = table.string_if("from_stage").value_or("");
-    if (!moves)
-        for (const char* key : {"time_s", "from_stage"})
-            if (table.has(key))
-                table.fail(key, fmt::format("{} needs {} or velocity_z_m_per_s", table.full(key),
-                                            along_r));
+    for (const char* key : {"time_s", "from_stage"}) {
+        const bool is_of_free = out.any_free() && key == std::string_view("from_stage");
+        if (!moves && !is_of_free && table.has(key))
+            table.fail(key,
+                       fmt::format("{} needs {} or velocity_z_m_per_s", table.full(key), along_r));
+    }
     table.finish();
     return out;
 }

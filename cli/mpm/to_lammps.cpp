@@ -123,9 +123,19 @@ std::vector<int> loaded(const Case& plan, Simulation& simulation, std::size_t tr
 
 std::vector<int> loaded(const Case& plan, space::Simulation& simulation, std::size_t traction) {
     const std::string& body = plan.tractions[traction].body;
-    return space::outermost(simulation.body(plan.body(body)).particles,
-                            {simulation.axis(0), simulation.axis(1), simulation.axis(2)},
-                            plan.space->faces[traction], body);
+    std::vector<int> out;
+    for (const space::OuterFace& face :
+         space::outermost(*plan.space, plan.body(body),
+                          {simulation.axis(0), simulation.axis(1), simulation.axis(2)},
+                          plan.space->faces[traction], body)) {
+        if (face.share != 1.0)
+            throw std::invalid_argument(fmt::format(
+                "traction on body {}: its shape goes through faces of particles, of which "
+                "fix grit/mpm loads the whole area",
+                body));
+        out.push_back(face.particle);
+    }
+    return out;
 }
 
 template <class Simulated> TractionAtoms traction_atoms(const Case& plan, Simulated& simulation) {

@@ -11,5 +11,8 @@ namespace grit::surface {
 template <class T> void sort_ascending(T* begin, T* end) {
     std::sort(begin, end, [](const T& x, const T& y) { return x < y; });
 }
+template <class T, class Before> void sort_ascending(T* begin, T* end, const Before& before) {
+    std::sort(begin, end, before);
+}
 
 }  // namespace grit::surface

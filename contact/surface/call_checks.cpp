@@ -161,12 +161,12 @@ grit_status read_options(const grit_surface_options* given, grit_surface_options
                  "sweep_tolerance must be in (0, 1], got %g", o.sweep_tolerance);
     GRIT_REQUIRE(o.friction_coefficient >= 0.0 && o.friction_coefficient <= 1e6,
                  "friction_coefficient must be in [0, 1e6], got %g", o.friction_coefficient);
-    GRIT_REQUIRE(o.time_step > 0.0 && o.time_step <= largest_number,
-                 "time_step must be in (0, 1e30] (time), got %g", o.time_step);
-    GRIT_REQUIRE(o.spacing > 0.0 && o.spacing <= largest_number,
-                 "spacing must be in (0, 1e30] (length), got %g", o.spacing);
-    GRIT_REQUIRE(o.reach > 0.0 && o.reach <= largest_number,
-                 "reach must be in (0, 1e30] (length), got %g", o.reach);
+    GRIT_REQUIRE(o.time_step >= 1.0 / largest_number && o.time_step <= largest_number,
+                 "time_step must be in [1e-30, 1e30] (time), got %g", o.time_step);
+    GRIT_REQUIRE(o.spacing >= 1.0 / largest_number && o.spacing <= largest_number,
+                 "spacing must be in [1e-30, 1e30] (length), got %g", o.spacing);
+    GRIT_REQUIRE(o.reach >= 1.0 / largest_number && o.reach <= largest_number,
+                 "reach must be in [1e-30, 1e30] (length), got %g", o.reach);
     GRIT_REQUIRE(o.end_spacings >= 1.0 && o.end_spacings <= 10.0,
                  "end_spacings must be in [1, 10], got %g", o.end_spacings);
     GRIT_REQUIRE(o.contact_stiffness >= 0.0 && o.contact_stiffness <= largest_number,
@@ -184,6 +184,7 @@ grit_status read_surface(const grit_surface* given, const char* name, const grit
     GRIT_CHECK(check_given(given, name, error));
     GRIT_CHECK(read_struct(given, s, {name, "grit_surface"}, error));
     GRIT_CHECK(check_switch(s.rigid, {name, "rigid"}, error));
+    GRIT_REQUIRE(s.body >= 0, "%s: body must be >= 0, got %d", name, s.body);
     GRIT_CHECK(check_count(s.vertices, {name, "vertices"}, error));
     GRIT_CHECK(check_count(s.facets, {name, "facets"}, error));
     GRIT_REQUIRE(s.vertices <= largest_count && s.facets <= largest_count,
@@ -194,10 +195,10 @@ grit_status read_surface(const grit_surface* given, const char* name, const grit
     if (s.facets > 0) GRIT_CHECK(check_given(s.facet, {name, "facet"}, error));
     GRIT_CHECK(check_positions(s, name, o, error));
     for (std::ptrdiff_t f = 0; s.spacing && f < s.facets; ++f)
-        if (!(s.spacing[f] > 0.0 && s.spacing[f] <= largest_number))
+        if (!(s.spacing[f] >= 1.0 / largest_number && s.spacing[f] <= largest_number))
             return failure(error, GRIT_BAD_STATE, f,
-                           "%s facet %td: spacing must be in (0, 1e30] (length), got %g", name, f,
-                           s.spacing[f]);
+                           "%s facet %td: spacing must be in [1e-30, 1e30] (length), got %g", name,
+                           f, s.spacing[f]);
     for (std::ptrdiff_t f = 0; s.pore_pressure && f < s.facets; ++f)
         if (!is_within(s.pore_pressure[f], largest_number))
             return failure(error, GRIT_BAD_STATE, f,

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// grit_surface_correct: where the surfaces meet, what carries the pressure, which impulses close the gap.
+// grit_surface_correct: where the surfaces meet, what carries the pressure, which impulses close the gap;
+// grit_surface_correct_pairs: of several pairs together.
+#include <new>
+
 #include "contact/surface/ascending.hpp"
 #include "contact/surface/call_checks.hpp"
-#include "contact/surface/system.hpp"
+#include "contact/surface/coupling.hpp"
 
 namespace grit::surface {
 namespace {
@@ -12,17 +15,29 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 // touched last, and lift off what rested there before: a curved surface would be printed with the path of its contact.
 constexpr double closed = 0.02;
 
-// One call, of so many components.
-template <int C> class Call {
-  public:
-    Call(const grit_surface_options& given, const grit_surface& of_a, const grit_surface& of_b,
-         Arena& memory)
-        : o(given), arena(memory), a(read_skin<C>(memory, of_a)), b(read_skin<C>(memory, of_b)),
-          pressures(memory, a, given.spacing, given.end_spacings), system(memory, a, b, pressures) {
-    }
+// A pair that a call has read and found to be sound.
+struct Given {
+    grit_surface_options options;
+    grit_surface surface[2];
+    grit_surface_report* reports;
+    grit_surface_totals* totals;
+};
 
-    // False where the workspace is too small: nothing is written then.
-    bool run() { return !arena.is_overrun() && find_points() && find_shares() && solve(); }
+// One pair, of so many components.
+template <int C> class Pair {
+  public:
+    Pair(const Given& given, Arena& memory)
+        : o(given.options), arena(memory), a(read_skin<C>(memory, given.surface[0])),
+          b(read_skin<C>(memory, given.surface[1])),
+          pressures(memory, a, o.spacing, o.end_spacings), system(memory, a, b, pressures) {}
+
+    // Its rows; false where the workspace is too small.
+    bool find_rows() {
+        return !arena.is_overrun() && find_points() && find_shares() &&
+               system.build(points, n_points, shares, n_shares, layer) && system.make_lists();
+    }
+    System<C>& rows() { return system; }
+    Sweeping sweeping() const { return {o.friction_coefficient, o.sweep_limit, o.sweep_tolerance}; }
 
     void report(grit_surface_report* reports) const {
         const double dt = o.time_step;
@@ -48,7 +63,7 @@ template <int C> class Call {
         for (std::ptrdiff_t f = 0; f < a.given->facets; ++f)
             reports[f].friction_force = norm(along[f]);
     }
-    grit_surface_totals totals() const {
+    grit_surface_totals totals(const Swept& outcome) const {
         grit_surface_totals t{};
         t.smallest_gap = infinite;
         for (std::ptrdiff_t f = 0; f < a.given->facets; ++f)
@@ -151,12 +166,6 @@ template <int C> class Call {
         shares = found.close();
         return !arena.is_overrun();
     }
-    bool solve() {
-        if (!system.build(points, n_points, shares, n_shares, layer)) return false;
-        if (!system.make_lists()) return false;
-        outcome = system.sweep(o.friction_coefficient, o.sweep_limit, o.sweep_tolerance);
-        return true;
-    }
 
     const grit_surface_options& o;
     const Layer layer{o.time_step, o.contact_stiffness, o.relaxation_time};
@@ -169,26 +178,97 @@ template <int C> class Call {
     const MeetingPoint<C>* points = nullptr;
     const Share* shares = nullptr;
     std::ptrdiff_t n_points = 0, n_shares = 0;
-    typename System<C>::Outcome outcome{};
 };
 
+constexpr std::size_t least_workspace = 4096;
+constexpr std::ptrdiff_t most_pairs = 1000000;
+
+grit_status refuse_workspace(std::size_t size, std::size_t* needed, grit_error* error) {
+    if (needed) *needed = 2 * size;
+    return failure(
+        error, GRIT_BAD_CALL, -1,
+        "workspace of %zu bytes is too small for the places where these surfaces meet: try %zu",
+        size, 2 * size);
+}
+
 template <int C>
-grit_status correct(const grit_surface_options& o, const grit_surface& a, const grit_surface& b,
-                    Arena arena, std::size_t* needed, grit_surface_report* reports,
-                    grit_surface_totals* totals, grit_error* error) {
-    const std::size_t size = arena.left();
-    Call<C> call(o, a, b, arena);
-    if (!call.run()) {
-        if (needed) *needed = 2 * size;
-        return failure(error, GRIT_BAD_CALL, -1,
-                       "workspace of %zu bytes is too small for the places where these surfaces "
-                       "meet: try %zu",
-                       size, 2 * size);
+grit_status correct(const Given* given, std::ptrdiff_t n, Arena arena, std::size_t workspace_size,
+                    std::size_t* needed, grit_error* error) {
+    const auto too_small = [&] { return refuse_workspace(workspace_size, needed, error); };
+    auto* pairs = arena.take<Pair<C>>(n);
+    auto* systems = arena.take<System<C>*>(n);
+    auto* sweeping = arena.take<Sweeping>(n);
+    if (arena.is_overrun()) return too_small();
+    for (std::ptrdiff_t p = 0; p < n; ++p) {
+        new (&pairs[p]) Pair<C>(given[p], arena);
+        if (!pairs[p].find_rows()) return too_small();
+        systems[p] = &pairs[p].rows();
+        sweeping[p] = pairs[p].sweeping();
     }
-    if (reports) call.report(reports);
-    if (totals) write_versioned(call.totals(), totals);
-    if (!o.validate_only) call.write();
+    Coupling<C> coupling(arena, n);
+    if (!coupling.find(systems, sweeping)) return too_small();
+    coupling.sweep();
+    for (std::ptrdiff_t p = 0; p < n; ++p) {
+        if (given[p].reports) pairs[p].report(given[p].reports);
+        if (given[p].totals) write_versioned(pairs[p].totals(coupling.of(p)), given[p].totals);
+        if (!given[p].options.validate_only) pairs[p].write();
+    }
     return GRIT_OK;
+}
+
+grit_status correct(const Given* given, std::ptrdiff_t n, const Arena& arena,
+                    std::size_t workspace_size, std::size_t* needed, grit_error* error) {
+    return given[0].options.components == 2
+               ? correct<2>(given, n, arena, workspace_size, needed, error)
+               : correct<3>(given, n, arena, workspace_size, needed, error);
+}
+
+// first: of the call; null: this is it.
+grit_status read_pair(const grit_surface_pair& pair, const Given* first, Given& to,
+                      grit_error* error) {
+    to.reports = pair.reports;
+    to.totals = pair.totals;
+    const grit_surface_options& o = to.options;
+    const grit_surface *a = &to.surface[0], *b = &to.surface[1];
+    GRIT_CHECK(read_options(pair.options, to.options, error));
+    GRIT_REQUIRE(!first || o.components == first->options.components,
+                 "components must be those of pair 0, %d, got %d", first->options.components,
+                 o.components);
+    GRIT_CHECK(read_surface(pair.a, "surface a", o, to.surface[0], error));
+    GRIT_CHECK(read_surface(pair.b, "surface b", o, to.surface[1], error));
+    GRIT_REQUIRE(!a->rigid || !b->rigid, "surface a and surface b are both rigid");
+    const bool both_move = !a->rigid && !b->rigid && a->facets > 0 && b->facets > 0;
+    GRIT_REQUIRE(!both_move || a->velocity.base != b->velocity.base,
+                 "surface a and surface b: velocity is written to the same memory");
+    GRIT_REQUIRE(!both_move || !a->pores.base || !b->pores.base ||
+                     a->seepage.base != b->seepage.base,
+                 "surface a and surface b: seepage is written to the same memory");
+    GRIT_REQUIRE(!both_move || a->body == 0 || a->body != b->body,
+                 "surface a and surface b are of the same body, %d", a->body);
+    return check_understood(!pair.totals || is_possible_size(size_of_versioned(pair.totals)),
+                            pair.totals, "grit_surface_totals", set_it_to_sizeof, error);
+}
+
+// Says of which pair a message is.
+void name_pair(std::ptrdiff_t pair, grit_error* error) {
+    if (!error) return;
+    const grit_error said = *error;
+    failure(error, said.status, said.point, "pair %td: %s", pair, said.message);
+}
+
+std::size_t workspace_size_of(const grit_surface* a, const grit_surface* b) {
+    grit_surface s[2]{};
+    if (!a || !b || !read_versioned(a, s[0]) || !read_versioned(b, s[1])) return 0;
+    std::size_t bytes = least_workspace;
+    for (const grit_surface& one : s) {
+        if (one.vertices < 0 || one.facets < 0 || one.vertices > largest_count ||
+            one.facets > largest_count || one.nodes_each < 0 || one.nodes_each > 64)
+            return 0;
+        const auto nodes = static_cast<std::size_t>(one.rigid ? 1 : std::max(one.nodes_each, 1));
+        bytes += static_cast<std::size_t>(one.facets) * 6000 +
+                 static_cast<std::size_t>(one.vertices) * (500 + 500 * nodes);
+    }
+    return bytes;
 }
 
 grit_surface_options defaults() {
@@ -213,16 +293,16 @@ grit_status grit_surface_options_init(grit_surface_options* options, size_t stru
 }
 
 size_t grit_surface_workspace_size(const grit_surface* a, const grit_surface* b) {
-    grit_surface s[2]{};
-    if (!a || !b || !read_versioned(a, s[0]) || !read_versioned(b, s[1])) return 0;
-    size_t bytes = 4096;
-    for (const grit_surface& one : s) {
-        if (one.vertices < 0 || one.facets < 0 || one.vertices > largest_count ||
-            one.facets > largest_count || one.nodes_each < 0 || one.nodes_each > 64)
-            return 0;
-        const auto nodes = static_cast<size_t>(one.rigid ? 1 : std::max(one.nodes_each, 1));
-        bytes += static_cast<size_t>(one.facets) * 6000 +
-                 static_cast<size_t>(one.vertices) * (500 + 500 * nodes);
+    return workspace_size_of(a, b);
+}
+
+size_t grit_surface_pairs_workspace_size(const grit_surface_pair* pairs, ptrdiff_t n) {
+    if (n < 0 || n > most_pairs || (n > 0 && !pairs)) return 0;
+    size_t bytes = least_workspace;
+    for (ptrdiff_t p = 0; p < n; ++p) {
+        const size_t of_pair = workspace_size_of(pairs[p].a, pairs[p].b);
+        if (of_pair == 0) return 0;
+        bytes += of_pair;
     }
     return bytes;
 }
@@ -232,29 +312,40 @@ grit_status grit_surface_correct(const grit_surface_options* options, const grit
                                  size_t* needed, grit_surface_report* reports,
                                  grit_surface_totals* totals, grit_error* error) {
     if (needed) *needed = 0;
-    grit_surface_options o{};
-    GRIT_CHECK(read_options(options, o, error));
-    grit_surface s[2]{};
-    GRIT_CHECK(read_surface(a, "surface a", o, s[0], error));
-    GRIT_CHECK(read_surface(b, "surface b", o, s[1], error));
-    GRIT_REQUIRE(!s[0].rigid || !s[1].rigid, "surface a and surface b are both rigid");
-    const bool both_move = !s[0].rigid && !s[1].rigid && s[0].facets > 0 && s[1].facets > 0;
-    GRIT_REQUIRE(!both_move || s[0].velocity.base != s[1].velocity.base,
-                 "surface a and surface b: velocity is written to the same memory");
-    GRIT_REQUIRE(!both_move || !s[0].pores.base || !s[1].pores.base ||
-                     s[0].seepage.base != s[1].seepage.base,
-                 "surface a and surface b: seepage is written to the same memory");
-    GRIT_CHECK(check_understood(!totals || is_possible_size(size_of_versioned(totals)), totals,
-                                "grit_surface_totals", set_it_to_sizeof, error));
-    constexpr size_t least = 4096;
-    const grit_status has_memory = check_workspace(workspace, workspace_size, least, error);
+    Given given{};
+    GRIT_CHECK(read_pair({options, a, b, reports, totals}, nullptr, given, error));
+    const grit_status has_memory =
+        check_workspace(workspace, workspace_size, least_workspace, error);
     if (has_memory != GRIT_OK) {
-        if (needed && (!workspace || workspace_size < least))
-            *needed = grit_surface_workspace_size(a, b);
+        if (needed && (!workspace || workspace_size < least_workspace))
+            *needed = workspace_size_of(a, b);
         return has_memory;
     }
-    const Arena arena(workspace, workspace_size);
-    return o.components == 2 ? correct<2>(o, s[0], s[1], arena, needed, reports, totals, error)
-                             : correct<3>(o, s[0], s[1], arena, needed, reports, totals, error);
+    return correct(&given, 1, Arena(workspace, workspace_size), workspace_size, needed, error);
+}
+
+grit_status grit_surface_correct_pairs(const grit_surface_pair* pairs, ptrdiff_t n, void* workspace,
+                                       size_t workspace_size, size_t* needed, grit_error* error) {
+    if (needed) *needed = 0;
+    GRIT_CHECK(check_count(n, "n", error, " pairs"));
+    GRIT_REQUIRE(n <= most_pairs, "n must be at most %td pairs, got %td", most_pairs, n);
+    if (n == 0) return GRIT_OK;
+    GRIT_CHECK(check_given(pairs, "pairs", error));
+    const grit_status has_memory =
+        check_workspace(workspace, workspace_size, least_workspace, error);
+    if (has_memory != GRIT_OK) {
+        if (needed && (!workspace || workspace_size < least_workspace))
+            *needed = grit_surface_pairs_workspace_size(pairs, n);
+        return has_memory;
+    }
+    Arena arena(workspace, workspace_size);
+    Given* given = arena.take<Given>(n);
+    if (!given) return refuse_workspace(workspace_size, needed, error);
+    for (ptrdiff_t p = 0; p < n; ++p) {
+        const grit_status status =
+            read_pair(pairs[p], p > 0 ? given : nullptr, *new (&given[p]) Given{}, error);
+        if (status != GRIT_OK) return name_pair(p, error), status;
+    }
+    return correct(given, n, arena, workspace_size, needed, error);
 }
 }

@@ -292,16 +292,22 @@ template <int C> class Pressures {
                     take(k);
             });
         };
+        // Those that are alike stand side by side.
+        const auto has_like_near = [&](std::ptrdiff_t i) {
+            const Candidate& c = candidate[i];
+            const auto is_one = [&](std::ptrdiff_t k) {
+                return norm(candidate[k].x - c.x) < c.spacing * (1.0 - 1e-9);
+            };
+            for (std::ptrdiff_t k = i; k-- > 0 && candidate[k].is_like(c);)
+                if (is_one(k)) return true;
+            for (std::ptrdiff_t k = i + 1; k < n && candidate[k].is_like(c); ++k)
+                if (is_one(k)) return true;
+            return false;
+        };
         for (const bool alone : {true, false})
             for (std::ptrdiff_t i = 0; i < n; ++i) {
-                if (is_near[i]) continue;
+                if (is_near[i] || (alone && has_like_near(i))) continue;
                 const Candidate& c = candidate[i];
-                bool is_alone = true;
-                if (alone)
-                    each_near(i, [&](std::ptrdiff_t k) {
-                        is_alone = is_alone && (k == i || !candidate[k].is_like(c));
-                    });
-                if (!is_alone) continue;
                 point[count++] = {c.x, unit(c.n), c.stretch, c.spacing};
                 is_near[i] = true;
                 each_near(i, [&](std::ptrdiff_t k) { is_near[k] = true; });

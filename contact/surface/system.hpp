@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The impulses of all points that carry pressure, (V3)-(V5), (V8): rows of a system that projected Gauss-Seidel sweeps
-// solve, to and fro, on copies of the velocities of the nodes. Beside the impulses on a body are those of its water on
+// The impulses of all points of two bodies that carry pressure, (V3)-(V5), (V8): rows of a system that projected Gauss-Seidel
+// sweeps solve, to and fro, on copies of the velocities of the nodes. Beside the impulses on a body are those of its water on
 // the surface (V7): none of it passes.
 #pragma once
 
@@ -79,6 +79,15 @@ template <int C> struct Term {
     Vector<double, C> d[C];  // approach = sum d . v
 };
 
+// What a node of several pairs has in common.
+template <int C> struct Motion { Vector<double, C> v, seepage; };
+
+// Of impulses J that change approaches from w to w'.
+struct Work {
+    double work = 0.0, twice_kinetic = 0.0;  // J . w, J . (w - w')
+    double given = 0.0;                      // by layers at these
+};
+
 template <int C> class System {
   public:
     System(Arena& memory, const Skin<C>& of_a, const Skin<C>& of_b, const Pressures<C>& carriers)
@@ -93,37 +102,92 @@ template <int C> class System {
         return sort_shares(n_shares) && find_nodes(n_points) && find_rows();
     }
 
-    struct Outcome {
-        std::ptrdiff_t sweeps;
-        double residual, largest_approach;
+    // Before sweeps, with the velocities as they are.
+    struct Start {
+        double largest_approach;  // beyond the bound
+        double largest_change;    // of a velocity that is wanted, of water too
     };
-    Outcome sweep(double mu, int limit, double tolerance) {
-        Outcome out{0, 0.0, 0.0};
-        double largest = 0.0;  // change that is wanted
+    Start begin() {
+        Start out{0.0, 0.0};
         for (std::ptrdiff_t r = 0; r < n_rows; ++r) {
             for (int k = 0; k < C; ++k) rows[r].before[k] = approach(rows[r], k, &Node::v);
             for (int body = 0; body < 2; ++body) {
                 const double q = rows[r].water_before[body] =
                     seepage(rows[r], body, &Node::seepage);
                 if (rows[r].water_effective[body] > 0.0)
-                    largest = std::max(largest, std::fabs(q) / rows[r].water_effective[body] *
-                                                    rows[r].effective[0]);
+                    out.largest_change =
+                        std::max(out.largest_change, std::fabs(q) / rows[r].water_effective[body] *
+                                                         rows[r].effective[0]);
             }
             out.largest_approach =
                 std::max(out.largest_approach, rows[r].before[0] - rows[r].bound);
         }
-        largest = std::max(largest, out.largest_approach);
-        if (largest == 0.0) return out;
-        const double enough = std::max(tolerance * largest, smallest_change());
-        do {
-            out.residual = 0.0;
-            const bool forth = out.sweeps % 2 == 0;
-            for (std::ptrdiff_t i = 0; i < n_rows; ++i)
-                out.residual =
-                    std::max(out.residual, correct(rows[forth ? i : n_rows - 1 - i], mu));
-        } while (++out.sweeps < limit && out.residual > enough);
-        if (mu > 0.0) keep_energy();
+        out.largest_change = std::max(out.largest_change, out.largest_approach);
         return out;
+    }
+    // Every row once, in order or back. Returns the largest change of a velocity.
+    double sweep(double mu, bool forth) {
+        double largest = 0.0;
+        for (std::ptrdiff_t i = 0; i < n_rows; ++i)
+            largest = std::max(largest, correct(rows[forth ? i : n_rows - 1 - i], mu));
+        return largest;
+    }
+    // Of a velocity, that its roundoff lets sweeps tell from none.
+    double smallest_change() const {
+        double largest = 0.0;
+        for (std::ptrdiff_t r = 0; r < n_rows; ++r)
+            for (int k = 0; k < C; ++k) {
+                double w = std::fabs(rows[r].rigid[k]);
+                for (std::ptrdiff_t i = rows[r].begin; i < rows[r].end; ++i)
+                    w += std::fabs(dot(terms[i].d[k], nodes[terms[i].node].v));
+                largest = std::max(largest, w);
+            }
+        return 4.0 * std::numeric_limits<double>::epsilon() * largest;
+    }
+    void add_work(Work& all) const {
+        const auto add = [&](double impulse, double before, double after) {
+            all.work += impulse * before;
+            all.twice_kinetic += impulse * (before - after);
+        };
+        for (std::ptrdiff_t r = 0; r < n_rows; ++r) {
+            for (int k = 0; k < C; ++k)
+                add(rows[r].impulse[k], rows[r].before[k], approach(rows[r], k, &Node::v));
+            for (int body = 0; body < 2; ++body)
+                add(rows[r].water_impulse[body], rows[r].water_before[body],
+                    seepage(rows[r], body, &Node::seepage));
+            const double overlap = layer.dt * approach(rows[r], 0, &Node::v) - rows[r].gap;
+            if (rows[r].impulse[0] > 0.0)
+                all.given +=
+                    layer.energy(rows[r].size, -rows[r].gap) - layer.energy(rows[r].size, overlap);
+        }
+    }
+    // All impulses, and what they do to velocities.
+    void scale(double share) {
+        for (std::ptrdiff_t r = 0; r < n_rows; ++r) {
+            for (int k = 0; k < C; ++k) {
+                push(rows[r], k, (share - 1.0) * rows[r].impulse[k]);
+                rows[r].impulse[k] *= share;
+            }
+            for (int body = 0; body < 2; ++body) {
+                push_water(rows[r], body, (share - 1.0) * rows[r].water_impulse[body]);
+                rows[r].water_impulse[body] *= share;
+            }
+        }
+    }
+
+    // take(body, number, place) of the nodes of bodies that pairs have in common.
+    template <class Take> void each_common_node(const Take& take) const {
+        for (int body = 0; body < 2; ++body) {
+            const grit_surface& s = *skin[body]->given;
+            if (s.body == 0 || s.rigid) continue;
+            for (std::ptrdiff_t i = first_node[body]; i < first_node[body + 1]; ++i)
+                take(s.body, s.number ? s.number[nodes[i].id] : nodes[i].id, i);
+        }
+    }
+    Motion<C> motion(std::ptrdiff_t node) const { return {nodes[node].v, nodes[node].seepage}; }
+    void set_motion(std::ptrdiff_t node, const Motion<C>& to) {
+        nodes[node].v = to.v;
+        nodes[node].seepage = to.seepage;
     }
 
     template <class Take> void each_row(const Take& take) const {
@@ -209,19 +273,6 @@ template <int C> class System {
 
   private:
     using Node = ContactNode<C>;
-
-    // Of a velocity, that its roundoff lets sweeps tell from none.
-    double smallest_change() const {
-        double largest = 0.0;
-        for (std::ptrdiff_t r = 0; r < n_rows; ++r)
-            for (int k = 0; k < C; ++k) {
-                double w = std::fabs(rows[r].rigid[k]);
-                for (std::ptrdiff_t i = rows[r].begin; i < rows[r].end; ++i)
-                    w += std::fabs(dot(terms[i].d[k], nodes[terms[i].node].v));
-                largest = std::max(largest, w);
-            }
-        return 4.0 * std::numeric_limits<double>::epsilon() * largest;
-    }
 
     bool sort_shares(std::ptrdiff_t n) {
         const std::ptrdiff_t count = pressures.size();
@@ -570,43 +621,6 @@ template <int C> class System {
         }
         return largest;
     }
-    // Impulses that friction's unfinished sweeps made too large: scaled until no kinetic energy is gained but what the layer
-    // gives at these.
-    void keep_energy() {
-        double work = 0.0, twice_kinetic = 0.0;  // J . w_before; J . (w_before - w_after)
-        double given = 0.0;
-        const auto add = [&](double impulse, double before, double after) {
-            work += impulse * before;
-            twice_kinetic += impulse * (before - after);
-        };
-        for (std::ptrdiff_t r = 0; r < n_rows; ++r) {
-            for (int k = 0; k < C; ++k)
-                add(rows[r].impulse[k], rows[r].before[k], approach(rows[r], k, &Node::v));
-            for (int body = 0; body < 2; ++body)
-                add(rows[r].water_impulse[body], rows[r].water_before[body],
-                    seepage(rows[r], body, &Node::seepage));
-            const double overlap = layer.dt * approach(rows[r], 0, &Node::v) - rows[r].gap;
-            if (rows[r].impulse[0] > 0.0)
-                given +=
-                    layer.energy(rows[r].size, -rows[r].gap) - layer.energy(rows[r].size, overlap);
-        }
-        given = std::max(given, 0.0);
-        if (!(twice_kinetic > 2.0 * (work + given)) || !(twice_kinetic > 0.0)) return;
-        // work s - twice_kinetic s^2 / 2 + given = 0
-        const double share = std::max(
-            (work + std::sqrt(work * work + 2.0 * twice_kinetic * given)) / twice_kinetic, 0.0);
-        for (std::ptrdiff_t r = 0; r < n_rows; ++r) {
-            for (int k = 0; k < C; ++k) {
-                push(rows[r], k, (share - 1.0) * rows[r].impulse[k]);
-                rows[r].impulse[k] *= share;
-            }
-            for (int body = 0; body < 2; ++body) {
-                push_water(rows[r], body, (share - 1.0) * rows[r].water_impulse[body]);
-                rows[r].water_impulse[body] *= share;
-            }
-        }
-    }
-
     Arena& arena;
     const Skin<C>* skin[2];
     const Pressures<C>& pressures;

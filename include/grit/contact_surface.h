@@ -32,11 +32,13 @@ typedef struct grit_surface_options {
     double sweep_tolerance; /* [-] in (0, 1], default 1e-6: a sweep that changes no velocity by more
                                     than this share of the largest approach is the last one */
     double friction_coefficient; /* mu [-] in [0, 1e6], default 0 */
-    double time_step;            /* dt [time] in (0, 1e30], no default */
-    double spacing; /* [length] in (0, 1e30], no default: of the points that carry pressure, about;
+    double time_step;            /* dt [time] in [1e-30, 1e30], no default */
+    double
+        spacing; /* [length] in [1e-30, 1e30], no default: of the points that carry pressure, about;
                        two cells of the grid: less is more than its nodes can follow beside ends of
                        a stretch, see end_spacings */
-    double reach;   /* [length] in (0, 1e30], no default: how far apart, or how deep in each other,
+    double
+        reach; /* [length] in [1e-30, 1e30], no default: how far apart, or how deep in each other,
                        facets are looked at; about a cell, and more than a step's motion */
     double
         end_spacings; /* [-] in [1, 10], default 1: 2 components: how many spacings the points next
@@ -80,7 +82,7 @@ typedef struct grit_surface {
     grit_view previous_velocity; /* [nodes][components] optional: before it, for the dissipation */
     grit_view vertex_velocity;   /* [vertices][components] of a rigid body [length / time] */
     const double* spacing; /* [facets] optional, of A: in the place of the options' [length] in
-                                    (0, 1e30], where cells differ along the surface */
+                                    [1e-30, 1e30], where cells differ along the surface */
     /* Water that flows through the body with a velocity of its own, optional: mass and velocity above are
      * then those of its grains. None of it passes the surface where that is in contact, (V7). */
     grit_view pores; /* [nodes][3] of the nodes in contact: mass of the water in [0, 1e30], 0:
@@ -93,6 +95,11 @@ typedef struct grit_surface {
     const double*
         pore_pressure; /* [facets] optional: of water in the body there, within +-1e30 [stress]:
                                      its part of the pressure of the contact does not rub, (V4) */
+    /* For grit_surface_correct_pairs: pairs that name the same body have its nodes in common. */
+    int body; /* >= 0; 0 (default): of no other pair */
+    const ptrdiff_t*
+        number; /* [nodes] optional: what all pairs call the nodes, where each has memory of its
+                                     own for them; null: the same as here */
 } grit_surface;
 
 /* What acts on a facet of A. */
@@ -169,13 +176,34 @@ GRIT_API size_t grit_surface_workspace_size(const grit_surface* a, const grit_su
  *   message says whose. GRIT_BAD_CALL: a struct, a view, a list, the workspace; GRIT_BAD_STATE: numbers.
  *   needed: bytes of workspace to try next, where that is what failed; else 0. May be null.
  *   reports [facets of A], totals and error may be null. Deterministic; calls on disjoint data are safe
- *   from several threads. Bodies that share nodes with a third one: one call per pair, in a fixed
- *   order. */
+ *   from several threads. Bodies that touch a third one: grit_surface_correct_pairs. */
 GRIT_API grit_status grit_surface_correct(const grit_surface_options* options,
                                           const grit_surface* a, const grit_surface* b,
                                           void* workspace, size_t workspace_size, size_t* needed,
                                           grit_surface_report* reports, grit_surface_totals* totals,
                                           grit_error* error);
+
+/* Of several pairs at once. Where bodies touch more than one other, what bears in one pair is the load of another: a
+ * plate between two blocks, layers of ground along a wall. One call after the other leaves an approach,
+ * and so an overlap that grows with every step, as long as they are pressed. */
+typedef struct grit_surface_pair {
+    const grit_surface_options* options; /* the same number of components in all pairs */
+    const grit_surface *a, *b;
+    grit_surface_report* reports; /* [facets of a]; may be null */
+    grit_surface_totals* totals;  /* may be null */
+} grit_surface_pair;
+
+/* Bytes of workspace, as grit_surface_workspace_size for each of n pairs; 0 for impossible counts. */
+GRIT_API size_t grit_surface_pairs_workspace_size(const grit_surface_pair* pairs, ptrdiff_t n);
+
+/* grit_surface_correct of n pairs, in [0, 1000000], whose sweeps go through all that hang together by nodes of
+ * bodies that several of them name, until none of these is changed; the sweep_limit is the largest of theirs.
+ * Surfaces meet as they would in a call of their own, with the velocities that are given; those of
+ * a node of a body are to be the same in all pairs (the first pair's count), and are after it.
+ *   All or nothing: error->message begins with the pair. A pair that hangs together with none has the bits of a call of its own. */
+GRIT_API grit_status grit_surface_correct_pairs(const grit_surface_pair* pairs, ptrdiff_t n,
+                                                void* workspace, size_t workspace_size,
+                                                size_t* needed, grit_error* error);
 
 /* ---- surfaces of particles ------------------------------------------------------------------- */
 

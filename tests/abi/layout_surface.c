@@ -18,7 +18,7 @@ PLACE(grit_surface_options, end_spacings, 64);
 PLACE(grit_surface_options, contact_stiffness, 72);
 PLACE(grit_surface_options, relaxation_time, 80);
 
-SIZE(grit_surface, 288);
+SIZE(grit_surface, 304);
 PLACE(grit_surface, struct_size, 0);
 PLACE(grit_surface, rigid, 8);
 PLACE(grit_surface, nodes_each, 12);
@@ -40,6 +40,15 @@ PLACE(grit_surface, water_fixed, 224);
 PLACE(grit_surface, seepage, 232);
 PLACE(grit_surface, previous_seepage, 256);
 PLACE(grit_surface, pore_pressure, 280);
+PLACE(grit_surface, body, 288);
+PLACE(grit_surface, number, 296);
+
+SIZE(grit_surface_pair, 40);
+PLACE(grit_surface_pair, options, 0);
+PLACE(grit_surface_pair, a, 8);
+PLACE(grit_surface_pair, b, 16);
+PLACE(grit_surface_pair, reports, 24);
+PLACE(grit_surface_pair, totals, 32);
 
 SIZE(grit_surface_report, 56);
 PLACE(grit_surface_report, area, 0);

@@ -2,6 +2,8 @@
 // Files that ask for more than there is: refused by name, before memory or time is spent.
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <filesystem>
 #include <string>
 
 #include "support/workplace.hpp"
@@ -54,6 +56,29 @@ TEST(Limits, RefuseMoreNodesAndParticlesThanAMachineHolds) {
                             "most 1e+08 are possible"))
         << answer.text;
     EXPECT_EQ(here.files(), (std::set<std::string>{"nodes.toml", "particles.toml"}));
+}
+
+TEST(Limits, EndSurfacesThatNeverEnd) {
+    const Workplace here;
+    const auto box_in = [](const std::string& file) {
+        return "[grid]\ngeometry = \"space\"\n[[grid.x]]\nto_m = 1\ncells = 4\n[[grid.y]]\nto_m = "
+               "1\ncells = 4\n[[grid.z]]\nto_m = 1\ncells = 4\n[[body]]\nname = \"box\"\n"
+               "density_kg_per_m3 = 2000\n[[body.surface]]\nfile = \"" +
+               file +
+               "\"\n[body.elastic]\nyoungs_modulus_kPa = 1e4\npoissons_ratio = 0.2\n[[stage]]\n"
+               "name = \"rest\"\n[stage.until]\ntime_s = 1\n";
+    };
+    here.write("endless.toml", box_in("/dev/zero"));
+    Answer answer = here.grit("mpm endless.toml");
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_TRUE(answer.says("zero: is no file")) << answer.text;
+    here.write("long.stl", "");
+    std::filesystem::resize_file(here.path("long.stl"), (std::uintmax_t{1} << 30) + 1);  // a hole
+    here.write("long.toml", box_in("long.stl"));
+    answer = here.grit("mpm long.toml");
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_TRUE(answer.says("long.stl: is longer than 1024 MiB, the most that is read"))
+        << answer.text;
 }
 #endif
 

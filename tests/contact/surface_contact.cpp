@@ -367,9 +367,9 @@ TEST(SurfaceContact, ChangesNothingWhereItIsRefusedOrOnlyValidates) {
          [](Meeting&, SurfaceCall& c) { c.options.components = 4; }},
         {"axisymmetric needs components 2", GRIT_BAD_CALL,
          [](Meeting&, SurfaceCall& c) { c.options.axisymmetric = 1, c.options.components = 3; }},
-        {"time_step must be in (0, 1e30] (time), got 0", GRIT_BAD_CALL,
+        {"time_step must be in [1e-30, 1e30] (time), got 0", GRIT_BAD_CALL,
          [](Meeting&, SurfaceCall& c) { c.options.time_step = 0.0; }},
-        {"spacing must be in (0, 1e30] (length), got nan", GRIT_BAD_CALL,
+        {"spacing must be in [1e-30, 1e30] (length), got nan", GRIT_BAD_CALL,
          [](Meeting&, SurfaceCall& c) { c.options.spacing = std::nan(""); }},
         {"end_spacings must be in [1, 10], got 0.5", GRIT_BAD_CALL,
          [](Meeting&, SurfaceCall& c) { c.options.end_spacings = 0.5; }},
@@ -379,7 +379,7 @@ TEST(SurfaceContact, ChangesNothingWhereItIsRefusedOrOnlyValidates) {
          [](Meeting&, SurfaceCall& c) { c.options.relaxation_time = std::nan(""); }},
         {"relaxation_time needs a contact_stiffness, got 2 without", GRIT_BAD_CALL,
          [](Meeting&, SurfaceCall& c) { c.options.relaxation_time = 2.0; }},
-        {"surface a facet 4: spacing must be in (0, 1e30] (length), got 0", GRIT_BAD_STATE,
+        {"surface a facet 4: spacing must be in [1e-30, 1e30] (length), got 0", GRIT_BAD_STATE,
          [](Meeting& x, SurfaceCall&) {
              x.a.spacing.assign(x.a.facet.size(), 1.0);
              x.a.spacing[4] = 0.0;
@@ -564,6 +564,26 @@ TEST(SurfaceContact, TakesTheSmallestAndTheLargestMass) {
 
 // Nodes that are held have all of the weight but for roundoff: nothing is there that could give way, and what the rest
 // would need is no impulse.
+// Found by a fuzzer: with steps whose square underflows the compliance of a layer was no number.
+TEST(SurfaceContact, OfALayerTakesTheShortestStepAndRefusesShorterOnes) {
+    for (const double step : {1e-30, 1e30}) {
+        Meeting meeting(2, 4, 0.0);
+        SurfaceCall call;
+        call.options.time_step = step;
+        call.options.contact_stiffness = 1.0;
+        ASSERT_EQ(call(meeting.a, meeting.b), GRIT_OK) << call.error.message;
+        for (const double v : meeting.a.v) EXPECT_TRUE(std::isfinite(v)) << step;
+        EXPECT_TRUE(std::isfinite(call.totals.normal_impulse));
+        if (step < 1.0) {
+            EXPECT_LT(call.totals.normal_impulse, 1e-25);
+        }
+    }
+    Meeting meeting(2, 4, 0.0);
+    SurfaceCall call;
+    call.options.time_step = 1e-31;
+    EXPECT_EQ(call(meeting.a, meeting.b), GRIT_BAD_CALL);
+}
+
 TEST(SurfaceContact, MovesNothingThatHangsOnByRoundoff) {
     auto [floor, block] = block_above_floor(7, 0.0, 1.0);
     for (std::size_t k = 0; k < block.weight.size(); ++k) {

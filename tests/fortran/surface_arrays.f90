@@ -1,13 +1,13 @@
 ! SPDX-License-Identifier: BSD-3-Clause
-! Surface contact on arrays: two squares of one particle and four nodes each that run into each other.
+! Surface contact on arrays: two squares of one particle and four nodes each that run into each other, and three.
 program surface_arrays
    use grit
    use expect
    implicit none
-   type(grit_surface_options) :: options
-   type(grit_surface_totals) :: totals
+   type(grit_surface_options) :: options, of_pairs(2)
+   type(grit_surface_totals) :: totals, of_pair(2)
    type(grit_surface_report), target :: reports(4)
-   type(grit_surface) :: a, b
+   type(grit_surface) :: a, b, below(2), above(2)
    type(grit_error) :: error
    real(c_double), target :: vertex(2, 4, 2), mass(4, 2), v(2, 4, 2), v_old(2, 4, 2), weight(4, 4)
    integer(c_ptrdiff_t), target :: facet(2, 4, 2), node(4, 4), owner(4)
@@ -51,5 +51,31 @@ program surface_arrays
    call refused(grit_surface_correct(options, a, b, error=error), error, 'reach')
    options%reach = 0.5d0
    call refused(grit_surface_correct(options, a, b, reports(1:3), error=error), error, 'reports')
+   call three_squares()
    call finish()
+contains
+   ! One at rest between two that run into it from both sides, all at once: none of them moves into another.
+   subroutine three_squares()
+      real(c_double), target :: top(2, 4), v_top(2, 4)
+      top = vertex(:, :, 2)
+      top(2, :) = top(2, :) + 1.001d0
+      v(:, :, 1) = spread([0d0, 2d0], 2, 4)
+      v(:, :, 2) = 0
+      v_top = spread([0d0, -1d0], 2, 4)
+      options%time_step = 1d-3
+      of_pairs = options
+      below = grit_surface_of(vertex(:, :, 1), facet(:, :, 1), node, weight, mass(:, 1), v(:, :, 1))
+      below(2) = grit_surface_of(vertex(:, :, 2), facet(:, :, 2), node, weight, mass(:, 2), v(:, :, 2))
+      above(1) = below(2)
+      above(2) = grit_surface_of(top, facet(:, :, 2), node, weight, mass(:, 1), v_top)
+      above(1)%body = 2
+      below(2)%body = 2
+      call holds('pairs', grit_surface_correct_pairs(of_pairs, below, above, of_pair, error) == grit_ok)
+      ! The gaps of 1e-3 take 1: of 2 and of 1. The middle one, of twice their mass, has lost 2 for the other's 1.
+      call holds('the lower pair', all(abs(v(2, 3:4, 1) - v(2, 1:2, 2) - 1) < 1d-9))
+      call holds('the upper pair', all(v(2, 3:4, 2) - v_top(2, 1:2) < 1 + 1d-9))
+      call holds('momentum of three', abs(sum(v(2, :, 1)) + 2*sum(v(2, :, 2)) + sum(v_top(2, :)) - 4) < 1d-12)
+      of_pairs(2)%reach = 0
+      call refused(grit_surface_correct_pairs(of_pairs, below, above, of_pair, error), error, 'pair 1: reach')
+   end subroutine
 end program

@@ -28,6 +28,72 @@ TEST(SurfaceContactOfBodies, PressesEveryParticleAlikeWhereverTheInterfaceIs) {
         }
 }
 
+// A plate of a part of a cell or more between two blocks that press it: what bears on one side is the load of the other.
+struct PlateBetweenBlocks {
+    double thickness = 0.5;  // [cells]
+    bool contact_of_lower_first = true;
+
+    struct Result {
+        double lowest, highest;  // sigma_zz of the plate [Pa]
+        double largest_overlap;  // [cells]
+    };
+    Result run() const {
+        constexpr double h = 0.1, E = 50e6, nu = 0.0, rho = 2000.0, width = 0.3;
+        const double level[] = {0.0, 0.73, 0.73 + thickness * h, 1.23 + thickness * h};
+        Simulation simulation(Axis::uniform(0.0, width, 3), Axis::uniform(0.0, 1.6, 16),
+                              {.axisymmetric = false, .local_damping = 0.1});
+        for (int k = 0; k < 3; ++k) {
+            const int rows =
+                k == 1 ? 2 : static_cast<int>(std::lround((level[k + 1] - level[k]) / (0.5 * h)));
+            simulation.add_body(make_box({0.0, width, level[k], level[k + 1], 6, rows, rho}, false,
+                                         std::make_unique<LinearElastic>(E, nu)));
+        }
+        simulation.fix_below(0, 0.0);
+        simulation.fix_above(0, width);
+        simulation.fix_below(1, 0.0);
+        const int count = static_cast<int>(simulation.body(2).particles.size());
+        for (int i = 0; i < 6; ++i)
+            simulation.add_traction({2, count - 6 + i, Edge::top, [](double t) {
+                                         const double x = std::min(t / 0.05, 1.0);
+                                         return Vector2{0.0, -500e3 * x * x * (3.0 - 2.0 * x)};
+                                     }});
+        for (const bool lower : {contact_of_lower_first, !contact_of_lower_first}) {
+            SurfaceLaw law = surface_law(0.0);
+            law.a = lower ? 0 : 1;
+            law.b = lower ? 1 : 2;
+            simulation.add_contact(law);
+        }
+        while (simulation.time() < 1.0) simulation.step();
+        Result out{0.0, -1e30, 0.0};
+        double top[3], bottom[3];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Particles& q = simulation.body(k).particles;
+            top[k] = -1e30;
+            bottom[k] = 1e30;
+            for (std::ptrdiff_t p = 0; p < q.size(); ++p) {
+                const double side = q(column::F_zz, p) * q(column::l_z, p);
+                top[k] = std::max(top[k], q(column::z, p) + side);
+                bottom[k] = std::min(bottom[k], q(column::z, p) - side);
+                if (k != 1) continue;
+                out.lowest = std::min(out.lowest, q(column::S_zz, p));
+                out.highest = std::max(out.highest, q(column::S_zz, p));
+            }
+        }
+        out.largest_overlap = std::max(top[0] - bottom[1], top[1] - bottom[2]) / h;
+        return out;
+    }
+};
+
+TEST(SurfaceContactOfBodies, HoldsAPlateBetweenTwoThatPressItHoweverThin) {
+    for (const double thickness : {0.25, 0.5, 0.7, 0.9, 1.3, 2.0})
+        for (const bool lower_first : {true, false}) {
+            const auto seen = PlateBetweenBlocks{thickness, lower_first}.run();
+            EXPECT_NEAR(seen.lowest, -500e3, 5e3) << thickness;
+            EXPECT_NEAR(seen.highest, -500e3, 5e3) << thickness;
+            EXPECT_LT(seen.largest_overlap, 0.01) << thickness;
+        }
+}
+
 // The patch test: a constant stress crosses an interface of unlike particles that is inclined to the grid.
 TEST(SurfaceContactOfBodies, CarriesAConstantStressAcrossAnInclinedInterface) {
     for (const double angle : {0.0, 0.1, 0.3, 0.5, 0.7})

@@ -60,6 +60,38 @@ TEST(SpaceBody, ThatVibratesKeepsItsEnergyBalance) {
     EXPECT_LT(std::fabs(e.residual()), 2e-3 * e.kinetic_0);
 }
 
+// Bulk viscosity works along every axis, where stress has that one component alone too.
+TEST(SpaceBody, ThatIsShortenedLosesAsMuchToViscosityAlongEveryAxis) {
+    double lost[3];
+    for (int d = 0; d < 3; ++d) {
+        std::array<int, 3> cells{2, 2, 2};
+        Vector3 to{0.2, 0.2, 0.2};
+        cells[static_cast<std::size_t>(d)] = 10;
+        to[d] = 1.0;
+        Simulation s({Axis::uniform(0.0, to[0], cells[0]), Axis::uniform(0.0, to[1], cells[1]),
+                      Axis::uniform(0.0, to[2], cells[2])},
+                     {.linear_viscosity = 0.1});
+        const auto per = [&](int k) {
+            return 2 * cells[static_cast<std::size_t>(k)] - (k == d ? 4 : 0);
+        };
+        Vector3 end = to;
+        end[d] = 0.8;
+        Body bar = make_brick({{0.0, 0.0, 0.0}, end, {per(0), per(1), per(2)}, 2000.0},
+                              std::make_unique<LinearElastic>(1e7, 0.0));
+        for (std::ptrdiff_t p = 0; p < bar.particles.size(); ++p)
+            bar.particles.view()[column::v_x + d][p] = -1.0;
+        s.add_body(std::move(bar));
+        for (int k = 0; k < 3; ++k) s.fix_below(k, 0.0);
+        for (int k = 0; k < 3; ++k)
+            if (k != d) s.fix_above(k, to[k]);
+        for (int i = 0; i < 20; ++i) s.step();
+        lost[d] = s.energy().viscosity;
+    }
+    EXPECT_GT(lost[0], 0.1);
+    EXPECT_NEAR(lost[1], lost[0], 1e-12 * lost[0]);
+    EXPECT_NEAR(lost[2], lost[0], 1e-12 * lost[0]);
+}
+
 void expect_same(const Particles& a, const Particles& b) {
     for (std::ptrdiff_t p = 0; p < a.size(); ++p) {
         ASSERT_EQ(a.ids()[p], b.ids()[p]);

@@ -33,6 +33,7 @@ double volume_of(const mpm::Shape3& shape) {
                     Axis::uniform(0.0, 2.0, 20)};
     mpm::SpacePlan plan;
     plan.bodies = {{{{shape}}}};
+    plan.boundary[0] = plan.boundary[2] = mpm::Boundary::roller;
     return volume(fill(plan, 0, "body", 1000.0, axes, 0));
 }
 
@@ -45,7 +46,9 @@ TEST(SpaceShapes, HaveTheirVolumeABoxExactly) {
     EXPECT_NEAR(volume_of(mpm::ConeShape{{1.0, 1.0}, {0.5, 1.5}, {0.0, 0.9}}), pi * 0.27, 1e-3);
     // A quarter, the rest of it beyond the grid.
     EXPECT_NEAR(volume_of(mpm::ConeShape{{0.0, 0.0}, {0.5, 1.5}, {0.6, 0.6}}), pi * 0.09, 3e-4);
-    EXPECT_THROW(volume_of(mpm::SphereShape{{-0.1, 1.0, 1.0}, 0.8}), std::invalid_argument);
+    // Around a side that rolls, but nowhere else.
+    for (const double x : {-0.1, 0.1, 2.0})
+        EXPECT_THROW(volume_of(mpm::SphereShape{{x, 1.0, 1.0}, 0.8}), std::invalid_argument) << x;
     EXPECT_THROW(volume_of(mpm::BoxShape{{0.0, 0.0, 0.0}, {1.0, 2.1, 1.0}}), std::invalid_argument);
 }
 
@@ -84,6 +87,7 @@ TEST(SpaceShapes, ThatAreCutAreTheSameOnBothSidesOfADiagonal) {
     const Axes axes{Axis::uniform(0.0, 0.6, 6), Axis::uniform(0.0, 0.6, 6),
                     Axis::uniform(0.0, 0.2, 2)};
     mpm::SpacePlan plan;
+    plan.boundary[0] = plan.boundary[2] = mpm::Boundary::roller;
     plan.bodies = {{{{mpm::ConeShape{{0.0, 0.0}, {0.0, 0.2}, {0.23, 0.23}}}}},
                    {{{mpm::BoxShape{{0.0, 0.0, 0.0}, {0.6, 0.6, 0.2}}}}, {0}}};
     for (const std::size_t body : {0, 1}) {
@@ -116,6 +120,55 @@ TEST(SpaceShapes, OfTwoBodiesAreApart) {
     Particles one = box(0.0, 0.5), beside = box(0.5, 1.0), within = box(0.4, 1.0);
     EXPECT_NO_THROW(check_apart(one, beside, axes, "one and beside"));
     EXPECT_THROW(check_apart(one, within, axes, "one and within"), std::invalid_argument);
+}
+
+// What a shape shows along a direction is loaded, whatever cells cut it; a flat side has the areas of its bricks.
+TEST(SpaceTraction, LoadsTheAreaThatAShapeShowsAlongItsDirection) {
+    constexpr double pi = std::numbers::pi, R = 0.31;
+    const auto area = [&](const mpm::Shape3& shape, int across, bool upper, int cells) {
+        const Axis along = Axis::uniform(0.0, 1.0, cells);
+        const Axes axes{along, along, along};
+        mpm::SpacePlan plan;
+        plan.bodies = {{{{shape}}}};
+        const Particles q = fill(plan, 0, "body", 1000.0, axes, 0);
+        double sum = 0.0;
+        for (const OuterFace& of : outermost(plan, 0, axes, {across, upper}, "body")) {
+            const int a = column::l_x + (across + 1) % 3, b = column::l_x + (across + 2) % 3;
+            sum += of.share * 4.0 * q(a, of.particle) * q(b, of.particle);
+            EXPECT_EQ(q.ids()[of.particle], of.particle);
+        }
+        return sum;
+    };
+    const mpm::SphereShape ball{{0.5, 0.51, 0.48}, R};
+    const mpm::ConeShape pile{{0.5, 0.51}, {0.2, 0.83}, {R, R}},
+        tip{{0.5, 0.51}, {0.2, 0.83}, {0.0, R}};
+    for (const bool upper : {false, true}) {
+        for (const int across : {0, 1, 2})
+            EXPECT_NEAR(area(ball, across, upper, 10), pi * R * R, 0.005 * pi * R * R);
+        EXPECT_NEAR(area(pile, 0, upper, 10), 2.0 * R * 0.63, 0.005);
+        EXPECT_NEAR(area(pile, 2, upper, 10), pi * R * R, 0.005 * pi * R * R);
+        EXPECT_NEAR(area(tip, 2, upper, 10), pi * R * R, 0.02 * pi * R * R);
+        EXPECT_NEAR(area(tip, 2, upper, 20), pi * R * R, 0.005 * pi * R * R);
+    }
+    const mpm::BoxShape box{{0.13, 0.2, 0.31}, {0.77, 0.5, 0.9}};
+    EXPECT_NEAR(area(box, 2, true, 7), 0.64 * 0.3, 1e-12);
+    EXPECT_NEAR(area(box, 0, false, 7), 0.3 * 0.59, 1e-12);
+}
+
+// A shape upon another one of the same body covers its share of the faces below.
+TEST(SpaceTraction, LeavesOutWhatAnotherShapeOfTheBodyCovers) {
+    const Axis along = Axis::uniform(0.0, 1.0, 10);
+    const Axes axes{along, along, along};
+    mpm::SpacePlan plan;
+    plan.bodies = {{{{mpm::BoxShape{{0.0, 0.0, 0.0}, {1.0, 1.0, 0.5}}},
+                     {mpm::BoxShape{{0.0, 0.0, 0.5}, {0.475, 1.0, 0.8}}}}}};
+    const Particles q = fill(plan, 0, "step", 1000.0, axes, 0);
+    double lower = 0.0, upper = 0.0;
+    for (const OuterFace& of : outermost(plan, 0, axes, {2, true}, "step"))
+        (q(column::z, of.particle) < 0.5 ? lower : upper) +=
+            of.share * 4.0 * q(column::l_x, of.particle) * q(column::l_y, of.particle);
+    EXPECT_NEAR(upper, 0.475, 1e-12);
+    EXPECT_NEAR(lower, 0.525, 0.001);
 }
 
 // A stamp on sand at rest, with a load beside it.
@@ -211,6 +264,138 @@ TEST(SpaceRun, TellsForcesAndMomentsOfContactsInSpace) {
     const mpm::HistoryRow on_sand = other.row();
     for (std::size_t k = 0; k < 6; ++k)
         EXPECT_NEAR(on_sand.contact[k], -row.contact[k], 1e-9 * F) << k;
+}
+
+// A free block above the ground: what a case of rigid bodies that move freely tells.
+mpm::Case falling_block() {
+    mpm::Case plan;
+    plan.name = "fall";
+    mpm::SpacePlan& space = plan.space.emplace();
+    for (mpm::AxisPlan& of : space.axis) of = axis(0.0, 1.0, 5);
+    for (const int side : {0, 1, 2, 3, 4}) space.boundary[side] = mpm::Boundary::roller;
+    mpm::BodyPlan soil{};
+    soil.name = "soil";
+    soil.density = 2000.0;
+    soil.material = mpm::ElasticPlan{5e6, 0.3};
+    soil.geostatic = mpm::Geostatic{0.4, 0.0, {}};
+    mpm::BodyPlan block{};
+    block.name = "block";
+    block.density = 2000.0;
+    mpm::RigidPlan motion{{{0.0}, {0.0}}, {{0.0}, {0.0}}};
+    motion.free[2] = true;
+    block.material = motion;
+    plan.bodies = {soil, block};
+    space.bodies = {{{{mpm::BoxShape{{0.0, 0.0, 0.0}, {1.0, 1.0, 0.4}}}}},
+                    {{{mpm::BoxShape{{0.3, 0.3, 0.65}, {0.7, 0.7, 0.85}}}}}};
+    mpm::ContactPlan contact;
+    contact.stiff = "block";
+    contact.soft = "soil";
+    contact.law = GRIT_CONTACT_GEO;
+    plan.contacts = {contact};
+    mpm::StagePlan stage = plan.plain_stage("fall");
+    stage.end.time = 0.05;
+    plan.stages = {stage};
+    plan.history = {"block", mpm::DepthOf::centre_of_mass, 0.01};
+    return plan;
+}
+mpm::RigidPlan& motion_of_block(mpm::Case& plan) {
+    return std::get<mpm::RigidPlan>(plan.bodies[1].material);
+}
+
+TEST(SpaceRun, IsNotAtRestWhileAFreeBodyFalls) {
+    mpm::Case plan = falling_block();
+    plan.stages[0].end.unbalanced_share = 1e-3;
+    mpm::Runner runner(plan);
+    while (!runner.finished()) {
+        runner.step();
+        EXPECT_NEAR(runner.row().unbalanced_share, 1.0, 1e-9);
+    }
+    EXPECT_EQ(runner.ended(), mpm::Ended::by_time);
+    EXPECT_NEAR(runner.row().depth, 0.5 * 9.81 * 0.05 * 0.05, 1e-3);
+}
+
+// At rest until then, and then with the velocity that it starts with.
+TEST(SpaceRun, HoldsWhatIsFreeUntilItsStageBegins) {
+    mpm::Case plan = falling_block();
+    motion_of_block(plan).from_stage = "fall";
+    plan.space->bodies[1].velocity = {0.0, 0.0, 0.2};
+    mpm::StagePlan before = plan.plain_stage("before");
+    before.end.time = 0.03;
+    plan.stages.insert(plan.stages.begin(), before);
+    mpm::Runner runner(plan);
+    while (!runner.finished()) {
+        runner.step();
+        const mpm::HistoryRow row = runner.row();
+        if (row.stage == 1) {
+            ASSERT_EQ(row.depth, 0.0) << row.t;
+        }
+    }
+    const double t = runner.row().t - 0.03;
+    EXPECT_NEAR(runner.row().depth, 0.5 * 9.81 * t * t - 0.2 * t, 1e-3);
+}
+
+// What moves a body as it is told works against its loads.
+TEST(SpaceRun, KeepsItsBalanceWhereALoadActsAlongWhatIsTold) {
+    for (const bool any_free : {true, false}) {
+        mpm::Case plan = falling_block();
+        motion_of_block(plan).free[2] = any_free;
+        motion_of_block(plan).velocity_r = {{0.0}, {0.4}};
+        mpm::TractionPlan load;
+        load.body = "block";
+        load.stress = mpm::TimeTable{{0.0}, {2e4}};
+        plan.tractions = {load};
+        plan.space->faces = {{.across = 0, .upper = true, .direction = {-1.0, 0.0, 0.0}}};
+        mpm::Runner runner(plan);
+        while (!runner.finished()) runner.step();
+        const mpm::HistoryRow row = runner.row();
+        const double work = -2e4 * 0.4 * 0.2 * 0.4 * row.t;
+        EXPECT_NEAR(row.energy.traction_work, work, 1e-3 * std::fabs(work));
+        EXPECT_NEAR(row.energy.rigid_work, -work, 1e-3 * std::fabs(work));
+        EXPECT_LT(std::fabs(row.energy.residual()), 1e-6 * std::fabs(work));
+    }
+}
+
+TEST(SpaceRun, RefusesRigidBodiesThatAreToldTwiceOrHalvedAndFree) {
+    const auto refused = [](const auto& spoil, const char* why) {
+        mpm::Case plan = falling_block();
+        spoil(plan);
+        try {
+            mpm::build_case(plan);
+            ADD_FAILURE() << why;
+        } catch (const std::invalid_argument& error) {
+            EXPECT_NE(std::string(error.what()).find(why), std::string::npos) << error.what();
+        }
+    };
+    refused(
+        [](mpm::Case& c) {
+            motion_of_block(c).velocity_z = {{0.0}, {-1.0}};
+        },
+        "body block: the velocity along z is free, and a table tells it");
+    refused(
+        [](mpm::Case& c) {
+            motion_of_block(c).free[4] = true;
+            motion_of_block(c).spin[1] = {{0.0}, {-1.0}};
+        },
+        "body block: the rotation about y is free, and a table tells it");
+    refused(
+        [](mpm::Case& c) {
+            c.space->bodies[1].velocity = {0.0, 0.5, 0.0};
+        },
+        "body block: the velocity along y at the start is 0.5 m/s");
+    const auto at_left = [](mpm::Case& c) {
+        c.space->bodies[1] = {{{mpm::BoxShape{{0.0, 0.3, 0.65}, {0.4, 0.7, 0.85}}}}};
+    };
+    for (const std::size_t degree : {0, 4, 5})
+        refused(
+            [&](mpm::Case& c) {
+                at_left(c);
+                motion_of_block(c).free[degree] = true;
+            },
+            "body block lies at the left side, which is held");
+    mpm::Case slides = falling_block();
+    at_left(slides);
+    motion_of_block(slides).free = {false, true, true, true, false, false};
+    EXPECT_NO_THROW(mpm::build_case(slides));
 }
 
 TEST(ProfilePlan, SharesWhatActsBetweenTwoHeightsBetweenItsParts) {
@@ -310,7 +495,9 @@ TEST(SpaceRun, RefusesTheCheckpointOfAnotherCase) {
     for (mpm::Case* plan : {&surface, &finer}) plan->contacts[0].at_surfaces = true;
     finer.contacts[0].sweep_tolerance = 1e-9;
     rough.contacts[0].friction_coefficient = 0.4;
-    std::get<mpm::RigidPlan>(freed.bodies[1].material).free[2] = true;
+    mpm::RigidPlan& motion = std::get<mpm::RigidPlan>(freed.bodies[1].material);
+    motion.free[2] = true;
+    motion.velocity_z = {{0.0}, {0.0}};
     for (const auto& [of, other, what] :
          {Pair{stamp(), rough, "friction coefficient"}, Pair{stamp(), freed, "free"},
           Pair{surface, finer, "sweeps to"}}) {

@@ -126,6 +126,49 @@ TEST(ClosedSurface, IsCountedOnceWhereTrianglesMeet) {
     EXPECT_FALSE(round.has({NAN, 0.0, 0.0}));
 }
 
+Triangles moved(Triangles of, double scale, const Vector3& by, bool turned = false) {
+    for (auto& t : of) {
+        for (Vector3& x : t) x = scale * x + by;
+        if (turned) std::swap(t[1], t[2]);
+    }
+    return of;
+}
+
+// Unit cubes and smaller ones: which way they face does not matter, but in a cavity.
+TEST(ClosedSurface, OfSeveralShellsHasWhatIsInAnyOfThemButForCavities) {
+    for (const bool all_turned : {false, true}) {
+        const auto surface_of = [&](const Triangles& second) {
+            Triangles all = moved(cube(), 1.0, {0.0, 0.0, 0.0}, all_turned);
+            const Triangles other = moved(second, 1.0, {0.0, 0.0, 0.0}, all_turned);
+            all.insert(all.end(), other.begin(), other.end());
+            return ClosedSurface(all);
+        };
+        for (const bool turned : {false, true}) {
+            const ClosedSurface apart = surface_of(moved(cube(), 0.5, {2.0, 0.1, 0.1}, turned));
+            EXPECT_TRUE(apart.has({0.5, 0.5, 0.5}));
+            EXPECT_TRUE(apart.has({2.2, 0.3, 0.3}));
+            EXPECT_FALSE(apart.has({1.5, 0.3, 0.3}));
+            EXPECT_NEAR(apart.volume(), 1.125, 1e-14);
+            double volume = 0.0;  // outward, all of them
+            for (const auto& t : apart.outward())
+                for (int i = 0; i < 3; ++i) {
+                    const int j = (i + 1) % 3, k = (i + 2) % 3;
+                    volume += t[0][i] * (t[1][j] * t[2][k] - t[1][k] * t[2][j]) / 6.0;
+                }
+            EXPECT_NEAR(volume, 1.125, 1e-14);
+        }
+        const ClosedSurface overlapping = surface_of(moved(cube(), 0.5, {0.75, 0.1, 0.1}));
+        for (const double x : {0.5, 0.9, 1.1}) EXPECT_TRUE(overlapping.has({x, 0.3, 0.3})) << x;
+        EXPECT_FALSE(overlapping.has({1.3, 0.3, 0.3}));
+        const ClosedSurface solid_within = surface_of(moved(cube(), 0.5, {0.25, 0.25, 0.25}));
+        EXPECT_TRUE(solid_within.has({0.5, 0.5, 0.5}));
+        const ClosedSurface hollow = surface_of(moved(cube(), 0.5, {0.25, 0.25, 0.25}, true));
+        EXPECT_FALSE(hollow.has({0.5, 0.5, 0.5}));
+        EXPECT_TRUE(hollow.has({0.1, 0.5, 0.5}));
+        EXPECT_NEAR(hollow.volume(), 0.875, 1e-14);
+    }
+}
+
 TEST(ClosedSurface, WithAHoleIsRefusedByThePlaceOfIt) {
     Triangles open = cube();
     open.pop_back();

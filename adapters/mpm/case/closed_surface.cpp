@@ -25,14 +25,15 @@ std::string place_of(const Corner& x) {
     return "(" + text(x[0]) + ", " + text(x[1]) + ", " + text(x[2]) + ") m";
 }
 
-// Six times the volume of the tetrahedron over the origin.
-double volume_over_origin(const ClosedSurface::Triangle& t) {
+// The volume of the tetrahedron over a place.
+double volume_over(const Vector3& place, const ClosedSurface::Triangle& t) {
+    const Vector3 a = t[0] - place, b = t[1] - place, c = t[2] - place;
     double sum = 0.0;
     for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
-        sum += t[0][i] * (t[1][j] * t[2][k] - t[1][k] * t[2][j]);
+        sum += a[i] * (b[j] * c[k] - b[k] * c[j]);
     }
-    return sum;
+    return sum / 6.0;
 }
 
 // Twice the area of a, b and (x, y), from the same two corners in the same order for both neighbours of an edge, so that
@@ -44,8 +45,9 @@ double side_of(const Vector3& a, const Vector3& b, double x, double y) {
     return ordered ? area : -area;
 }
 
-// Is the triangle above the place? An edge belongs to the side of positive areas.
-bool is_above(const ClosedSurface::Triangle& t, const Vector3& at) {
+// Is the triangle above the place, 1 with its outer side up and -1 with that down; 0: it is not. An edge belongs to the side of
+// positive areas.
+int above(const ClosedSurface::Triangle& t, const Vector3& at) {
     double side[3];
     for (std::size_t i = 0; i < 3; ++i)
         side[i] = side_of(t[(i + 1) % 3], t[(i + 2) % 3], at[0], at[1]);
@@ -54,20 +56,49 @@ bool is_above(const ClosedSurface::Triangle& t, const Vector3& at) {
         return area > 0.0 || (area == 0.0 && corner_of(a) < corner_of(b));
     };
     const bool first = positive(0, side[0]);
-    if (positive(1, side[1]) != first || positive(2, side[2]) != first) return false;
+    if (positive(1, side[1]) != first || positive(2, side[2]) != first) return 0;
     const double sum = side[0] + side[1] + side[2];
-    if (sum == 0.0) return false;
+    if (sum == 0.0) return 0;
     const double z = (side[0] * t[0][2] + side[1] * t[1][2] + side[2] * t[2][2]) / sum;
-    return z > at[2];
+    if (!(z > at[2])) return 0;
+    return first ? 1 : -1;
 }
+
+// Which triangles hang together by their corners.
+class Shells {
+  public:
+    explicit Shells(const std::vector<ClosedSurface::Triangle>& triangles) {
+        for (const ClosedSurface::Triangle& t : triangles) {
+            std::size_t corner[3];
+            for (std::size_t i = 0; i < 3; ++i) {
+                const auto [place, is_new] = number.insert({corner_of(t[i]), leader.size()});
+                if (is_new) leader.push_back(leader.size());
+                corner[i] = place->second;
+            }
+            for (std::size_t i : {1, 2}) join(corner[0], corner[i]);
+            first_corner.push_back(corner[0]);
+        }
+    }
+    // The same for all triangles of a shell.
+    std::size_t of(std::size_t triangle) { return leader_of(first_corner[triangle]); }
+
+  private:
+    std::size_t leader_of(std::size_t i) {
+        while (leader[i] != i) i = leader[i] = leader[leader[i]];
+        return i;
+    }
+    void join(std::size_t i, std::size_t j) { leader[leader_of(i)] = leader_of(j); }
+
+    std::map<Corner, std::size_t> number;
+    std::vector<std::size_t> leader, first_corner;
+};
 
 }  // namespace
 
 ClosedSurface::ClosedSurface(std::vector<Triangle> of) : triangles(std::move(of)) {
     if (triangles.empty()) throw std::invalid_argument("a surface of no triangles");
     least = most = triangles[0][0];
-    for (const Triangle& t : triangles) {
-        enclosed += volume_over_origin(t) / 6.0;
+    for (const Triangle& t : triangles)
         for (const Vector3& x : t)
             for (int d = 0; d < 3; ++d) {
                 if (!std::isfinite(x[d]))
@@ -75,21 +106,45 @@ ClosedSurface::ClosedSurface(std::vector<Triangle> of) : triangles(std::move(of)
                 least[d] = std::min(least[d], x[d]);
                 most[d] = std::max(most[d], x[d]);
             }
-    }
     check_edges();
+    sort_into_columns();
+    turn_outward();
     const Vector3 size = most - least;
-    is_inside_out = enclosed < 0.0;
-    enclosed = std::fabs(enclosed);
     if (!(enclosed > 1e-9 * size[0] * size[1] * size[2]))
         throw std::invalid_argument("a surface that encloses nothing");
-    sort_into_columns();
 }
 
-std::vector<ClosedSurface::Triangle> ClosedSurface::outward() const {
-    std::vector<Triangle> out = triangles;
-    for (Triangle& t : out)
-        if (is_inside_out) std::swap(t[1], t[2]);
-    return out;
+// A shell that faces inward is a cavity where it lies within others, and else inside out. So is all of the file where what it
+// encloses is less than nothing.
+void ClosedSurface::turn_outward() {
+    Shells shells(triangles);
+    std::map<std::size_t, std::vector<std::size_t>> of_shell;
+    for (std::size_t i = 0; i < triangles.size(); ++i) of_shell[shells.of(i)].push_back(i);
+    const auto volume_of = [this](const std::vector<std::size_t>& shell) {
+        const Vector3 place = triangles[shell.front()][0];
+        double sum = 0.0;
+        for (const std::size_t i : shell) sum += volume_over(place, triangles[i]);
+        return sum;
+    };
+    const auto turn = [this](const std::vector<std::size_t>& shell) {
+        for (const std::size_t i : shell) std::swap(triangles[i][1], triangles[i][2]);
+    };
+    double largest = 0.0;
+    for (const auto& [shell, of] : of_shell)
+        if (const double volume = volume_of(of); std::fabs(volume) > std::fabs(largest))
+            largest = volume;
+    if (largest < 0.0)
+        for (const auto& [shell, of] : of_shell) turn(of);
+    for (const auto& [shell, of] : of_shell) {
+        if (!(volume_of(of) < 0.0)) continue;
+        const Vector3& place = triangles[of.front()][0];
+        int around = 0;
+        const std::size_t c = column(place);
+        for (std::size_t i = first[c]; i < first[c + 1]; ++i)
+            if (shells.of(order[i]) != shell) around += above(triangles[order[i]], place);
+        if (around == 0) turn(of);
+    }
+    for (const auto& [shell, of] : of_shell) enclosed += volume_of(of);
 }
 
 void ClosedSurface::check_edges() const {
@@ -112,6 +167,10 @@ std::size_t ClosedSurface::column(double x, int d) const {
     const double share = (x - least[d]) / (most[d] - least[d]);
     const double place = std::floor(share * static_cast<double>(columns[k]));
     return std::min(columns[k] - 1, static_cast<std::size_t>(std::max(0.0, place)));
+}
+
+std::size_t ClosedSurface::column(const Vector3& x) const {
+    return column(x[1], 1) * columns[0] + column(x[0], 0);
 }
 
 // About as many columns as triangles.
@@ -140,11 +199,10 @@ void ClosedSurface::sort_into_columns() {
 bool ClosedSurface::has(const Vector3& x) const {
     for (int d = 0; d < 3; ++d)
         if (!(x[d] >= least[d] && x[d] <= most[d])) return false;
-    const std::size_t c = column(x[1], 1) * columns[0] + column(x[0], 0);
-    bool inside = false;
-    for (std::size_t i = first[c]; i < first[c + 1]; ++i)
-        inside ^= is_above(triangles[order[i]], x);
-    return inside;
+    const std::size_t c = column(x);
+    int around = 0;
+    for (std::size_t i = first[c]; i < first[c + 1]; ++i) around += above(triangles[order[i]], x);
+    return around != 0;
 }
 
 namespace {
@@ -222,9 +280,9 @@ std::string stl_bytes(const std::filesystem::path& file) {
     if (!in) fail(file, "cannot be read");
     std::error_code unknown;
     const auto size = std::filesystem::file_size(file, unknown);
-    constexpr std::size_t longest = 300 * most_triangles;  // of a text
-    if (unknown || size > longest)
-        fail(file, "is no file, or longer than " + std::to_string(longest) + " bytes");
+    if (unknown) fail(file, "is no file");
+    constexpr std::size_t longest = std::size_t{1} << 30;
+    if (size > longest) fail(file, "is longer than 1024 MiB, the most that is read");
     return {std::istreambuf_iterator<char>(in), {}};
 }
 

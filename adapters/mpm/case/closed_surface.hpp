@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A closed surface of triangles, as STL files have them, and what lies within it.
+// A closed surface of triangles, as STL files have them, and what lies within it: of several shells, what lies within any of them, but
+// for cavities, whose shells lie within others and face the other way.
 #pragma once
 
 #include <array>
@@ -16,27 +17,29 @@ class ClosedSurface {
     using Triangle = std::array<Vector3, 3>;
 
     // Corners of neighbours are the same numbers. Throws std::invalid_argument where an edge has not as many triangles
-    // along it as against it, or no volume is enclosed.
+    // along it as against it, or no volume is enclosed. Shells that are inside out are turned.
     explicit ClosedSurface(std::vector<Triangle> of);
 
     // On which side of the surface a place is that lies on it, rounding decides.
     bool has(const Vector3& x) const;
     const Vector3& from() const { return least; }
     const Vector3& to() const { return most; }
+    // Of shells that overlap, what they share counts for each.
     double volume() const { return enclosed; }
     std::size_t size() const { return triangles.size(); }
     // Counter-clockwise as seen from outside.
-    std::vector<Triangle> outward() const;
+    const std::vector<Triangle>& outward() const { return triangles; }
 
   private:
     void check_edges() const;
+    void turn_outward();
     void sort_into_columns();
     std::size_t column(double x, int d) const;
+    std::size_t column(const Vector3& x) const;
 
     std::vector<Triangle> triangles;
     Vector3 least, most;
     double enclosed = 0.0;
-    bool is_inside_out = false;  // its triangles are clockwise
     // Triangles over each rectangle of a raster in x and y: those of column c are order[first[c]] to order[first[c + 1] - 1].
     std::size_t columns[2] = {};
     std::vector<std::size_t> first, order;

@@ -92,6 +92,11 @@ void ContactZone::find_parts() {
     for (const int body : {0, 1})
         for (const KeyedNumbers& node : nodes(body))
             held.push_back(mask_of(node.value[near_node::fixed]));
+    for (const int body : {0, 1}) {
+        gathered[body].clear();
+        for (std::size_t i = 0; i < nodes(body).size(); ++i)
+            gathered[body].push_back(motion_of(body, i));
+    }
     water_held.clear();
     for (const int body : {0, 1})
         for (const KeyedNumbers& node : pores(body))
@@ -114,17 +119,23 @@ std::ptrdiff_t ContactZone::node_here(const KeyedNumbers& item) const {
     return is_here ? z * grid.nodes_r() + r : -1;
 }
 
-void ContactZone::write(int body, const SurfaceBody& to) const {
+ContactZone::Moving ContactZone::motion_of(int body, std::size_t i) const {
     const std::span<const KeyedNumbers> flow = of(8 + body);
+    const double* at = of(2 + body)[i].value;
+    Moving out{{at[near_node::v_r], at[near_node::v_z], 0.0, 0.0}};
+    if (!flow.empty()) std::copy_n(&flow[i].value[near_seepage::now_r], 2, out.value + 2);
+    return out;
+}
+
+void ContactZone::write(int body, const SurfaceBody& to) const {
+    const bool flows = !of(8 + body).empty();
     for (std::size_t i = 0; i < of(2 + body).size(); ++i) {
-        const KeyedNumbers& item = of(2 + body)[i];
-        const std::ptrdiff_t node = node_here(item);
+        const std::ptrdiff_t node = node_here(of(2 + body)[i]);
         if (node < 0) continue;
-        const Vector2 v{item.value[near_node::v_r], item.value[near_node::v_z]};
-        if (!flow.empty())
-            to.water->follow(
-                to.number, static_cast<std::size_t>(node), v,
-                {flow[i].value[near_seepage::now_r], flow[i].value[near_seepage::now_z]});
+        const Moving now = motion_of(body, i);
+        if (std::ranges::equal(now.value, gathered[body][i].value)) continue;
+        const Vector2 v{now.value[0], now.value[1]}, seepage{now.value[2], now.value[3]};
+        if (flows) to.water->follow(to.number, static_cast<std::size_t>(node), v, seepage);
         to.motions[node][motion::v_r] = v[0];
         to.motions[node][motion::v_z] = v[1];
     }

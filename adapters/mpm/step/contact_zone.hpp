@@ -89,7 +89,8 @@ class ContactZone {
     // Its number in the grid of this process; -1: another one has it.
     std::ptrdiff_t node_here(const KeyedNumbers& item) const;
 
-    // The velocities of its nodes and of the water there, to those that are here.
+    // The velocities of its nodes and of the water there that have changed since they were gathered, to those that are here:
+    // another zone of the body may have changed others.
     void write(int body, const SurfaceBody& to) const;
 
   private:
@@ -101,7 +102,12 @@ class ContactZone {
     }
     void add_domains(const SurfaceBody& body, int which);
     void add_nodes(const SurfaceBody& body, int which);
+    // Of a node: its velocity, and the water's against it.
+    struct Moving {
+        double value[4];
+    };
     void find_parts();
+    Moving motion_of(int body, std::size_t i) const;
 
     GridView grid;
     WholeGrid whole;
@@ -112,6 +118,7 @@ class ContactZone {
     static constexpr int parts = 10;
     std::vector<KeyedNumbers> items;
     std::ptrdiff_t start[parts + 1] = {};
+    std::vector<Moving> gathered[2];  // [nodes(body)]
     std::vector<int> held, water_held;
 };
 

@@ -2,7 +2,7 @@
 #include "adapters/mpm/step/surface_contacts.hpp"
 
 #include <algorithm>
-#include <tuple>
+#include <utility>
 
 namespace grit::mpm {
 
@@ -41,8 +41,7 @@ void SurfaceContacts::correct(Energy& sums) {
     for (std::size_t i = 0; i < pairs.size(); ++i)
         are_near[i] = pairs[i].find(body(pairs[i].law().a), body(pairs[i].law().b)) ? 1.0 : 0.0;
     model.exchange.max(are_near.data(), static_cast<int>(are_near.size()));
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-        if (are_near[i] > 0.0) correct(pairs[i], false, sums);
+    correct(false, sums);
 }
 
 bool SurfaceContacts::is_implicit() const {
@@ -77,30 +76,34 @@ void SurfaceContacts::take_changes(Energy& sums) {
     }
 }
 
-void SurfaceContacts::correct_damped(Energy& sums) {
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-        if (pairs[i].law().after_damping && are_near[i] > 0.0) correct(pairs[i], true, sums);
-}
+void SurfaceContacts::correct_damped(Energy& sums) { correct(true, sums); }
 
 bool SurfaceContacts::any_after_damping() const {
     return std::any_of(pairs.begin(), pairs.end(),
                        [](const SurfacePair& pair) { return pair.law().after_damping; });
 }
 
-void SurfaceContacts::correct(SurfacePair& pair, bool again, Energy& sums) {
-    const SurfaceBody a = body(pair.law().a), b = body(pair.law().b);
-    const grit_surface_totals before = again ? pair.totals() : grit_surface_totals{};
-    if (again) pair.correct_again(a, b, model.dt, model.exchange);
-    else pair.correct(a, b, model.dt, model.exchange, is_implicit());
-    const grit_surface_totals& totals = pair.totals();
-    sums.contact += totals.dissipation_normal - before.dissipation_normal +
-                    totals.dissipation_tangential - before.dissipation_tangential;
-    // What moves a rigid body works against the force that the body feels.
-    for (const auto& [of, J, J_before] : {std::tuple{&a, totals.impulse_on_a, before.impulse_on_a},
-                                          std::tuple{&b, totals.impulse_on_b, before.impulse_on_b}})
-        if (of->rigid)
-            sums.rigid_work -=
-                (J[0] - J_before[0]) * of->velocity[0] + (J[1] - J_before[1]) * of->velocity[1];
+void SurfaceContacts::correct(bool damped, Energy& sums) {
+    calls.clear();
+    called.clear();
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        SurfacePair& pair = pairs[i];
+        const SurfaceLaw& law = pair.law();
+        if (!(are_near[i] > 0.0) || (damped && !law.after_damping)) continue;
+        pair.add_call(body(law.a), body(law.b), model.dt, model.exchange, calls);
+        if (pair.was_called()) called.push_back(&pair);
+    }
+    calls.solve();
+    for (SurfacePair* pair : called) {
+        const SurfaceBody a = body(pair->law().a), b = body(pair->law().b);
+        pair->take_call(a, b, !damped && is_implicit());
+        const grit_surface_totals& totals = pair->totals_of_call();
+        sums.contact += totals.dissipation_normal + totals.dissipation_tangential;
+        // What moves a rigid body works against the force that the body feels.
+        for (const auto& [of, J] :
+             {std::pair{&a, totals.impulse_on_a}, std::pair{&b, totals.impulse_on_b}})
+            if (of->rigid) sums.rigid_work -= J[0] * of->velocity[0] + J[1] * of->velocity[1];
+    }
 }
 
 }  // namespace grit::mpm

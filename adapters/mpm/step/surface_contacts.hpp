@@ -33,11 +33,14 @@ class SurfaceContacts {
   private:
     SurfaceBody body(std::size_t i);
     bool is_implicit() const;
-    void correct(SurfacePair& pair, bool again, Energy& sums);
+    // Of those that are near, together. damped: of those that act after damping.
+    void correct(bool damped, Energy& sums);
 
     Model& model;
     Water& water;
     std::vector<SurfacePair> pairs;
+    SurfaceCalls calls;
+    std::vector<SurfacePair*> called;  // in the last of them
     std::vector<double> are_near;  // 1: of any process
 };
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "adapters/mpm/grid/grid_point.hpp"
+#include "adapters/mpm/step/keyed_items.hpp"
 #include "adapters/mpm/step/require.hpp"
 
 namespace grit::mpm {
@@ -22,6 +23,13 @@ constexpr std::ptrdiff_t stride = sizeof(KeyedNumbers) / sizeof(double);  // of 
 void resize(std::vector<std::uint64_t>& workspace, std::size_t bytes) {
     if (workspace.size() * sizeof(std::uint64_t) < bytes)
         workspace.resize(bytes / sizeof(std::uint64_t) + 1);
+}
+
+grit_surface_totals no_totals() {
+    grit_surface_totals totals{};
+    totals.struct_size = sizeof totals;
+    totals.smallest_gap = std::numeric_limits<double>::infinity();
+    return totals;
 }
 
 }  // namespace
@@ -46,9 +54,7 @@ SurfacePair::SurfacePair(const SurfaceLaw& law, double shortest_cell, ContactZon
 }
 
 void SurfacePair::forget() {
-    step_totals = {};
-    step_totals.struct_size = sizeof step_totals;
-    step_totals.smallest_gap = std::numeric_limits<double>::infinity();
+    step_totals = no_totals();
     step_faces = {};
     step_rows.rows.clear();
     step_rows.terms.clear();
@@ -194,6 +200,10 @@ grit_surface SurfacePair::surface(int body, const SurfaceBody& of) {
     const std::span<KeyedNumbers> nodes = zone.nodes(body);
     s.nodes = static_cast<std::ptrdiff_t>(nodes.size());
     s.mass = grit_view_of(&nodes[0].value[near_node::m], stride, 1);
+    s.body = static_cast<int>(of.number) + 1;
+    skin.number.clear();
+    for (const KeyedNumbers& node : nodes) skin.number.push_back(number_of(node));
+    s.number = skin.number.data();
     s.fixed = zone.fixed(body);
     s.velocity = grit_mutable_view_of(&nodes[0].value[near_node::v_r], stride, 1);
     s.previous_velocity = grit_view_of(&nodes[0].value[near_node::other_r], stride, 1);
@@ -208,29 +218,10 @@ grit_surface SurfacePair::surface(int body, const SurfaceBody& of) {
     return s;
 }
 
-void SurfacePair::solve(const grit_surface& a, const grit_surface& b, bool keep) {
-    reports.resize(static_cast<std::size_t>(a.facets));
-    std::size_t needed = grit_surface_workspace_size(&a, &b);
-    grit_error error;
-    grit_status status = GRIT_OK;
-    do {
-        resize(workspace, needed);
-        status = grit_surface_correct(&pair_law.options, &a, &b, workspace.data(),
-                                      workspace.size() * sizeof(std::uint64_t), &needed,
-                                      reports.data(), &step_totals, &error);
-    } while (needed > 0);
-    require(status, error, "surface contact");
-    swept.count(pair_law.options, step_totals);
-    if (keep) keep_rows();
-    step_totals.row = nullptr;
-    step_totals.term = nullptr;
-    step_totals.rows = 0;
-}
-
 void SurfacePair::keep_rows() {
     std::size_t terms = 0;
-    for (std::ptrdiff_t r = 0; r < step_totals.rows; ++r) {
-        const grit_surface_row& row = step_totals.row[r];
+    for (std::ptrdiff_t r = 0; r < call_totals.rows; ++r) {
+        const grit_surface_row& row = call_totals.row[r];
         const auto count = static_cast<std::size_t>(row.terms);
         step_rows.rows.push_back({terms,
                                   terms + count,
@@ -241,7 +232,7 @@ void SurfacePair::keep_rows() {
                                   row.impulse[0]});
         terms += count;
         for (std::ptrdiff_t t = row.first_term; t < row.first_term + row.terms; ++t) {
-            const grit_surface_term& term = step_totals.term[t];
+            const grit_surface_term& term = call_totals.term[t];
             const auto& d = term.direction;
             step_rows.terms.push_back({term.of_b ? pair_law.b : pair_law.a,
                                        static_cast<std::size_t>(zone.node_here(zone.nodes(
@@ -250,7 +241,7 @@ void SurfacePair::keep_rows() {
                                        {Vector2{d[0][0], d[0][1]}, Vector2{d[1][0], d[1][1]}}});
         }
     }
-    step_rows.dissipation = step_totals.dissipation_normal + step_totals.dissipation_tangential;
+    step_rows.dissipation = call_totals.dissipation_normal + call_totals.dissipation_tangential;
 }
 
 void SurfacePair::take_rows(double dt) {
@@ -275,8 +266,10 @@ void SurfacePair::take_rows(double dt) {
     }
 }
 
-void SurfacePair::correct(const SurfaceBody& a, const SurfaceBody& b, double dt, Exchange& exchange,
-                          bool keep) {
+void SurfacePair::add_call(const SurfaceBody& a, const SurfaceBody& b, double dt,
+                           Exchange& exchange, SurfaceCalls& calls) {
+    call_totals = no_totals();
+    is_called = false;
     zone.gather(a, b, exchange);
     for (const int k : {0, 1}) {
         find_edges(k, skins[k]);
@@ -286,19 +279,24 @@ void SurfacePair::correct(const SurfaceBody& a, const SurfaceBody& b, double dt,
     }
     find_spacing();
     pair_law.options.time_step = dt;
-    solve(surface(0, a), surface(1, b), keep);
+    given[0] = surface(0, a);
+    given[1] = surface(1, b);
+    reports.resize(static_cast<std::size_t>(given[0].facets));
+    calls.add({&pair_law.options, &given[0], &given[1], reports.data(), &call_totals});
+    is_called = true;
+}
+
+void SurfacePair::take_call(const SurfaceBody& a, const SurfaceBody& b, bool keep) {
+    swept.count(pair_law.options, call_totals);
+    if (keep) keep_rows();
+    call_totals.row = nullptr;
+    call_totals.term = nullptr;
+    call_totals.rows = 0;
     zone.write(0, a);
     zone.write(1, b);
     sum_faces();
-}
-
-void SurfacePair::correct_again(const SurfaceBody& a, const SurfaceBody& b, double dt,
-                                Exchange& exchange) {
     const grit_surface_totals before = step_totals;
-    const Faces faces_before = step_faces;
-    forget();
-    step_faces = faces_before;
-    correct(a, b, dt, exchange, false);
+    step_totals = call_totals;
     for (int c = 0; c < 3; ++c) {
         step_totals.impulse_on_a[c] += before.impulse_on_a[c];
         step_totals.impulse_on_b[c] += before.impulse_on_b[c];

@@ -12,6 +12,7 @@
 #include "adapters/mpm/step/held_rows.hpp"
 #include "adapters/mpm/step/ridden_line.hpp"
 #include "adapters/mpm/step/settings.hpp"
+#include "adapters/mpm/step/surface_calls.hpp"
 #include "adapters/mpm/step/sweeps.hpp"
 
 namespace grit::mpm {
@@ -35,19 +36,22 @@ class SurfacePair {
     void find_riders(const SurfaceBody& a, Exchange& exchange);
     // False where no node of this process is reached by both bodies.
     bool find(const SurfaceBody& a, const SurfaceBody& b);
-    // After find, by all processes if one of them has found something: velocities after the momentum update become
-    // those after contact.
+    // After find, by all processes if one of them has found something: adds the call that turns velocities after the
+    // momentum update into those after contact, unless no surface is there. May be done again in a step.
+    void add_call(const SurfaceBody& a, const SurfaceBody& b, double dt, Exchange& exchange,
+                  SurfaceCalls& calls);
+    bool was_called() const { return is_called; }
+    // After it is solved, if it was added: velocities, totals and faces.
     // keep: its rows, for what goes on with them.
-    void correct(const SurfaceBody& a, const SurfaceBody& b, double dt, Exchange& exchange,
-                 bool keep);
+    void take_call(const SurfaceBody& a, const SurfaceBody& b, bool keep);
     SurfaceRows& rows() { return step_rows; }
     // Normal impulses are those of the rows now: forces are theirs, too.
     void take_rows(double dt);
-    // Once more in the same step: impulses and dissipation of the totals, and faces, are those of both.
-    void correct_again(const SurfaceBody& a, const SurfaceBody& b, double dt, Exchange& exchange);
 
     const SurfaceLaw& law() const { return pair_law; }
-    // Of the last step, of all processes.
+    // Of the last call.
+    const grit_surface_totals& totals_of_call() const { return call_totals; }
+    // Of the last step, of all processes: impulses and dissipation of all its calls.
     const grit_surface_totals& totals() const { return step_totals; }
     // Forces on b by where a's surface points.
     const Faces& faces() const { return step_faces; }
@@ -64,9 +68,10 @@ class SurfacePair {
     struct Skin {
         std::vector<double> position, weight, velocity;
         std::vector<std::ptrdiff_t> facet, node;
-        std::vector<std::ptrdiff_t> owner;  // domain of each facet
-        std::vector<double> pressure;       // of water in the body at each facet [Pa]
-        std::vector<char> is_lost;          // vertices that no node moves
+        std::vector<std::ptrdiff_t> number;  // of the zone's nodes in the whole grid
+        std::vector<std::ptrdiff_t> owner;   // domain of each facet
+        std::vector<double> pressure;        // of water in the body at each facet [Pa]
+        std::vector<char> is_lost;           // vertices that no node moves
         std::ptrdiff_t vertices = 0, facets = 0;
 
         const double* end(std::ptrdiff_t f, int k) const {
@@ -79,7 +84,6 @@ class SurfacePair {
     void find_nodes(int body, const SurfaceBody& of, Skin& skin);
     void find_spacing();
     grit_surface surface(int body, const SurfaceBody& of);
-    void solve(const grit_surface& a, const grit_surface& b, bool keep);
     void keep_rows();
     void sum_faces();
     static void keep_facets(Skin& skin);
@@ -90,10 +94,12 @@ class SurfacePair {
     ContactZone zone;
     RiddenLine line_a;
     Skin skins[2];
-    std::vector<double> spacing;  // [facets of a] of what carries the pressure [m]
-    std::vector<std::uint64_t> workspace;
+    std::vector<double> spacing;           // [facets of a] of what carries the pressure [m]
+    std::vector<std::uint64_t> workspace;  // to find free edges
     std::vector<grit_surface_report> reports;
-    grit_surface_totals step_totals{};
+    grit_surface given[2] = {};
+    bool is_called = false;
+    grit_surface_totals call_totals{}, step_totals{};
     Sweeps swept;
     Faces step_faces;
     SurfaceRows step_rows;

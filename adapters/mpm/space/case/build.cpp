@@ -3,15 +3,18 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <stdexcept>
 #include <utility>
 
 #include "adapters/mpm/case/build_case.hpp"
+#include "adapters/mpm/case/case_words.hpp"
 #include "adapters/mpm/case/initial_state.hpp"
 #include "adapters/mpm/space/case/solids.hpp"
 #include "adapters/mpm/space/kernel/elastic.hpp"
 #include "adapters/mpm/space/kernel/sand.hpp"
+#include "adapters/mpm/step/text.hpp"
 
 namespace grit::mpm::space {
 
@@ -49,8 +52,57 @@ void set_start(const BodyPlan& body, double gravity, Particles& particles) {
 
 }  // namespace
 
+namespace {
+
+// What is told is not free, and begins as it is told.
+void check_told(const RigidPlan& motion, const BodyPlan& body, const Vector3& start) {
+    const TimeTable* told[] = {&motion.velocity_r, &motion.velocity_y, &motion.velocity_z,
+                               &motion.spin[0],    &motion.spin[1],    &motion.spin[2]};
+    for (std::size_t i = 0; i < 6; ++i) {
+        const std::vector<double>& values = told[i]->value;
+        const bool moves =
+            std::any_of(values.begin(), values.end(), [](double x) { return x != 0.0; });
+        const std::string what =
+            std::string(i < 3 ? "the velocity along " : "the rotation about ") + "xyz"[i % 3];
+        if (motion.free[i] && moves)
+            throw std::invalid_argument("body " + body.name + ": " + what +
+                                        " is free, and a table tells it");
+        if (i < 3 && !motion.free[i] && start[static_cast<int>(i)] != 0.0)
+            throw std::invalid_argument(
+                "body " + body.name + ": " + what + " at the start is " +
+                text(start[static_cast<int>(i)]) +
+                " m/s, but that of a rigid body is told by a table unless it is free");
+    }
+}
+
+// A plane of symmetry halves what lies at it: it cannot move across, nor turn about what lies within the plane.
+void check_free_at_sides(const Case& plan, const BodyPlan& body, const RigidPlan& motion,
+                         const Axes& axes, const ParticleView& q, std::ptrdiff_t count) {
+    for (int side = 0; side < 6; ++side) {
+        const int d = side / 2;
+        const auto across = static_cast<std::size_t>(d);
+        if (plan.space->boundary[side] == Boundary::free) continue;
+        const Axis& axis = axes[across];
+        const double at = side % 2 == 0 ? axis[0] : axis[axis.nodes() - 1];
+        bool lies_at_it = false;
+        for (std::ptrdiff_t p = 0; p < count && !lies_at_it; ++p)
+            lies_at_it = std::fabs(std::fabs(q[column::x + d][p] - at) - q[column::l_x + d][p]) <=
+                         1e-6 * q[column::l_x + d][p];
+        const bool moves_out = motion.free[across] || motion.free[(across + 1) % 3 + 3] ||
+                               motion.free[(across + 2) % 3 + 3];
+        if (lies_at_it && moves_out)
+            throw std::invalid_argument(
+                "body " + body.name + " lies at the " +
+                std::string(word_of(words::sides_in_space, side)) +
+                " side, which is held: it may not be free across it, nor about axes within it");
+    }
+}
+
+}  // namespace
+
 RigidCourse course_of(const Case& plan, std::size_t body, const std::shared_ptr<Clock>& clock) {
     const auto& motion = std::get<RigidPlan>(plan.bodies[body].material);
+    check_told(motion, plan.bodies[body], plan.space->bodies[body].velocity);
     const auto over_time = [since = Since(plan, clock, motion.from_stage)](
                                const TimeTable& x, const TimeTable& y, const TimeTable& z) {
         return [since, x, y, z](double t) {
@@ -62,6 +114,10 @@ RigidCourse course_of(const Case& plan, std::size_t body, const std::shared_ptr<
     out.velocity = over_time(motion.velocity_r, motion.velocity_y, motion.velocity_z);
     out.spin = over_time(motion.spin[0], motion.spin[1], motion.spin[2]);
     out.free = motion.free;
+    if (!motion.from_stage.empty())
+        out.has_begun = [since = Since(plan, clock, motion.from_stage)](double t) {
+            return since(t) >= 0.0;
+        };
     out.centre = motion.centre;
     out.start.along = plan.space->bodies[body].velocity;
     return out;
@@ -92,7 +148,11 @@ void add_bodies(const Case& plan, const Axes& axes, const std::shared_ptr<Clock>
         body.particles = fill(*plan.space, b, body.name, body_plan.density, axes,
                               body.material ? body.material->own_columns() : 0);
         if (!body_plan.rigid()) set_start(body_plan, plan.gravity, body.particles);
-        else body.make_rigid(course_of(plan, b, clock), plan.settings.fixed_point);
+        else {
+            body.make_rigid(course_of(plan, b, clock), plan.settings.fixed_point);
+            check_free_at_sides(plan, body_plan, std::get<RigidPlan>(body_plan.material), axes,
+                                body.particles.view(), body.particles.size());
+        }
         for (std::size_t i = 0; i < b; ++i) {
             const auto& left_out =
                 plan.space->bodies[b].outside_of;  // bricks of cut particles overlap
@@ -113,8 +173,9 @@ void add_tractions(const Case& plan, const Axes& axes, const std::shared_ptr<Clo
         const FacePlan& face = plan.space->faces[i];
         const std::size_t body = plan.body(traction.body);
         const auto stress = face_stress(plan, i, clock);
-        for (const int id : outermost(simulation.body(body).particles, axes, face, traction.body))
-            simulation.add_traction({body, id, {face.across, face.upper}, stress});
+        for (const OuterFace& of : outermost(*plan.space, body, axes, face, traction.body))
+            simulation.add_traction(
+                {body, of.particle, {face.across, face.upper}, stress, of.share});
     }
 }
 

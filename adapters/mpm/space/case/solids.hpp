@@ -21,10 +21,16 @@ using Axes = std::array<Axis, 3>;
 Particles fill(const SpacePlan& plan, std::size_t body, const std::string& name, double density,
                const Axes& axes, int own_columns);
 
-// Particles, by id, one face of which has no particle beyond, with their centre in the range. Throws
-// std::invalid_argument if there is none.
-std::vector<int> outermost(Particles& particles, const Axes& axes, const FacePlan& face,
-                           const std::string& name);
+// A face of a particle that has nothing of the body beyond, or not everywhere.
+struct OuterFace {
+    int particle;  // id
+    double
+        share;  // of its area; where the shape goes through, of what the shape shows along the direction
+};
+// Of particles of a body of the plan, as fill has made them, with their centre in the range. The areas are those that the shapes
+// show along the direction, whatever cells they are cut by. Throws std::invalid_argument if there is none.
+std::vector<OuterFace> outermost(const SpacePlan& plan, std::size_t body, const Axes& axes,
+                                 const FacePlan& face, const std::string& name);
 
 // Throws std::invalid_argument where the centre of a particle of one lies in a particle of the other. names: of both.
 void check_apart(Particles& one, Particles& other, const Axes& axes, const std::string& names);

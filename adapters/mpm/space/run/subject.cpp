@@ -183,7 +183,10 @@ void SpaceSubject::add_profile(std::size_t body, const ProfilePlan& profile,
 double SpaceSubject::unbalanced_share(double dt) {
     double share = 0.0;
     for (std::size_t body = 0; body < simulation.bodies(); ++body) {
-        if (simulation.body(body).rigid()) continue;
+        if (simulation.body(body).rigid()) {
+            share = std::max(share, simulation.body(body).motion->unbalanced_share());
+            continue;
+        }
         double largest[] = {0.0, 0.0};  // resultant, force
         const std::vector<NodeRecord>& nodes = simulation.records(body);
         const std::vector<NodeMotion>& motions = simulation.motions(body);

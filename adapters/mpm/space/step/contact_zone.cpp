@@ -20,6 +20,11 @@ KeyedNumbers item_of(std::uint64_t key, const Vector3& x, const Vector3& y) {
     return {key, {x[0], x[1], x[2], y[0], y[1], y[2]}};
 }
 
+Vector3 velocity_of(const double* values) {
+    const double* v = values + near_node::v;
+    return {v[0], v[1], v[2]};
+}
+
 }  // namespace
 
 ContactZone::ContactZone(const Model& model)
@@ -109,12 +114,14 @@ void ContactZone::unpack(int body) {
     const auto before = items_of(part_of(node_before, body));
     to.number.clear();
     to.held.clear();
+    to.gathered.clear();
     to.values.assign(near_node::size * now.size(), 0.0);
     for (std::size_t i = 0; i < now.size(); ++i) {
         double* values = &to.values[near_node::size * i];
         std::copy_n(now[i].value, 4, values + near_node::m);
         std::copy_n(before[i].value, 4, values + near_node::before);
         to.number.push_back(number_of(now[i]));
+        to.gathered.push_back(velocity_of(values));
         to.held.push_back(static_cast<int>(values[near_node::fixed]));
     }
 }
@@ -136,8 +143,9 @@ void ContactZone::write(int body, Part& to) const {
             node += along * here.step(d);
         }
         if (!is_here) continue;
-        std::copy_n(&of[body].values[near_node::size * i + near_node::v], 3,
-                    to.motions[static_cast<std::size_t>(node)].value);
+        const Vector3 v = velocity_of(&of[body].values[near_node::size * i]);
+        if (std::ranges::equal(v.c, of[body].gathered[i].c)) continue;
+        std::copy_n(v.c, 3, to.motions[static_cast<std::size_t>(node)].value);
     }
 }
 

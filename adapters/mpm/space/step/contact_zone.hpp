@@ -54,11 +54,13 @@ class ContactZone {
     const std::vector<NearVertex>& vertices_of_mesh() const { return vertices; }
     // By their numbers in the whole grid; of a rigid body there are none.
     std::size_t nodes(int body) const { return of[body].number.size(); }
+    const std::ptrdiff_t* numbers(int body) const { return of[body].number.data(); }
     double* values(int body) { return of[body].values.data(); }        // [nodes][near_node::size]
     const int* fixed(int body) const { return of[body].held.data(); }  // [nodes] bits of components
     // Of a node of the whole grid among those of a body; -1: it has no mass there.
     std::ptrdiff_t place_of(int body, std::ptrdiff_t node) const;
-    // The velocities of its nodes, to those that are here.
+    // The velocities of its nodes that have changed since they were gathered, to those that are here: another zone of the
+    // body may have changed others.
     void write(int body, Part& to) const;
 
   private:
@@ -66,6 +68,7 @@ class ContactZone {
         std::vector<NearDomain> domains;
         std::vector<std::ptrdiff_t> number;
         std::vector<double> values;
+        std::vector<Vector3> gathered;  // velocities
         std::vector<int> held;
     };
     // Whether a particle of this process is near.

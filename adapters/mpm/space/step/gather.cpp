@@ -128,7 +128,8 @@ double Gather::update_viscosity(OfPencil& sums, const Increments& d, const Range
         for (int k = 0; k < 3; ++k)
             per_l = std::max(per_l, g.axis[k].inverse[g.axis[k].cell_of(q[column::x + k][p])]);
         const double l = 1.0 / per_l;
-        const bool stress_free = q[column::S_xx][p] == 0.0 && q[column::S_yy][p] == 0.0;
+        bool stress_free = true;
+        for (int k = 0; k < 6; ++k) stress_free = stress_free && q[column::S_xx + k][p] == 0.0;
         const double rate = strain < 0.0 && !stress_free ? -strain / model.dt : 0.0;
         const double x = c > 0.0 && rate > 0.0 ? settings.linear_viscosity +
                                                      settings.quadratic_viscosity * l * rate / c

@@ -35,7 +35,7 @@ Loads::FaceForces Loads::forces_of(const Traction& traction) {
         const double l = q[column::l_x + k][p];
         r[k] = {l * q.F(0, k, p), l * q.F(1, k, p), l * q.F(2, k, p)};
     }
-    const double area = 4.0 * norm(baseline::cross(r[a], r[b]));
+    const double area = 4.0 * traction.share * norm(baseline::cross(r[a], r[b]));
     FaceForces out;
     out.each = 0.25 * area * traction.stress(model.t);
     for (int k = 0; k < 4; ++k) {

@@ -20,6 +20,7 @@ struct Traction {
     int particle;  // id
     Face face;
     std::function<Vector3(double)> stress;  // force per deformed area [Pa] over time [s]
+    double share = 1.0;                     // of the face's area that is loaded
 };
 
 class Loads {

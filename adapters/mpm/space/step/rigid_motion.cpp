@@ -65,22 +65,33 @@ RigidMotion::RigidMotion(const RigidCourse& of, const ParticleView& q, std::ptrd
     off_mass = norm(middle - of_mass);
     std::array<Total, 9> inertias;
     for (std::ptrdiff_t p = 0; p < count; ++p) {
-        const Vector3 r = q.position(p) - middle, l = q.vector(column::l_x, p);
+        const Vector3 r = q.position(p) - middle;
         const double m = q[column::mass][p];
-        reach = std::max(reach, norm(r) + norm(l));
-        // Of a brick about its own centre, and about this one.
-        const Vector3 own = (m / 3.0) * Vector3{l[0] * l[0], l[1] * l[1], l[2] * l[2]};
-        const double all = own[0] + own[1] + own[2] + m * dot(r, r);
+        // Of a brick, which may have been turned, about its own centre, and about this one.
+        Vector3 side[3];
+        for (int j = 0; j < 3; ++j) {
+            const double l = q[column::l_x + j][p];
+            side[j] = {l * q.F(0, j, p), l * q.F(1, j, p), l * q.F(2, j, p)};
+        }
+        const auto own = [&](int i, int j) {
+            return m / 3.0 *
+                   (side[0][i] * side[0][j] + side[1][i] * side[1][j] + side[2][i] * side[2][j]);
+        };
+        const double trace = own(0, 0) + own(1, 1) + own(2, 2);
+        reach = std::max(reach, norm(r) + std::sqrt(3.0 * trace / m));
+        const double all = trace + m * dot(r, r);
         Total* inertia_here = inertias.data();
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j)
-                (inertia_here++)->add((i == j ? all - own[i] : 0.0) - m * r[i] * r[j], fixed_point);
+                (inertia_here++)
+                    ->add((i == j ? all : 0.0) - own(i, j) - m * r[i] * r[j], fixed_point);
     }
     exchange.sum(inertias, fixed_point);
     exchange.max(&reach, 1);
     for (std::size_t i = 0; i < 9; ++i)
         inertia_at_start[i / 3][static_cast<int>(i % 3)] = inertias[i].value();
-    before = now = as_told(0.0, plan.start);
+    is_free = has_begun(0.0) ? plan.free : std::array<bool, 6>{};
+    before = now = as_told(0.0, has_begun(0.0) ? plan.start : Twist{});
     spin_momentum = times(inertia(), now.about);
 }
 
@@ -100,8 +111,8 @@ Twist RigidMotion::as_told(double t, const Twist& of_free) const {
     const Vector3 spin = plan.spin ? plan.spin(t) : none;
     Twist out = of_free;
     for (int k = 0; k < 3; ++k) {
-        if (!plan.free[static_cast<std::size_t>(k)]) out.along[k] = velocity[k];
-        if (!plan.free[static_cast<std::size_t>(k) + 3]) out.about[k] = spin[k];
+        if (!is_free[static_cast<std::size_t>(k)]) out.along[k] = velocity[k];
+        if (!is_free[static_cast<std::size_t>(k) + 3]) out.about[k] = spin[k];
     }
     return out;
 }
@@ -124,33 +135,43 @@ void RigidMotion::find_spin() {
     Eigen::Matrix3d of = Eigen::Matrix3d::Identity();
     Eigen::Vector3d right;
     for (int i = 0; i < 3; ++i) {
-        const bool is_free = plan.free[static_cast<std::size_t>(i) + 3];
-        right[i] = is_free ? spin_momentum[i] : now.about[i];
-        for (int j = 0; j < 3 && is_free; ++j) of(i, j) = I[static_cast<std::size_t>(i)][j];
+        const bool turns = is_free[static_cast<std::size_t>(i) + 3];
+        right[i] = turns ? spin_momentum[i] : now.about[i];
+        for (int j = 0; j < 3 && turns; ++j) of(i, j) = I[static_cast<std::size_t>(i)][j];
     }
     const Eigen::Vector3d spin = of.partialPivLu().solve(right);
     for (int i = 0; i < 3; ++i)
-        if (plan.free[static_cast<std::size_t>(i) + 3]) now.about[i] = spin[i];
+        if (is_free[static_cast<std::size_t>(i) + 3]) now.about[i] = spin[i];
     const Vector3 momentum = times(I, now.about);
     for (int i = 0; i < 3; ++i)
-        if (!plan.free[static_cast<std::size_t>(i) + 3]) spin_momentum[i] = momentum[i];
+        if (!is_free[static_cast<std::size_t>(i) + 3]) spin_momentum[i] = momentum[i];
 }
 
+bool RigidMotion::has_begun(double t) const { return !plan.has_begun || plan.has_begun(t); }
+
 void RigidMotion::begin(double t, double dt, const Vector3& gravity, const Twist& load) {
+    if (is_free != plan.free && has_begun(t)) {
+        is_free = plan.free;
+        now = as_told(t, plan.start);
+        spin_momentum = times(inertia(), now.about);
+    }
     before = now = as_told(t, now);
+    spin_momentum_before = spin_momentum;
+    acted = dt * total * norm(gravity) + norm(load.along);
     for (int k = 0; k < 3; ++k) {
         const auto i = static_cast<std::size_t>(k);
-        if (plan.free[i]) now.along[k] += dt * gravity[k] + load.along[k] / total;
-        if (plan.free[i + 3]) spin_momentum[k] += load.about[k];
+        if (is_free[i]) now.along[k] += dt * gravity[k] + load.along[k] / total;
+        if (is_free[i + 3]) spin_momentum[k] += load.about[k];
     }
     if (any_free()) find_spin();
 }
 
 void RigidMotion::push(const Twist& impulse) {
+    acted += norm(impulse.along);
     for (int k = 0; k < 3; ++k) {
         const auto i = static_cast<std::size_t>(k);
-        if (plan.free[i]) now.along[k] += impulse.along[k] / total;
-        if (plan.free[i + 3]) spin_momentum[k] += impulse.about[k];
+        if (is_free[i]) now.along[k] += impulse.along[k] / total;
+        if (is_free[i + 3]) spin_momentum[k] += impulse.about[k];
     }
     find_spin();
 }
@@ -159,11 +180,11 @@ Matrix6 RigidMotion::mass_matrix() const {
     Matrix6 out{};
     const Matrix3 I = inertia();
     for (std::size_t i = 0; i < 3; ++i) {
-        out[i][i] = plan.free[i] ? total : 1.0;
+        out[i][i] = is_free[i] ? total : 1.0;
         for (std::size_t j = 0; j < 3; ++j)
-            out[i + 3][j + 3] = plan.free[i + 3] && plan.free[j + 3] ? I[i][static_cast<int>(j)]
-                                : i == j                             ? 1.0
-                                                                     : 0.0;
+            out[i + 3][j + 3] = is_free[i + 3] && is_free[j + 3] ? I[i][static_cast<int>(j)]
+                                : i == j                         ? 1.0
+                                                                 : 0.0;
     }
     return out;
 }
@@ -174,7 +195,7 @@ void RigidMotion::finish(double dt) {
     middle = middle + dt * now.along;
     turn = unit;
     if (norm(now.about) == 0.0) return;
-    const bool turns_freely = plan.free[3] || plan.free[4] || plan.free[5];
+    const bool turns_freely = is_free[3] || is_free[4] || is_free[5];
     if (turns_freely) {
         const Matrix3 at_start = orientation;
         orientation = times(rotation(0.5 * dt * now.about), at_start);
@@ -197,14 +218,26 @@ double RigidMotion::kinetic_energy() const {
     double out = 0.0;
     for (int k = 0; k < 3; ++k) {
         const auto i = static_cast<std::size_t>(k);
-        if (plan.free[i]) out += 0.5 * total * now.along[k] * now.along[k];
-        if (plan.free[i + 3]) out += 0.5 * spin_momentum[k] * now.about[k];
+        if (is_free[i]) out += 0.5 * total * now.along[k] * now.along[k];
+        if (is_free[i + 3]) out += 0.5 * spin_momentum[k] * now.about[k];
     }
     return out;
 }
 
+double RigidMotion::unbalanced_share() const {
+    if (!(acted > 0.0)) return 0.0;
+    Vector3 along{0.0, 0.0, 0.0}, about{0.0, 0.0, 0.0};
+    for (int k = 0; k < 3; ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        if (is_free[i]) along[k] = total * (now.along[k] - before.along[k]);
+        if (is_free[i + 3]) about[k] = spin_momentum[k] - spin_momentum_before[k];
+    }
+    return std::max(norm(along), norm(about) / reach) / acted;
+}
+
 double RigidMotion::speed(double t) const {
-    const Twist u = as_told(t, now);
+    const bool begins = is_free != plan.free && has_begun(t);
+    const Twist u = begins ? plan.start : as_told(t, now);
     return norm(u.along) + norm(u.about) * reach;
 }
 

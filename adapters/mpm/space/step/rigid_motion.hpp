@@ -44,6 +44,7 @@ struct RigidCourse {
     std::function<Vector3(double)> velocity = {};  // over time [m/s]
     std::function<Vector3(double)> spin = {};      // about the centre [rad/s]; empty: none
     std::array<bool, 6> free = {};                 // ... but these, which ask for neither
+    std::function<bool(double)> has_begun = {};    // before, nothing moves; empty: always
     std::optional<Vector3> centre = {};            // at the start [m]; none: of mass
     Twist start = {};                              // of what is free
 };
@@ -77,10 +78,13 @@ class RigidMotion {
     Vector3 moved(const Vector3& x) const;
     Vector3 turned(const Vector3& r) const;
 
-    const std::array<bool, 6>& free() const { return plan.free; }
+    // Now; before it has begun nothing is.
+    const std::array<bool, 6>& free() const { return is_free; }
     const Vector3& centre() const { return middle; }
     double mass() const { return total; }
     double kinetic_energy() const;
+    // What changes its free velocities in this step, as a share of all that acts on it: 1 where it falls, 0 at rest.
+    double unbalanced_share() const;
     // No point of it is faster [m/s]: as prescribed at t, as free now.
     double speed(double t) const;
 
@@ -92,10 +96,12 @@ class RigidMotion {
         archive.value(body.now);
         archive.value(body.spin_momentum);
         archive.value(body.orientation);
+        archive.value(body.is_free);
     }
 
   private:
     using Matrix3 = std::array<Vector3, 3>;  // rows
+    bool has_begun(double t) const;
     // What is free as given, the others as they are told at t.
     Twist as_told(double t, const Twist& of_free) const;
     Vector3 at(const Twist& u, const Vector3& x) const;
@@ -103,14 +109,16 @@ class RigidMotion {
     void find_spin();
 
     RigidCourse plan;
+    std::array<bool, 6> is_free = {};
     double total = 0.0, reach = 0.0;
     Matrix3 inertia_at_start = {};
     double off_mass = 0.0;  // of the centre at the start [m]
     Vector3 middle{0.0, 0.0, 0.0}, middle_before{0.0, 0.0, 0.0};
     Matrix3 orientation = {}, turn = {};
     Twist now, before;
-    Vector3 spin_momentum{0.0, 0.0,
-                          0.0};  // about the centre; of what is free alone it is kept [kg m2/s]
+    // About the centre; of what is free alone it is kept [kg m2/s].
+    Vector3 spin_momentum{0.0, 0.0, 0.0}, spin_momentum_before{0.0, 0.0, 0.0};
+    double acted = 0.0;  // sum of the impulses of this step [N s]
 };
 
 }  // namespace grit::mpm::space

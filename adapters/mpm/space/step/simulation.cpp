@@ -76,7 +76,7 @@ void Simulation::advance() {
 void Simulation::begin_rigid(std::size_t body) {
     RigidMotion& motion = *model.parts[body].body.motion;
     Twist load;
-    if (const Vector3* force = motion.any_free() ? loads.forces(body) : nullptr) {
+    if (const Vector3* force = loads.forces(body)) {
         TwistSum sum(model.settings.fixed_point);
         const std::uint8_t* mine = model.exchange.counted();
         for (std::size_t node = 0; node < model.nodes(); ++node) {
@@ -89,6 +89,13 @@ void Simulation::begin_rigid(std::size_t body) {
         load = sum.of_all(model.exchange);
     }
     motion.begin(model.t + model.dt, model.dt, model.gravity, load);
+    // What moves it as it is told works against its loads.
+    for (int k = 0; k < 3; ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        const Twist& u = motion.velocity();
+        if (!motion.free()[i]) energies.rigid_work -= load.along[k] * u.along[k];
+        if (!motion.free()[i + 3]) energies.rigid_work -= load.about[k] * u.about[k];
+    }
 }
 
 void Simulation::correct_contacts() {
@@ -101,8 +108,12 @@ void Simulation::correct_contacts() {
                 push_rigid(which, pair.impulse_on(which, body.motion->centre()),
                            pair.velocity_found());
     }
+    surface_calls.clear();
+    for (SurfacePair& pair : surfaces) pair.add_call(model, surface_calls);
+    surface_calls.solve();
     for (SurfacePair& pair : surfaces) {
-        pair.correct(model);
+        if (!pair.was_called()) continue;
+        pair.take_call(model);
         energies.contact += pair.totals().dissipation;
         for (const std::size_t which : {pair.law().a, pair.law().b})
             if (const Body& body = model.parts[which].body; body.rigid())

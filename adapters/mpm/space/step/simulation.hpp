@@ -131,6 +131,7 @@ class Simulation {
     Loads loads{model};
     std::vector<ContactPair> contacts;
     std::vector<SurfacePair> surfaces;
+    SurfaceCalls surface_calls;
     std::vector<std::vector<NodeSums>> node_sums;  // of each body's chunks
     Energy energies;
     std::vector<double> maxima;  // of each body

@@ -7,7 +7,6 @@
 
 #include "adapters/mpm/space/kernel/place.hpp"
 #include "adapters/mpm/space/step/grid_point.hpp"
-#include "adapters/mpm/step/require.hpp"
 
 namespace grit::mpm::space {
 namespace {
@@ -69,6 +68,7 @@ void SurfacePair::forget() {
     step_measured = {};
     step_measured.largest_gap = NAN;
     reports.clear();
+    is_called = false;
 }
 
 void SurfacePair::find_mesh(int which) {
@@ -187,6 +187,8 @@ grit_surface SurfacePair::surface(int which, bool rigid) {
     s.weight = skin.weight.data();
     s.nodes = static_cast<std::ptrdiff_t>(zone.nodes(which));
     double* values = zone.values(which);
+    s.body = static_cast<int>(which == 0 ? pair_law.a : pair_law.b) + 1;
+    s.number = zone.numbers(which);
     s.mass = grit_view_of(values + near_node::m, near_node::size, 1);
     s.fixed = zone.fixed(which);
     s.velocity = grit_mutable_view_of(values + near_node::v, near_node::size, 1);
@@ -194,29 +196,10 @@ grit_surface SurfacePair::surface(int which, bool rigid) {
     return s;
 }
 
-void SurfacePair::solve(const grit_surface& a, const grit_surface& b) {
-    reports.resize(static_cast<std::size_t>(a.facets));
-    std::size_t needed = grit_surface_workspace_size(&a, &b);
-    grit_surface_totals totals{};
-    totals.struct_size = sizeof totals;
-    grit_error error;
-    grit_status status = GRIT_OK;
-    do {
-        if (workspace.size() * sizeof(std::uint64_t) < needed)
-            workspace.resize(needed / sizeof(std::uint64_t) + 1);
-        status = grit_surface_correct(&pair_law.options, &a, &b, workspace.data(),
-                                      workspace.size() * sizeof(std::uint64_t), &needed,
-                                      reports.data(), &totals, &error);
-    } while (needed > 0);
-    require(status, error, "surface contact");
-    swept.count(pair_law.options, totals);
-    add_up(totals);
-}
-
 // Forces of a facet at its middle.
-void SurfacePair::add_up(const grit_surface_totals& totals) {
-    step_totals.dissipation = totals.dissipation_normal + totals.dissipation_tangential;
-    for (int k = 0; k < 3; ++k) step_totals.impulse.along[k] = totals.impulse_on_b[k];
+void SurfacePair::add_up() {
+    step_totals.dissipation = call_totals.dissipation_normal + call_totals.dissipation_tangential;
+    for (int k = 0; k < 3; ++k) step_totals.impulse.along[k] = call_totals.impulse_on_b[k];
     const double dt = pair_law.options.time_step;
     const TriangleMesh& mesh = skins[0].mesh;
     for (std::ptrdiff_t f = 0; f < mesh.facets(); ++f) {
@@ -239,7 +222,7 @@ void SurfacePair::add_up(const grit_surface_totals& totals) {
     }
 }
 
-void SurfacePair::correct(Model& model) {
+void SurfacePair::add_call(Model& model, SurfaceCalls& calls) {
     forget();
     Part &a = model.parts[pair_law.a], &b = model.parts[pair_law.b];
     Particles& of_a = a.body.particles;
@@ -256,9 +239,20 @@ void SurfacePair::correct(Model& model) {
     }
     find_spacing();
     pair_law.options.time_step = model.dt;
-    solve(surface(0, a.body.rigid()), surface(1, b.body.rigid()));
-    zone.write(0, a);
-    zone.write(1, b);
+    given[0] = surface(0, a.body.rigid());
+    given[1] = surface(1, b.body.rigid());
+    reports.resize(static_cast<std::size_t>(given[0].facets));
+    call_totals = {};
+    call_totals.struct_size = sizeof call_totals;
+    calls.add({&pair_law.options, &given[0], &given[1], reports.data(), &call_totals});
+    is_called = true;
+}
+
+void SurfacePair::take_call(Model& model) {
+    swept.count(pair_law.options, call_totals);
+    add_up();
+    zone.write(0, model.parts[pair_law.a]);
+    zone.write(1, model.parts[pair_law.b]);
 }
 
 Twist SurfacePair::impulse_on(std::size_t body, const Vector3& about) const {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
 #include <vector>
 
 #include <grit/contact_surface.h>
@@ -11,6 +10,7 @@
 #include "adapters/mpm/space/step/contact_pair.hpp"
 #include "adapters/mpm/space/step/contact_zone.hpp"
 #include "adapters/mpm/space/step/ridden_mesh.hpp"
+#include "adapters/mpm/step/surface_calls.hpp"
 #include "adapters/mpm/step/sweeps.hpp"
 
 namespace grit::mpm::space {
@@ -27,8 +27,11 @@ SurfaceLaw surface_law(double friction_coefficient);
 class SurfacePair {
   public:
     SurfacePair(const SurfaceLaw& law, Model& model);
-    // Velocities after the momentum update become those after contact.
-    void correct(Model& model);
+    // Adds the call that turns velocities after the momentum update into those after contact, where surfaces are near.
+    void add_call(Model& model, SurfaceCalls& calls);
+    bool was_called() const { return is_called; }
+    // After it is solved, if it was added: velocities, totals and forces.
+    void take_call(Model& model);
     const SurfaceLaw& law() const { return pair_law; }
 
     // Of the last step, on b: impulse and its moment about the origin [N s], [N m s]; what contact takes [J].
@@ -76,8 +79,7 @@ class SurfacePair {
     static void keep_facets(Skin& skin);
     void find_spacing();
     grit_surface surface(int which, bool rigid);
-    void solve(const grit_surface& a, const grit_surface& b);
-    void add_up(const grit_surface_totals& totals);
+    void add_up();
 
     SurfaceLaw pair_law;
     RiddenMesh mesh_a;
@@ -86,8 +88,10 @@ class SurfacePair {
     FreeFaces faces;
     Skin skins[2];
     std::vector<double> spacing;  // [facets of a] of what carries the pressure [m]
-    std::vector<std::uint64_t> workspace;
+    grit_surface given[2] = {};
+    bool is_called = false;
     std::vector<grit_surface_report> reports;
+    grit_surface_totals call_totals{};
     Totals step_totals;
     Sweeps swept;
     ContactPair::Measured step_measured{};
