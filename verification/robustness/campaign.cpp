@@ -214,6 +214,7 @@ bool run(const Kind& kind, const Campaign& campaign) {
     all.print(kind.words);
     std::string commits;
     for (const std::string& each : effort.commits) commits += (commits.empty() ? "" : ", ") + each;
+    std::printf("instruction sets up to %d\n", grit_instruction_set());
     std::printf("| kind | seed | commit | cases | seconds of threads | rules broken |\n"
                 "| %s | %lu | %s | %.0f | %.0f | %d |\n",
                 kind.name.c_str(), campaign.seed, commits.c_str(),

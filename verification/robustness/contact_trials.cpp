@@ -133,8 +133,12 @@ Node random_node(Random& random, const Call& call) {
     Node x;
     const int components = call.options.components;
     x.m_a = random.below(40) ? random.log_uniform(1e-30, 1e30) : 0.0;
-    x.m_b = random.below(3) ? x.m_a * random.log_uniform(1e-12, 1e12)
-                            : random.log_uniform(1e-250, 1e100);
+    x.m_b = random.below(10) ? x.m_a * random.log_uniform(1e-12, 1e12)
+                             : random.log_uniform(1e-250, 1e100);
+    // Calls with a large tolerance would mostly find one body.
+    const double least = call.options.mass_tolerance;
+    if (least > 1e-6 && random.below(10))
+        x.m_b = x.m_a * (1.0 / random.uniform(least, 1.0 - least) - 1.0);
     if (random.below(40) == 0) x.m_b = 0.0;
     x.normal = random_vector(random, components);
     const double size = norm(x.normal);

@@ -32,7 +32,7 @@ std::string of(Range range) { return fmt::format("[{:.17g}, {:.17g}]", range.fro
 struct Drawn {
     std::string name;
     Range across, up;
-    bool rigid = false, sand = false, water = false;
+    bool rigid = false, free = false, sand = false, water = false, round = false;
     double modulus = 1e4;  // of P-waves, about [kPa]
 };
 
@@ -55,6 +55,12 @@ class Writer {
         for (std::size_t i = 1; i < bodies.size(); ++i) contact(bodies[i - 1], bodies[i]);
         if (bodies.size() > 2 && one_in(random, 4)) contact(bodies.front(), bodies.back());
         if (!out.floating && one_in(random, 3)) traction();
+        if (one_in(random, 3)) {  // ends with its first step
+            line("[[stage]]\nname = \"first\"");
+            if (!out.floating) maybe(2, "local_damping = {:.17g}", random.uniform(0.0, 0.8));
+            if (!out.floating) maybe(3, "gravity = false");
+            line("[stage.until]\ntime_s = 1e-12");
+        }
         line("[[stage]]\nname = \"all\"\n[stage.until]\ntime_s = 1e9\n[history]\ninterval_s = 0");
         return std::move(out);
     }
@@ -176,6 +182,8 @@ class Writer {
             if (body.water) line("grain_density_kg_per_m3 = {:.17g}", density);
             else line("density_kg_per_m3 = {:.17g}", density);
             const double v = c * random.log_uniform(1e-6, one_in(random, 10) ? 0.5 : 0.03);
+            out.fastest = std::max(out.fastest, v);
+            out.slowest_wave = std::min(out.slowest_wave, c);
             const double along = one_in(random, 2) ? v : -v, up = one_in(random, 2) ? 0.3 * v : -v;
             if (out.in_space)
                 line("velocity_m_per_s = [{:.17g}, {:.17g}, {:.17g}]", along, 0.5 * v, up);
@@ -185,6 +193,15 @@ class Writer {
             line("particles_per_cell_r = {}\nparticles_per_cell_z = {}", 1 + random.below(3),
                  1 + random.below(3));
         shape(body);
+        if (body.rigid && out.in_space && one_in(random, 2)) {
+            body.free = true;
+            std::string degrees;
+            for (const char* degree : {"x", "y", "z", "about_x", "about_y", "about_z"})
+                if (degrees.empty() || one_in(random, 2))
+                    degrees += fmt::format("{}\"{}\"", degrees.empty() ? "" : ", ", degree);
+            line("[body.rigid]\nfree = [{}]", degrees);
+            return;
+        }
         if (body.rigid) {
             line("[body.rigid]\nvelocity_z_m_per_s = [{:.17g}]",
                  random.uniform(-1.0, 1.0) * random.log_uniform(1e-3, 1.0));
@@ -201,13 +218,15 @@ class Writer {
         if (body.water) water(body);
     }
 
-    void shape(const Drawn& body) {
+    void shape(Drawn& body) {
         if (!out.in_space) {
             line("[[body.box]]\nr_m = {}\nz_m = {}", of(body.across), of(body.up));
             return;
         }
         const double half = 0.5 * (body.across.to - body.across.from), middle = body.across.mean();
-        switch (random.below(5)) {
+        const int kind = random.below(5);
+        body.round = kind < 2;
+        switch (kind) {
             case 0:
                 line("[[body.cylinder]]\ncentre_m = [{0:.17g}, {0:.17g}]\nradius_m = {1:.17g}\nz_m "
                      "= {2}",
@@ -248,7 +267,8 @@ class Writer {
     void contact(const Drawn& stiff, const Drawn& soft) {
         line("[[contact]]\nstiff = \"{}\"\nsoft = \"{}\"", stiff.name, soft.name);
         maybe(2, "friction_coefficient = {:.17g}", random.uniform(0.0, 1.5));
-        switch (random.below(out.in_space ? 2 : 5)) {
+        const bool at_nodes = stiff.free || soft.free;
+        switch (random.below(at_nodes ? 2 : out.in_space ? 4 : 5)) {
             case 0: geo(soft); return;
             case 1:
                 line("law = \"frictional\"");
@@ -259,13 +279,15 @@ class Writer {
                 line("law = \"surface\"");
                 maybe(4, "pressure_spacing_cells = {:.17g}", random.log_uniform(1.0, 4.0));
                 maybe(4, "sweep_tolerance = {:.17g}", random.log_uniform(1e-14, 1.0));
-                if (one_in(random, 4)) {
+                // Bricks of what is round reach into what it touches: a stiffness would hold that from the start.
+                if (one_in(random, 4) && !stiff.round && !soft.round) {
                     line("contact_stiffness_multiple = {:.17g}\nmodulus_kPa = {:.17g}",
                          random.log_uniform(0.01, 100.0), soft.modulus);
                     maybe(2, "relaxation_time_s = {:.17g}", random.log_uniform(1e-6, 1e-2));
-                } else {
+                } else if (!out.in_space) {
                     maybe(4, "after_damping = true");
                 }
+                if (!out.in_space) maybe(4, "stiff_line = {}", top_of(stiff));
                 return;
             default: penalty(stiff, soft); return;
         }
@@ -287,19 +309,20 @@ class Writer {
         maybe(4, "gated = {}", one_of(random, {"true", "false"}));
     }
 
-    // Along the sides that face each other, or all round.
+    static std::string top_of(const Drawn& body) {
+        return fmt::format("{{r_m = [{1:.17g}, {0:.17g}], z_m = [{2:.17g}, {2:.17g}]}}",
+                           body.across.from, body.across.to, body.up.to);
+    }
+
+    // Along the sides that face each other.
     void penalty(const Drawn& stiff, const Drawn& soft) {
         line("law = \"penalty\"\nmodulus_kPa = {:.17g}", std::max(stiff.modulus, soft.modulus));
         maybe(2, "stiffness_multiple = {:.17g}", random.log_uniform(0.1, 3.0));
-        const auto top = [](const Drawn& body) {
-            return fmt::format("{{r_m = [{1:.17g}, {0:.17g}], z_m = [{2:.17g}, {2:.17g}]}}",
-                               body.across.from, body.across.to, body.up.to);
-        };
         const auto bottom = [](const Drawn& body) {
             return fmt::format("{{r_m = [{0:.17g}, {1:.17g}], z_m = [{2:.17g}, {2:.17g}]}}",
                                body.across.from, body.across.to, body.up.from);
         };
-        line("stiff_line = {}\nsoft_line = {}", top(stiff), bottom(soft));
+        line("stiff_line = {}\nsoft_line = {}", top_of(stiff), bottom(soft));
     }
 
     void traction() {

@@ -12,6 +12,7 @@ struct MpmCase {
     std::string text;  // of a case of grit mpm
     bool in_space = false;
     bool floating = false;  // no side, load or prescribed motion has a hold of any body
+    double fastest = 0.0, slowest_wave = 1e300;  // of what deforms at the start [m/s]
 };
 
 // Two to four bodies on top of each other: of every material, contact, shape function, scheme and kind of water, in the plane,

@@ -31,6 +31,9 @@ enum Count {
     rate_evaluations,
     published,
     retried,
+    retried_through,
+    retried_to_a_billionth,
+    retried_out_of_states,
     retried_on_its_way,
     compared,
     over_tolerance,
@@ -85,6 +88,9 @@ const Vocabulary words = {
      "evaluations of the rate",
      "of published sands",
      "not converged, followed by smaller steps",
+     "of these, done in the end",
+     "of these, ended at a billionth of the strain",
+     "of these, ended out of the range of states",
      "of these, on their way after 100000 steps",
      "compared with a tolerance of 1e-11",
      "of these, error above the tolerance",
@@ -492,6 +498,7 @@ void follow_advice(const Call& call, const Point& before, const Point& failed, F
     out.count(retried);
     Point x = before;
     Call part = call;
+    bool is_out_of_states = false;
     double left = 1.0, share = std::clamp(failed.report.step_reduction, 1e-6, 0.9);
     int steps = 0, done_late = 0;
     constexpr int most_steps = 100000, late = most_steps - most_steps / 10;
@@ -511,12 +518,17 @@ void follow_advice(const Call& call, const Point& before, const Point& failed, F
                    next.report.step_reduction < 1.0) {
             share = taken * next.report.step_reduction;
         } else {
-            break;  // out of the range of states: no step helps
+            is_out_of_states = true;  // no step helps
+            break;
         }
     }
     out.measure(steps_of_a_retry, steps);
     const bool on_its_way = steps == most_steps && 2 * done_late > most_steps - late;
-    out.count(retried_on_its_way, on_its_way ? 1 : 0);
+    out.count(left == 0.0        ? retried_through
+              : is_out_of_states ? retried_out_of_states
+              : share <= 1e-9    ? retried_to_a_billionth
+                                 : retried_on_its_way,
+              left == 0.0 || is_out_of_states || share <= 1e-9 || on_its_way ? 1 : 0);
     out.demand(retry_ends,
                (steps < most_steps || on_its_way) && failed.report.step_reduction > 0.0 &&
                    failed.report.step_reduction < 1.0,

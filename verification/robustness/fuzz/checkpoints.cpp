@@ -16,6 +16,7 @@
 #include "cli/mpm/checkpoint.hpp"
 #include "cli/mpm/saved_run.hpp"
 #include "robustness/fuzz/bytes.hpp"
+#include "robustness/fuzz/refusal.hpp"
 #include "robustness/fuzz/scratch.hpp"
 
 namespace {
@@ -164,8 +165,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         runner.resume(run.state);
         checkpoint.restore(runner.subject());
         for (int i = 0; i < 2 && !runner.finished(); ++i) runner.step();
-    } catch (const std::runtime_error&) {
-    } catch (const std::invalid_argument&) {
+    } catch (const std::runtime_error& refused) {
+        fuzz::refusal = refused.what();
+    } catch (const std::invalid_argument& refused) {
+        fuzz::refusal = refused.what();
     }
     return 0;
 }

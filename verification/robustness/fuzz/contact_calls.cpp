@@ -6,6 +6,7 @@
 #include <grit/grit.h>
 
 #include "robustness/fuzz/bytes.hpp"
+#include "robustness/fuzz/refusal.hpp"
 
 namespace {
 
@@ -112,6 +113,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             grit_contact_correct_many(&bodies, pair_count, pairs.data(), n, reports.data(),
                                       in.one_in(2) ? sums.data() : nullptr, &error);
         demand(status >= GRIT_OK && status <= GRIT_NOT_CONVERGED);
+        if (status != GRIT_OK) fuzz::refusal = grit_status_name(status);
         return 0;
     }
     fuzz::Padded<grit_contact_nodes> later_nodes;
@@ -140,6 +142,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         in.one_in(4) ? nullptr : reports.data(), in.one_in(2) ? sums.data() : nullptr,
         in.one_in(4) ? nullptr : &error);
     demand(status >= GRIT_OK && status <= GRIT_BAD_STATE);
+    if (status != GRIT_OK) fuzz::refusal = grit_status_name(status);
     fuzz::Padded<grit_contact_totals> later_totals;
     grit_contact_totals& totals = later_totals.here;
     totals.struct_size = in.one_in(8) ? static_cast<std::size_t>(in.byte()) : sizeof totals;

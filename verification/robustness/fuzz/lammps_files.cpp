@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// What fix grit/mpm reads: files of points, and its part of a restart file. The first letter says which.
+// What fix grit/mpm reads: files of points in the plane, around an axis and in space, and its part of a restart file. The first
+// letter says which.
 #include <cstdint>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -9,24 +11,35 @@
 #include "adapters/lammps/points_file.hpp"
 #include "adapters/lammps/run_bytes.hpp"
 #include "adapters/mpm/io/checksum.hpp"
+#include "adapters/mpm/kernel/particles.hpp"
+#include "adapters/mpm/space/kernel/particles.hpp"
 #include "robustness/fuzz/bytes.hpp"
+#include "robustness/fuzz/refusal.hpp"
 
 namespace {
 
 using namespace grit::lammps;
+using grit::mpm::words::Geometry;
 
-void read_points(const std::string& text) {
-    const std::vector<std::string> names = {"r",    "z",    "v_r",  "v_z",  "mass", "V0",
-                                            "l_r",  "l_z",  "F_rr", "F_rz", "F_zr", "F_zz",
-                                            "F_tt", "S_rr", "S_zz", "S_tt", "S_rz", "e"};
+// Of a body of sand. As the fix: what stands in front is the position and velocity of the atom.
+void read_points(const std::string& text, Geometry geometry) {
+    namespace plane = grit::mpm::column;
+    namespace space = grit::mpm::space::column;
+    const bool in_space = geometry == Geometry::space;
+    std::vector<std::string> names(std::begin(plane::names), std::end(plane::names));
+    if (in_space) names.assign(std::begin(space::names), std::end(space::names));
+    names.emplace_back("e");
     std::istringstream in(text);
     std::string line;
     std::getline(in, line);
-    const PointsFile file(names, line, grit::mpm::words::Geometry::axisymmetric,
-                          {{"S_rr", [](std::vector<double>& row) { return -row.back(); }}});
-    std::vector<double> row(names.size(), 1.0);
-    while (std::getline(in, line))
-        if (PointsFile::id_of(line.c_str()) != 0) file.read(line.c_str(), row);
+    const PointsFile file(names, line, geometry,
+                          {{"q", [](std::vector<double>& row) { return -row.back(); }}});
+    while (std::getline(in, line)) {
+        if (PointsFile::id_of(line.c_str()) == 0) continue;
+        std::vector<double> row(in_space ? 6 : 4, 1.0);
+        file.read(line.c_str(), row);
+        fuzz::demand(row.size() == names.size());
+    }
 }
 
 // As LAMMPS hands it over: a block of memory, whose length only it knows.
@@ -55,10 +68,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::Bytes in(data, size);
     const int kind = in.byte();
     try {
-        if (kind == 'p') read_points(in.rest());
-        else read_restart(in);
-    } catch (const std::invalid_argument&) {
-    } catch (const std::runtime_error&) {
+        switch (kind) {
+            case 'p': read_points(in.rest(), Geometry::plane_strain); break;
+            case 'a': read_points(in.rest(), Geometry::axisymmetric); break;
+            case 's': read_points(in.rest(), Geometry::space); break;
+            default: read_restart(in);
+        }
+    } catch (const std::invalid_argument& refused) {
+        fuzz::refusal = refused.what();
+    } catch (const std::runtime_error& refused) {
+        fuzz::refusal = refused.what();
     }
     return 0;
 }

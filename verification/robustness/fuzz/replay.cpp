@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A fuzzer without libFuzzer, for the tests: what stands in files or folders, each as it is and then changed at random in N
-// ways that depend on nothing else. The program ends where something must not be.
+// ways that depend on nothing else. The program ends where something must not be, and fails where a reader refuses a file, or
+// takes one whose name ends in _refused.
 //
 //   fuzz_x [-N] [-any] FILE|FOLDER...    -any: beside them, files of any bytes
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "robustness/fuzz/refusal.hpp"
 #include "support/trials/split_mix.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
@@ -23,7 +25,18 @@ namespace fs = std::filesystem;
 void give(const std::string& bytes) {
     // Exactly as long: what is read beyond is seen by sanitizers.
     const std::vector<std::uint8_t> copy(bytes.begin(), bytes.end());
-    LLVMFuzzerTestOneInput(copy.data(), copy.size());
+    if (LLVMFuzzerTestOneInput(copy.data(), copy.size()) != 0) fuzz::refusal = "is not looked at";
+}
+
+// Is it taken, or refused, as its name says?
+bool leads_somewhere(const fs::path& file, const std::string& bytes) {
+    fuzz::refusal.clear();
+    give(bytes);
+    const bool is_to_be_refused = file.filename().string().ends_with("_refused");
+    if (is_to_be_refused != fuzz::refusal.empty()) return true;
+    std::fprintf(stderr, "%s: %s\n", file.c_str(),
+                 is_to_be_refused ? "is not refused" : fuzz::refusal.c_str());
+    return false;
 }
 
 std::string changed(std::string bytes, const std::string& other, grit::SplitMix& random) {
@@ -89,7 +102,9 @@ int main(int argc, char** argv) {
         return 2;
     }
     grit::SplitMix random(1);
-    for (const std::string& seed : seeds) give(seed);
+    int dead = 0;
+    for (std::size_t i = 0; i < files.size(); ++i) dead += !leads_somewhere(files[i], seeds[i]);
+    for (std::size_t i = files.size(); i < seeds.size(); ++i) give(seeds[i]);
     for (int i = 0; i < times; ++i) {
         const std::string& seed =
             seeds[static_cast<std::size_t>(random.below(static_cast<int>(seeds.size())))];
@@ -98,4 +113,5 @@ int main(int argc, char** argv) {
         give(changed(seed, other, random));
     }
     std::printf("%zu files, %d changed ones\n", files.size(), times);
+    return dead == 0 ? 0 : 1;
 }

@@ -7,6 +7,7 @@
 #include <grit/grit.h>
 
 #include "robustness/fuzz/bytes.hpp"
+#include "robustness/fuzz/refusal.hpp"
 
 namespace {
 
@@ -66,6 +67,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (grit_sand_prepare(&parameters, &sand, &error) != GRIT_OK) {
         demand(std::find(std::begin(error.message), std::end(error.message), '\0') !=
                std::end(error.message));
+        fuzz::refusal = error.message;
         if (!in.one_in(4)) return 0;
     }
     fuzz::Padded<grit_sand_options> later_options;
@@ -145,12 +147,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if (in.one_in(2)) water.total_stress = total.out();
         if (in.one_in(16)) water.struct_size = any_size(in, sizeof water);
         for (std::ptrdiff_t i = 0; i < n; ++i) pressure.at(i, 0) = in.number(10.0);
-        grit_sand_update_undrained(&sand, &options, &water, count, &points, told, why);
+        const grit_status status =
+            grit_sand_update_undrained(&sand, &options, &water, count, &points, told, why);
+        if (status != GRIT_OK) fuzz::refusal = grit_status_name(status);
         return 0;
     }
     const grit_status status =
         grit_sand_update(in.one_in(64) ? nullptr : &sand, in.one_in(16) ? nullptr : &options, count,
                          in.one_in(64) ? nullptr : &points, told, why);
     demand(status >= GRIT_OK && status <= GRIT_NOT_CONVERGED);
+    if (status != GRIT_OK) fuzz::refusal = grit_status_name(status);
     return 0;
 }

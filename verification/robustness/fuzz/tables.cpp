@@ -16,6 +16,7 @@
 #include "element/incremental_driver/lines.hpp"
 #include "element/incremental_driver/parameters.hpp"
 #include "element/incremental_driver/test_file.hpp"
+#include "robustness/fuzz/refusal.hpp"
 #include "robustness/fuzz/scratch.hpp"
 
 namespace {
@@ -49,8 +50,8 @@ std::filesystem::path workbook_of(const std::string& text) {
 }
 
 void read_incremental_driver(const std::string& text) {
-    if (text.find('/') != std::string::npos) return;  // files elsewhere
     using namespace incremental_driver;
+    if (text.find('/') != std::string::npos) throw BadInput("files elsewhere");
     const Parameters parameters =
         read_parameters(scratch().write("parameters.inp", part_of(text, 0)));
     const InitialConditions start =
@@ -83,8 +84,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (size < 2) return -1;
     try {
         read(static_cast<char>(data[0]), {reinterpret_cast<const char*>(data) + 2, size - 2});
-    } catch (const cli::BadInput&) {
-    } catch (const incremental_driver::BadInput&) {
+    } catch (const cli::BadInput& refused) {
+        fuzz::refusal = refused.what();
+    } catch (const incremental_driver::BadInput& refused) {
+        fuzz::refusal = refused.what();
     }
     return 0;
 }
