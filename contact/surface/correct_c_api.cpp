@@ -36,8 +36,9 @@ template <int C> class Pair {
         return !arena.is_overrun() && find_points() && find_shares() &&
                system.build(points, n_points, shares, n_shares, layer) && system.make_lists();
     }
-    System<C>& rows() { return system; }
-    Sweeping sweeping() const { return {o.friction_coefficient, o.sweep_limit, o.sweep_tolerance}; }
+    Sweeping<C> sweeping() {
+        return {&system, o.friction_coefficient, o.sweep_limit, o.sweep_tolerance};
+    }
 
     void report(grit_surface_report* reports) const {
         const double dt = o.time_step;
@@ -196,17 +197,15 @@ grit_status correct(const Given* given, std::ptrdiff_t n, Arena arena, std::size
                     std::size_t* needed, grit_error* error) {
     const auto too_small = [&] { return refuse_workspace(workspace_size, needed, error); };
     auto* pairs = arena.take<Pair<C>>(n);
-    auto* systems = arena.take<System<C>*>(n);
-    auto* sweeping = arena.take<Sweeping>(n);
+    auto* sweeping = arena.take<Sweeping<C>>(n);
     if (arena.is_overrun()) return too_small();
     for (std::ptrdiff_t p = 0; p < n; ++p) {
         new (&pairs[p]) Pair<C>(given[p], arena);
         if (!pairs[p].find_rows()) return too_small();
-        systems[p] = &pairs[p].rows();
         sweeping[p] = pairs[p].sweeping();
     }
     Coupling<C> coupling(arena, n);
-    if (!coupling.find(systems, sweeping)) return too_small();
+    if (!coupling.find(sweeping)) return too_small();
     coupling.sweep();
     for (std::ptrdiff_t p = 0; p < n; ++p) {
         if (given[p].reports) pairs[p].report(given[p].reports);

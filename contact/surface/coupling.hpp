@@ -11,7 +11,9 @@
 
 namespace grit::surface {
 
-struct Sweeping {
+// A pair whose rows are to be swept.
+template <int C> struct Sweeping {
+    System<C>* rows;
     double mu;
     int limit;
     double tolerance;
@@ -26,10 +28,9 @@ template <int C> class Coupling {
   public:
     Coupling(Arena& memory, std::ptrdiff_t pairs) : arena(memory), n(pairs) {}
 
-    // False where the workspace is too small. Systems are built, and outlive this.
-    bool find(System<C>* const* of_pairs, const Sweeping* how) {
-        systems = of_pairs;
-        given = how;
+    // False where the workspace is too small. Rows are built, and outlive this.
+    bool find(const Sweeping<C>* of_pairs) {
+        given = of_pairs;
         outcome = arena.take<Swept>(n);
         enough = arena.take<double>(n);
         leader = arena.take<std::ptrdiff_t>(n);
@@ -65,7 +66,7 @@ template <int C> class Coupling {
     bool find_common_nodes() {
         Growing<Link> found(arena);
         for (std::ptrdiff_t p = 0; p < n; ++p)
-            systems[p]->each_common_node(
+            given[p].rows->each_common_node(
                 [&](int body, std::ptrdiff_t number, std::ptrdiff_t place) {
                     found.add({body, number, p, place, -1});
                 });
@@ -109,11 +110,11 @@ template <int C> class Coupling {
 
     void take(std::ptrdiff_t pair) {
         for (std::ptrdiff_t i = first_link[pair]; i < first_link[pair + 1]; ++i)
-            systems[pair]->set_motion(link[i].place, common[link[i].common]);
+            given[pair].rows->set_motion(link[i].place, common[link[i].common]);
     }
     void give(std::ptrdiff_t pair) {
         for (std::ptrdiff_t i = first_link[pair]; i < first_link[pair + 1]; ++i)
-            common[link[i].common] = systems[pair]->motion(link[i].place);
+            common[link[i].common] = given[pair].rows->motion(link[i].place);
     }
     struct Group {
         std::ptrdiff_t from, to;  // in order
@@ -129,7 +130,7 @@ template <int C> class Coupling {
         bool rubs = false;
         each_of(group, true, [&](std::ptrdiff_t pair) {
             take(pair);
-            const auto start = systems[pair]->begin();
+            const auto start = given[pair].rows->begin();
             outcome[pair] = {0, 0.0, start.largest_approach};
             largest = std::max(largest, start.largest_change);
             limit = std::max(limit, given[pair].limit);
@@ -138,7 +139,7 @@ template <int C> class Coupling {
         if (largest == 0.0) return;
         each_of(group, true, [&](std::ptrdiff_t pair) {
             enough[pair] =
-                std::max(given[pair].tolerance * largest, systems[pair]->smallest_change());
+                std::max(given[pair].tolerance * largest, given[pair].rows->smallest_change());
         });
         bool is_done = false;
         for (std::ptrdiff_t sweeps = 0; sweeps < limit && !is_done; ++sweeps) {
@@ -146,7 +147,7 @@ template <int C> class Coupling {
             const bool forth = sweeps % 2 == 0;
             each_of(group, forth, [&](std::ptrdiff_t pair) {
                 take(pair);
-                outcome[pair].residual = systems[pair]->sweep(given[pair].mu, forth);
+                outcome[pair].residual = given[pair].rows->sweep(given[pair].mu, forth);
                 outcome[pair].sweeps = sweeps + 1;
                 give(pair);
                 is_done = is_done && !(outcome[pair].residual > enough[pair]);
@@ -161,7 +162,7 @@ template <int C> class Coupling {
         Work sum;
         each_of(group, true, [&](std::ptrdiff_t pair) {
             take(pair);
-            systems[pair]->add_work(sum);
+            given[pair].rows->add_work(sum);
         });
         const double layers = std::max(sum.given, 0.0);
         if (!(sum.twice_kinetic > 2.0 * (sum.work + layers)) || !(sum.twice_kinetic > 0.0)) return;
@@ -170,15 +171,14 @@ template <int C> class Coupling {
         const double share = std::max((sum.work + root) / sum.twice_kinetic, 0.0);
         each_of(group, true, [&](std::ptrdiff_t pair) {
             take(pair);
-            systems[pair]->scale(share);
+            given[pair].rows->scale(share);
             give(pair);
         });
     }
 
     Arena& arena;
     std::ptrdiff_t n;
-    System<C>* const* systems = nullptr;
-    const Sweeping* given = nullptr;
+    const Sweeping<C>* given = nullptr;
     Swept* outcome = nullptr;
     double* enough = nullptr;              // change of a velocity that ends sweeps, of a pair
     std::ptrdiff_t* leader = nullptr;      // of the pairs that hang together, the first

@@ -216,7 +216,7 @@ TEST_F(StlFiles, OfASurfaceHaveItsBits) {
         const ClosedSurface surface(of);
         const auto file = folder / "again.stl";
         std::ofstream(file) << stl_text(surface);
-        const Triangles before = surface.outward(), after = read_stl(file, 1.0, {}).outward();
+        const Triangles &before = surface.outward(), after = read_stl(file, 1.0, {}).outward();
         ASSERT_EQ(before.size(), after.size());
         for (std::size_t t = 0; t < before.size(); ++t)
             for (std::size_t k = 0; k < 3; ++k)

@@ -312,7 +312,7 @@ void surface_find_free(Bytes& in) {
     Field position(n, 2), side(n, 4);
     for (std::ptrdiff_t i = 0; i < n; ++i) {
         position.at(i, 0) = in.number(static_cast<double>(i % 4));
-        position.at(i, 1) = in.number(static_cast<double>(i / 4));
+        position.at(i, 1) = in.number(std::floor(0.25 * static_cast<double>(i)));
         for (std::ptrdiff_t k = 0; k < 4; ++k) side.at(i, k) = in.number(k % 3 == 0 ? 0.5 : 0.0);
     }
     std::vector<std::ptrdiff_t> index;
