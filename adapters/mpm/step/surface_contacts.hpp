@@ -41,7 +41,7 @@ class SurfaceContacts {
     std::vector<SurfacePair> pairs;
     SurfaceCalls calls;
     std::vector<SurfacePair*> called;  // in the last of them
-    std::vector<double> are_near;  // 1: of any process
+    std::vector<double> are_near;      // 1: of any process
 };
 
 }  // namespace grit::mpm
