@@ -296,7 +296,6 @@ void surface_correct(Bytes& in) {
         std::vector<double> more(needed / 8 + 1, 0.1);
         status = correct(more.data(), needed);
     }
-    // Impulses by steps and lengths that are next to nothing are beyond all numbers.
     if (told(status, error) == GRIT_OK) {
         if (!a.surface.here.rigid) demand(a.velocity.is_finite() || !old_a.is_finite());
         if (!b.surface.here.rigid) demand(b.velocity.is_finite() || !old_b.is_finite());

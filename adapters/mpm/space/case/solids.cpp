@@ -194,10 +194,9 @@ class CellList {
         for (std::ptrdiff_t p = 0; p < particles.size(); ++p)
             cells[static_cast<std::size_t>(grid.cell_of(q.position(p)))].push_back(p);
     }
-    // A particle covers this place, but none that is left out.
-    bool covers(const Vector3& x, std::ptrdiff_t left_out = -1) const {
+    bool covers(const Vector3& x) const {
         for (const std::ptrdiff_t p : cells[static_cast<std::size_t>(grid.cell_of(x))]) {
-            bool in = p != left_out;
+            bool in = true;
             for (int d = 0; d < 3; ++d)
                 in = in && std::fabs(q[column::x + d][p] - x[d]) <= q[column::l_x + d][p];
             if (in) return true;
