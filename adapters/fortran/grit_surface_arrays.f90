@@ -119,10 +119,7 @@ contains
                                     bytes, to, totals, error)
          if (bytes == 0) exit
       end do
-      if (.not. present(totals)) return
-      totals%row = c_null_ptr
-      totals%term = c_null_ptr
-      totals%rows = 0
+      if (present(totals)) call forget_rows(totals)
    end function
 
    integer(c_int) function correct_pairs(options, a, b, totals, error) result(status)
@@ -154,11 +151,16 @@ contains
                                           8*size(workspace, kind=c_size_t), bytes, error)
          if (bytes == 0) exit
       end do
-      if (.not. present(totals)) return
+      if (present(totals)) call forget_rows(totals)
+   end function
+
+   ! They were in the workspace of the call.
+   elemental subroutine forget_rows(totals)
+      type(grit_surface_totals), intent(inout) :: totals
       totals%row = c_null_ptr
       totals%term = c_null_ptr
       totals%rows = 0
-   end function
+   end subroutine
 
    integer(c_int) function find_free(position, side, tolerance, vertex, facet, vertices, facets, owner, &
                                      error) result(status)
