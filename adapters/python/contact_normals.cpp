@@ -37,7 +37,7 @@ of length, a_p half of the particle's share of the weight of its body.
     body                (m,)        integers, 0: A, 1: B
     offset              (n + 1,)    integers: node i has particle[offset[i]] ... particle[offset[i + 1] - 1]
     particle            (k,)        integers in 0 ... m - 1; None: 0 ... m - 1 itself
-    length              [length], a cell; particles of a node are within 100 of it
+    length              [length], a cell; particles of a node extend over 200 of it at most, along each axis
     weight              (m,)        >= 0, say volumes; 0: not there
     ridge               [-] in [1e-6, 1e3], 0 means 1e-3
     iteration_limit     evaluations of the loss, 0 means 100

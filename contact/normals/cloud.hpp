@@ -68,7 +68,7 @@ inline CloudFault gather(const RegressionRequest& q, std::ptrdiff_t first, std::
     const grit_contact_clouds& in = *q.clouds;
     const int D = cloud.dimensions;
     const std::ptrdiff_t body_stride = integer_stride(in.body_stride);
-    double origin[3] = {}, sum[3] = {}, total[2] = {};
+    double origin[3] = {}, low[3] = {}, high[3] = {}, sum[3] = {}, total[2] = {};
     std::ptrdiff_t count = 0;
     for (std::ptrdiff_t k = first; k < last; ++k) {
         const std::ptrdiff_t p = in.particle ? in.particle[k] : k;
@@ -89,7 +89,9 @@ inline CloudFault gather(const RegressionRequest& q, std::ptrdiff_t first, std::
             const double x = position[cloud.component[r] * in.position.component_stride];
             if (count == 0) origin[r] = x;
             const double scaled = (x - origin[r]) / in.length;
-            if (!(fabs(scaled) <= largest_cloud)) return {RegressionFault::too_far_apart, k};
+            low[r] = min(low[r], scaled);
+            high[r] = max(high[r], scaled);
+            if (!(high[r] - low[r] <= largest_cloud)) return {RegressionFault::too_far_apart, k};
             cloud.row[r][count] = scaled;
             sum[r] += scaled;
         }

@@ -97,9 +97,8 @@ grit_status describe(const RegressionRequest& request, const RegressionOutcome& 
             }
             break;
         case RegressionFault::too_far_apart:
-            return say(
-                "node %td: particle %td is more than %g lengths of %g from the first: units?", p,
-                largest_cloud, q.length);
+            return say("node %td: particle %td is more than %g lengths of %g from another: units?",
+                       p, largest_cloud, q.length);
         case RegressionFault::fixed_out_of_range:
             return refuse_mask(mask_at(q.fixed, q.fixed_stride, node), q.components, i,
                                {"node", node, "fixed"}, error);

@@ -33,7 +33,7 @@ inline constexpr grit_status status_of_regression(RegressionFault fault) {
 
 inline constexpr double smallest_particle_weight = 1e-100;  // or 0
 inline constexpr double largest_particle_weight = 1e100;
-inline constexpr double largest_cloud = 100.0;  // from its first particle, in lengths
+inline constexpr double largest_cloud = 200.0;  // its extent along an axis, in lengths
 
 struct RegressionRequest {
     const grit_contact_clouds* clouds;

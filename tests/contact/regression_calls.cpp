@@ -160,10 +160,10 @@ TEST(RegressionCall, LeavesABadNodeAloneAndDoesTheOthers) {
                    "node 3: weight of particle 16 must be 0 or in [1e-100, 1e+100], got -2");
     expect_failure([](Clouds& x) { x.weight[16] = std::nan(""); }, GRIT_BAD_STATE,
                    "node 3: weight of particle 16 must be 0 or in [1e-100, 1e+100], got nan");
-    expect_failure([](Clouds& x) { x.position[2 * 18] += 103.0; }, GRIT_BAD_STATE,
-                   "node 3: particle 18 is more than 100 lengths of 1 from the first: units?");
+    expect_failure([](Clouds& x) { x.position[2 * 18] += 203.0; }, GRIT_BAD_STATE,
+                   "node 3: particle 18 is more than 200 lengths of 1 from another: units?");
     expect_failure([](Clouds& x) { x.position[2 * 18] = 1e308; }, GRIT_BAD_STATE,
-                   "node 3: particle 18 is more than 100 lengths of 1 from the first: units?");
+                   "node 3: particle 18 is more than 200 lengths of 1 from another: units?");
     expect_failure([](Clouds& x) { x.body[20] = 2; }, GRIT_BAD_CALL,
                    "node 3: body of particle 20 must be 0 (A) or 1 (B), got 2");
     expect_failure([](Clouds& x) { x.fixed[3] = 4; }, GRIT_BAD_CALL,

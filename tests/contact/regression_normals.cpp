@@ -152,6 +152,24 @@ TEST(RegressionNormal, TurnsWithTheCloudsAndDoesNotDependOnOriginOrUnit) {
         }
 }
 
+// Found by torture: far particles were told from the one that came first.
+TEST(RegressionNormal, OfAWideCloudIsTakenInAnyOrderOrRefusedInAny) {
+    Dice dice(31);
+    for (const double wide : {199.0, 201.0}) {
+        Cloud cloud = {
+            {{0.0, 0.0, 0.0}, A}, {{-0.5 * wide, 0.0, 0.0}, A}, {{0.5 * wide, 1.0, 0.0}, B}};
+        Vec3 first = Vec3::Zero();
+        for (int k = 0; k < 3; ++k) {
+            Clouds x(2, {cloud});
+            EXPECT_EQ(x.regress(x.views()), wide > 200.0 ? GRIT_BAD_STATE : GRIT_OK)
+                << wide << ' ' << k;
+            if (k == 0) first = x.normal_at(0);
+            EXPECT_LT(difference(x.normal_at(0), first), 1e-11) << wide << ' ' << k;
+            std::rotate(cloud.begin(), cloud.begin() + 1, cloud.end());
+        }
+    }
+}
+
 TEST(RegressionNormal, OfSwappedBodiesIsTheOppositeBitwise) {
     Dice dice(25);
     for (const int components : {2, 3})

@@ -2,15 +2,14 @@
 #include "robustness/contact_trials.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
 #include <vector>
 
 #include <grit/grit.h>
 
 #include "robustness/layout.hpp"
 #include "robustness/program_text.hpp"
+#include "robustness/vec.hpp"
 
 namespace robustness {
 namespace {
@@ -74,14 +73,6 @@ const Vocabulary words = {
      "momentum of more bodies is kept to 1e-14", "energy of more bodies does not grow by 1e-12",
      "two bodies among many are a pair, to the bit"}};
 
-using Vec = std::array<double, 3>;
-
-double dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-double norm(const Vec& a) { return std::hypot(a[0], a[1], a[2]); }  // of the smallest impulses too
-Vec plus(const Vec& a, double s, const Vec& b) {
-    return {a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]};
-}
-
 struct Node {
     double m_a = 0.0, m_b = 0.0, distance = 0.0, cell = 1.0, gap = 0.0, area = 0.0, pore = 0.0;
     Vec normal{}, v_a{}, v_b{};
@@ -125,10 +116,6 @@ Call random_call(Random& random) {
     return call;
 }
 
-Vec random_vector(Random& random, int components) {
-    return {random.normal(), random.normal(), components == 3 ? random.normal() : 0.0};
-}
-
 Node random_node(Random& random, const Call& call) {
     Node x;
     const int components = call.options.components;
@@ -140,13 +127,7 @@ Node random_node(Random& random, const Call& call) {
     if (least > 1e-6 && random.below(10))
         x.m_b = x.m_a * (1.0 / random.uniform(least, 1.0 - least) - 1.0);
     if (random.below(40) == 0) x.m_b = 0.0;
-    x.normal = random_vector(random, components);
-    const double size = norm(x.normal);
-    for (double& each : x.normal) each /= size;
-    if (random.below(10) == 0) {
-        x.normal = {};
-        x.normal[static_cast<std::size_t>(random.below(components))] = random.below(2) ? 1.0 : -1.0;
-    }
+    x.normal = random_normal(random, components);
     x.cell = random.log_uniform(1e-6, 1e6);
     switch (random.below(6)) {
         case 0: x.distance = 0.0; break;
@@ -253,11 +234,7 @@ void correct_together(Random& random, const Call& call, std::vector<Node>& all) 
     }
 }
 
-bool same(const Vec& a, const Vec& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
-bool same(const Node& a, const Node& b) { return same(a.v_a, b.v_a) && same(a.v_b, b.v_b); }
-bool all_finite(const Vec& a) {
-    return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
-}
+bool same_motion(const Node& a, const Node& b) { return same(a.v_a, b.v_a) && same(a.v_b, b.v_b); }
 
 std::string program_of(const Call& call, const Node& x) {
     const grit_contact_options& o = call.options;
@@ -336,14 +313,14 @@ void judge(const Call& call, const Node& x, const Node& y, Findings& out) {
     if (r.status != GRIT_OK) {
         out.count(refused);
         out.demand(known_status, r.status == GRIT_BAD_STATE, program);
-        out.demand(untouched, same(x, y), program);
+        out.demand(untouched, same_motion(x, y), program);
         return;
     }
     out.demand(known_status, r.state >= GRIT_CONTACT_INACTIVE && r.state <= GRIT_CONTACT_SLIP,
                program);
     out.count(inactive + r.state);
     if (r.state <= GRIT_CONTACT_OPEN) {
-        out.demand(open_untouched, same(x, y), program);
+        out.demand(open_untouched, same_motion(x, y), program);
         return;
     }
     const Vec J = {r.impulse[0], r.impulse[1], r.impulse[2]};
@@ -440,16 +417,12 @@ void judge_in_other_words(const Call& call, const Node& x, const Node& y, Random
         out.demand(does_not_see_common_velocity, seen <= 1e-14 * rough, program);
     }
 
-    const double angle = random.uniform(0.0, 6.283185307179586), cosine = std::cos(angle),
-                 sine = std::sin(angle);
-    const auto turned = [&](const Vec& a) {
-        return Vec{cosine * a[0] - sine * a[1], sine * a[0] + cosine * a[1], a[2]};
-    };
+    const double angle = random.uniform(0.0, 6.283185307179586);
     Node aside = x;
-    for (Vec* each : {&aside.normal, &aside.v_a, &aside.v_b}) *each = turned(*each);
+    for (Vec* each : {&aside.normal, &aside.v_a, &aside.v_b}) *each = turned(*each, angle);
     correct(call, aside);
     if (aside.report.state != y.report.state) return;
-    const double off = apart(aside, turned(y.v_a), turned(y.v_b)) / speeds;
+    const double off = apart(aside, turned(y.v_a, angle), turned(y.v_b, angle)) / speeds;
     out.measure(turn_error, off);
     out.demand(turns_along, off <= 1e-13 * rough, program);
 }
@@ -592,7 +565,7 @@ void run_contact(Random& random, long cases, Findings& out) {
         for (std::size_t i = 0; i < n; ++i) {
             judge(call, before[i], alone[i], out);
             out.demand(same_bits,
-                       same(alone[i], together[i]) &&
+                       same_motion(alone[i], together[i]) &&
                            alone[i].report.status == together[i].report.status &&
                            alone[i].report.state == together[i].report.state,
                        [&] { return program_of(call, before[i]); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// torture sand|contact|penalty|surface|mpm [--count N] [--seed S] [--only BLOCK] [--hours H] [--threads N] [--journal FILE]: random trials, what
+// torture sand|contact|distances|normals|penalty|surface|mpm [--count N] [--seed S] [--only BLOCK] [--hours H] [--threads N] [--journal FILE]: random trials, what
 // they found, and for each rule that was broken a program that breaks it again. Ends with 1 if there is one.
 #include <cstdio>
 #include <map>
@@ -9,9 +9,11 @@
 
 #include "robustness/campaign.hpp"
 #include "robustness/contact_trials.hpp"
+#include "robustness/distance_trials.hpp"
 #ifdef GRIT_TORTURES_MPM
 #include "robustness/mpm_trials.hpp"
 #endif
+#include "robustness/normal_trials.hpp"
 #include "robustness/penalty_trials.hpp"
 #include "robustness/sand_trials.hpp"
 #include "robustness/surface_trials.hpp"
@@ -26,6 +28,8 @@ int main(int argc, char** argv) {
 #ifdef GRIT_TORTURES_MPM
                                                   {"mpm", &mpm_trials},
 #endif
+                                                  {"distances", &distance_trials},
+                                                  {"normals", &normal_trials},
                                                   {"penalty", &penalty_trials},
                                                   {"surface", &surface_trials}};
     app.add_option("KIND", name, "Of what")->required()->check(CLI::IsMember(kinds));
