@@ -155,6 +155,7 @@ Node random_node(Random& random, const Call& call) {
         case 3: x.v_a = x.v_b = {}; break;
         default: break;
     }
+    if (random.below(2) && dot(x.w(), x.normal) < 0.0) std::swap(x.v_a, x.v_b);  // they approach
     x.pore = (random.below(2) ? 1.0 : -1.0) * x.m_r() * speed * random.log_uniform(1e-6, 10.0);
     if (!std::isfinite(x.pore)) x.pore = 0.0;
     if (random.below(100) == 0) {
@@ -192,6 +193,9 @@ void correct_together(Random& random, const Call& call, std::vector<Node>& all) 
     const std::ptrdiff_t places = n + random.below(3);
     const std::vector<std::ptrdiff_t> index = shuffled(random, places);
     const int c = call.options.components;
+    bool common = true;  // normals and cells
+    for (const Node& x : all)
+        common = common && same(x.normal, all[0].normal) && x.cell == all[0].cell;
     Layout m_a(random, places, 1), m_b(random, places, 1), normal(random, places, c),
         distance(random, places, 1), cell(random, places, 1), gap(random, places, 1),
         area(random, places, 1), pore(random, places, 1), v_a(random, places, c),
@@ -218,6 +222,12 @@ void correct_together(Random& random, const Call& call, std::vector<Node>& all) 
     q.normal = normal.in();
     q.distance = distance.in();
     q.cell_size = cell.in();
+    if (common) {
+        q.normal.base = all[0].normal.data();
+        q.normal.component_stride = 1;
+        q.cell_size.base = &all[0].cell;
+        q.normal.point_stride = q.cell_size.point_stride = 0;
+    }
     if (call.gap) q.gap = gap.in();
     if (call.area) q.contact_area = area.in();
     if (call.pore) q.pore_impulse = pore.in();
@@ -559,6 +569,13 @@ void run_contact(Random& random, long cases, Findings& out) {
             std::min<long>(1 + random.below(longest_batch), cases - tried));
         std::vector<Node> before, alone, together;
         for (std::size_t i = 0; i < n; ++i) before.push_back(random_node(random, call));
+        // A plane through all nodes: one normal and one cell for all, by strides of 0.
+        if (random.below(4) == 0)
+            for (Node& x : before) {
+                x.distance = std::min(x.distance, 2.0 * before[0].cell);
+                x.normal = before[0].normal;
+                x.cell = before[0].cell;
+            }
         alone = together = before;
         for (Node& x : alone) correct(call, x);
         correct_together(random, call, together);

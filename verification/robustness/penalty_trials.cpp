@@ -9,6 +9,7 @@
 
 #include <grit/contact_penalty.h>
 
+#include "robustness/layout.hpp"
 #include "robustness/program_text.hpp"
 
 namespace robustness {
@@ -21,6 +22,7 @@ enum Rule {
     untouched,
     known_status,
     same_again,
+    same_in_any_memory,
     action_is_reaction,
     obeys_coulomb,
     presses_only,
@@ -36,9 +38,10 @@ const Vocabulary words = {
      "difference with all shifted by a length, over the largest force"},
     {"results are finite", "a refused call writes nothing", "a status is one of a call",
      "the same call gives the same bits, whatever is in its workspace",
-     "action is reaction to 1e-12", "friction stays within Coulomb's limit to 1e-12",
-     "the normal traction presses", "stored energies and dissipation are not negative",
-     "an open vertex has no history", "what is validated is what is computed"}};
+     "any strides give the same bits", "action is reaction to 1e-12",
+     "friction stays within Coulomb's limit to 1e-12", "the normal traction presses",
+     "stored energies and dissipation are not negative", "an open vertex has no history",
+     "what is validated is what is computed"}};
 
 using Pair = std::array<double, 2>;
 
@@ -82,8 +85,8 @@ struct Call {
     grit_penalty_totals totals{};
     grit_status status = GRIT_OK;
 
-    void run(Random& random) {
-        const grit_penalty_surface on_a = a.view(), on_b = b.view();
+    void run(Random& random) { run(random, a.view(), b.view()); }
+    void run(Random& random, const grit_penalty_surface& on_a, const grit_penalty_surface& on_b) {
         std::vector<double> workspace(grit_penalty_workspace_size(on_a.count, on_b.count) / 8);
         const double rubbish = random.below(2) ? NAN : random.normal();
         std::fill(workspace.begin(), workspace.end(), rubbish);
@@ -220,6 +223,56 @@ void judge_lines(const Call& call, Findings& out, bool& all_finite, double& sum)
         }
 }
 
+// A line in memory of any strides.
+class Laid {
+  public:
+    Laid(Random& random, const Line& line)
+        : n(static_cast<std::ptrdiff_t>(line.x.size())), position(random, n, 2),
+          velocity(random, n, 2), history(random, n, 2), force(random, n, 2),
+          stiffness(random, n, 1) {
+        for (std::ptrdiff_t i = 0; i < n; ++i) {
+            const auto at = static_cast<std::size_t>(i);
+            position.put(i, line.x[at].data());
+            velocity.put(i, line.v[at].data());
+            history.put(i, line.history[at].data());
+            force.put(i, line.force[at].data());
+            stiffness.put(i, &line.stiffness[at]);
+        }
+    }
+    grit_penalty_surface view(Line& line) const {
+        grit_penalty_surface s = line.view();
+        s.position = position.in();
+        s.velocity = velocity.in();
+        s.history = history.out();
+        s.force = force.out();
+        s.stiffness = stiffness.out();
+        return s;
+    }
+    void take(Line& line) const {
+        for (std::ptrdiff_t i = 0; i < n; ++i) {
+            const auto at = static_cast<std::size_t>(i);
+            history.get(i, line.history[at].data());
+            force.get(i, line.force[at].data());
+            stiffness.get(i, &line.stiffness[at]);
+        }
+    }
+
+  private:
+    std::ptrdiff_t n;
+    Layout position, velocity, history, force, stiffness;
+};
+
+void judge_memory(Random& random, const Call& before, const Call& call, Findings& out) {
+    Call laid = before;
+    const Laid a(random, laid.a), b(random, laid.b);
+    laid.run(random, a.view(laid.a), b.view(laid.b));
+    a.take(laid.a);
+    b.take(laid.b);
+    out.demand(same_in_any_memory,
+               laid.status == call.status && laid.a.same(call.a) && laid.b.same(call.b),
+               [&] { return program_of(before); });
+}
+
 void try_call(Random& random, Findings& out) {
     const Call before = random_call(random);
     const auto program = [&] { return program_of(before); };
@@ -232,6 +285,7 @@ void try_call(Random& random, Findings& out) {
     out.demand(same_again,
                again.status == call.status && again.a.same(call.a) && again.b.same(call.b),
                program);
+    if (random.below(4) == 0) judge_memory(random, before, call, out);
     Call asked = before;
     asked.options.validate_only = 1;
     asked.run(random);

@@ -9,32 +9,63 @@
 
 #include <grit/contact_surface.h>
 
+#include "robustness/layout.hpp"
 #include "robustness/program_text.hpp"
+#include "robustness/vec.hpp"
 
 namespace robustness {
 namespace {
 
-enum Count { calls, refused, without_contact, points_in_contact, not_settled };
-enum Largest { momentum_error, energy_gain, residual_left };
+enum Count { calls, refused, without_contact, points_in_contact, not_settled, in_parts };
+enum Largest {
+    momentum_error,
+    energy_gain,
+    residual_left,
+    friction_excess,
+    galilei_error,
+    turn_error,
+    rubbing_turn_error,
+    parts_momentum,
+    parts_energy
+};
 enum Rule {
     finite,
     untouched,
     known_status,
     same_again,
+    same_in_any_memory,
+    pair_alone_is_pair,
     keeps_momentum,
     gains_no_energy,
     presses_only,
+    obeys_coulomb,
+    does_not_see_common_velocity,
+    turns_along,
+    parts_keep_momentum,
+    parts_gain_no_energy,
     holds_what_is_held,
     asks_for_memory_once
 };
 
 const Vocabulary words = {
-    {"calls", "refused", "without contact", "points in contact", "that the limit of sweeps ended"},
+    {"calls", "refused", "without contact", "points in contact", "that the limit of sweeps ended",
+     "also as two pairs that share both bodies"},
     {"momentum error over momentum", "energy gained, over that of the motion",
-     "change of velocity in the last sweep, over the largest approach"},
+     "change of velocity in the last sweep, over the largest approach",
+     "friction above Coulomb's, over mu times the normal impulse",
+     "difference with a common velocity, over velocities",
+     "difference when turned, over velocities", "the same with friction in space",
+     "momentum error of two pairs", "energy gained by two pairs"},
     {"results are finite", "a refused call writes nothing", "a status is one of a call",
-     "the same call gives the same bits, whatever is in its workspace", "momentum is kept to 1e-12",
-     "energy does not grow by more than 1e-12 and what surfaces held", "no facet pulls",
+     "the same call gives the same bits, whatever is in its workspace",
+     "any strides give the same bits",
+     "a pair that hangs together with none has the bits of its own call",
+     "momentum is kept to 1e-12", "energy does not grow by more than 1e-12 and what surfaces held",
+     "no facet pulls", "friction stays within Coulomb's limit to 1e-12",
+     "a common velocity is not seen, to 1e-9",
+     "turned surfaces give turned velocities to 1e-9 (in space without friction)",
+     "momentum of two pairs is kept to 1e-12",
+     "energy of two pairs does not grow by more than 1e-12 and what surfaces held",
      "a node that is held keeps its velocity in that direction",
      "a call that lacks memory says how much, at most three times"}};
 
@@ -98,9 +129,13 @@ struct Call {
     std::vector<grit_surface_report> reports;
     grit_status status = GRIT_OK;
     int tries = 0;
+    double friction_excess = 0.0;  // over mu times the normal impulse, largest of all points
 
     void run(Random& random) {
         const grit_surface on_a = a.view(), on_b = b.view();
+        run(random, on_a, on_b);
+    }
+    void run(Random& random, const grit_surface& on_a, const grit_surface& on_b) {
         reports.assign(static_cast<std::size_t>(on_a.facets), {});
         totals = {};
         totals.struct_size = sizeof totals;
@@ -113,6 +148,13 @@ struct Call {
                                           workspace.size() * sizeof(double), &needed,
                                           reports.data(), &totals, &error);
             if (needed == 0) break;
+        }
+        friction_excess = -1.0;
+        for (std::ptrdiff_t i = 0; i < totals.rows; ++i) {
+            const double* const J = totals.row[i].impulse;
+            const double limit = options.friction_coefficient * J[0];
+            if (limit > 0.0)
+                friction_excess = std::max(friction_excess, std::hypot(J[1], J[2]) / limit - 1.0);
         }
         totals.row = nullptr;
         totals.term = nullptr;
@@ -285,9 +327,211 @@ void judge_motion(const Call& before, const Call& call, Findings& out) {
     out.demand(keeps_momentum, error <= 1e-12 * size, program);
 }
 
+// A body in memory of any strides.
+class Laid {
+  public:
+    Laid(Random& random, const Body& body)
+        : nodes(static_cast<std::ptrdiff_t>(body.mass.size())), c(body.components),
+          position(random, body.vertices(), c), mass(random, nodes, 1), velocity(random, nodes, c),
+          vertex_velocity(random, body.vertices(), c) {
+        for (std::ptrdiff_t i = 0; i < body.vertices(); ++i) {
+            position.put(i, body.position.data() + i * c);
+            vertex_velocity.put(i, body.vertex_velocity.data() + i * c);
+        }
+        for (std::ptrdiff_t i = 0; i < nodes; ++i) {
+            mass.put(i, body.mass.data() + i);
+            velocity.put(i, body.v.data() + i * c);
+        }
+    }
+    grit_surface view(Body& body) const {
+        grit_surface s = body.view();
+        s.position = position.in();
+        s.mass = mass.in();
+        s.velocity = velocity.out();
+        s.vertex_velocity = vertex_velocity.in();
+        return s;
+    }
+    void take(Body& body) const {
+        for (std::ptrdiff_t i = 0; i < nodes; ++i) velocity.get(i, body.v.data() + i * c);
+    }
+
+  private:
+    std::ptrdiff_t nodes;
+    int c;
+    Layout position, mass, velocity, vertex_velocity;
+};
+
+void judge_memory(Random& random, const Call& before, const Call& call, Findings& out) {
+    Call laid = before;
+    const Laid a(random, laid.a), b(random, laid.b);
+    laid.run(random, a.view(laid.a), b.view(laid.b));
+    a.take(laid.a);
+    b.take(laid.b);
+    out.demand(same_in_any_memory,
+               laid.status == call.status && laid.a.same(call.a) && laid.b.same(call.b),
+               [&] { return program_of(before); });
+}
+
+// Pairs by one call.
+grit_status correct(Random& random, std::vector<grit_surface_pair> pairs) {
+    const auto n = static_cast<std::ptrdiff_t>(pairs.size());
+    std::size_t needed = grit_surface_pairs_workspace_size(pairs.data(), n);
+    grit_status status = GRIT_OK;
+    for (int tries = 0; tries < 6 && needed > 0; ++tries) {
+        std::vector<double> workspace(needed / sizeof(double) + 1, random.below(2) ? NAN : 1.0);
+        status = grit_surface_correct_pairs(pairs.data(), n, workspace.data(),
+                                            workspace.size() * sizeof(double), &needed, nullptr);
+    }
+    return status;
+}
+
+// Beside another pair that has nothing in common with it.
+void judge_beside(Random& random, const Call& before, const Call& call, Findings& out) {
+    Call beside = before, other = random_call(random);
+    if (other.options.components != before.options.components) return;
+    const grit_surface on_a = beside.a.view(), on_b = beside.b.view(), on_c = other.a.view(),
+                       on_d = other.b.view();
+    const grit_status status = correct(random, {{&other.options, &on_c, &on_d, nullptr, nullptr},
+                                                {&beside.options, &on_a, &on_b, nullptr, nullptr}});
+    if (status != GRIT_OK) return;  // the other one is refused
+    out.demand(pair_alone_is_pair, beside.a.same(call.a) && beside.b.same(call.b),
+               [&] { return program_of(before); });
+}
+
+double momentum_of(const Body& body, std::size_t component, double& size) {
+    if (body.rigid) return 0.0;
+    const auto n = static_cast<std::size_t>(body.components);
+    double sum = 0.0;
+    for (std::size_t i = component; i < body.v.size(); i += n) {
+        sum += body.mass[i / n] * body.v[i];
+        size += body.mass[i / n] * std::fabs(body.v[i]);
+    }
+    return sum;
+}
+
+double energy_of(const Body& body) {
+    if (body.rigid) return 0.0;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < body.v.size(); ++i)
+        sum +=
+            0.5 * body.mass[i / static_cast<std::size_t>(body.components)] * body.v[i] * body.v[i];
+    return sum;
+}
+
+// The facets of A in two parts, each a pair with B: both bodies are in common.
+void judge_parts(Random& random, const Call& before, Findings& out) {
+    Call call = before;
+    const auto c = static_cast<std::size_t>(call.options.components);
+    Body one = call.a, other = call.a;
+    const std::size_t half = call.a.facet.size() / c / 2 * c;
+    if (half == 0) return;
+    one.facet.resize(half);
+    other.facet.erase(other.facet.begin(), other.facet.begin() + static_cast<std::ptrdiff_t>(half));
+    grit_surface on_one = one.view(), on_other = other.view(), on_b = call.b.view();
+    on_one.velocity = on_other.velocity = call.a.view().velocity;
+    on_one.body = on_other.body = 3;
+    on_b.body = 4;
+    grit_surface_totals of_one{}, of_other{};
+    of_one.struct_size = of_other.struct_size = sizeof of_one;
+    if (correct(random, {{&call.options, &on_one, &on_b, nullptr, &of_one},
+                         {&call.options, &on_other, &on_b, nullptr, &of_other}}) != GRIT_OK)
+        return;
+    out.count(in_parts);
+    const auto program = [&] { return program_of(before); };
+    double stored = 0.0;
+    for (const grit_surface_totals* t : {&of_one, &of_other}) {
+        const double overlap = std::max(-t->smallest_gap, 0.0);
+        stored += 0.5 * call.options.contact_stiffness * overlap * overlap * t->area;
+    }
+    const double old = energy_of(before.a) + energy_of(before.b),
+                 gain = energy_of(call.a) + energy_of(call.b) - old;
+    if (stored == 0.0) out.measure(parts_energy, gain / old);
+    out.demand(parts_gain_no_energy, gain <= 1e-12 * old + (1.0 + 1e-9) * stored, program);
+    if (before.a.rigid || before.b.rigid) return;
+    double change = 0.0, size = 0.0;
+    for (std::size_t k = 0; k < c; ++k)
+        change += std::fabs(momentum_of(call.a, k, size) + momentum_of(call.b, k, size) -
+                            momentum_of(before.a, k, size) - momentum_of(before.b, k, size));
+    out.measure(parts_momentum, change / size);
+    out.demand(parts_keep_momentum, change <= 1e-12 * size, program);
+}
+
+// By how much velocities differ from what is expected of them, over the largest.
+template <class Expected>
+double difference(const Body& found, const Body& expected, const Expected& told) {
+    const auto n = static_cast<std::size_t>(found.components);
+    double most = 0.0, size = 0.0;
+    if (found.rigid) return 0.0;
+    for (std::size_t i = 0; i < found.v.size(); i += n) {
+        Vec v{}, w{};
+        std::copy_n(expected.v.begin() + static_cast<std::ptrdiff_t>(i), n, v.begin());
+        std::copy_n(found.v.begin() + static_cast<std::ptrdiff_t>(i), n, w.begin());
+        v = told(v);
+        most = std::max(most, norm(plus(w, -1.0, v)));
+        size = std::max({size, norm(v), norm(w)});
+    }
+    return size > 0.0 ? most / size : 0.0;
+}
+
+template <class Told> void reword(std::vector<double>& field, int components, const Told& told) {
+    const auto n = static_cast<std::size_t>(components);
+    for (std::size_t i = 0; i < field.size(); i += n) {
+        Vec v{};
+        std::copy_n(field.begin() + static_cast<std::ptrdiff_t>(i), n, v.begin());
+        v = told(v);
+        std::copy_n(v.begin(), n, field.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+}
+
+// In another frame, and turned: where nodes are held in no direction, and roundoff decides about no point and no sweep.
+void judge_in_other_words(Random& random, const Call& before, const Call& call, Findings& out) {
+    if (call.totals.points == 0 || call.totals.sweeps >= call.options.sweep_limit) return;
+    const auto program = [&] { return program_of(before); };
+    const bool axisymmetric = call.options.axisymmetric != 0;
+    double speed = 0.0;
+    for (const Body* body : {&before.a, &before.b})
+        for (const double v : body->v) speed = std::max(speed, std::fabs(v));
+    Vec common = random_vector(random, call.options.components);
+    for (double& each : common) each *= speed;
+    if (axisymmetric) common[0] = 0.0;
+    const auto moved = [&](const Vec& v) { return plus(v, 1.0, common); };
+    Call moving = before;
+    for (Body* body : {&moving.a, &moving.b}) {
+        reword(body->v, body->components, moved);
+        reword(body->vertex_velocity, body->components, moved);
+    }
+    moving.run(random);
+    const auto alike = [&](const Call& other) {
+        return other.status == GRIT_OK && other.totals.points == call.totals.points &&
+               other.totals.sweeps == call.totals.sweeps;
+    };
+    if (alike(moving)) {
+        const double seen =
+            std::max(difference(moving.a, call.a, moved), difference(moving.b, call.b, moved));
+        out.measure(galilei_error, seen);
+        out.demand(does_not_see_common_velocity, seen <= 1e-9, program);
+    }
+    if (axisymmetric) return;
+    const double angle = random.uniform(0.0, 6.283185307179586);
+    const auto aside = [&](const Vec& v) { return turned(v, angle); };
+    Call other = before;
+    for (Body* body : {&other.a, &other.b})
+        for (std::vector<double>* each : {&body->position, &body->v, &body->vertex_velocity})
+            reword(*each, body->components, aside);
+    other.run(random);
+    if (!alike(other)) return;
+    const double off =
+        std::max(difference(other.a, call.a, aside), difference(other.b, call.b, aside));
+    // Sweeps of friction in space go along two axes, and where it is large there is more than one solution: told, not bounded.
+    const bool rubs = call.options.components == 3 && call.options.friction_coefficient > 0.0;
+    out.measure(rubs ? rubbing_turn_error : turn_error, off);
+    out.demand(turns_along, rubs || off <= 1e-9, program);
+}
+
 void try_call(Random& random, Findings& out) {
     Call before = random_call(random);
-    if (random.below(2))
+    const bool is_free = random.below(2);
+    if (is_free)
         for (Body* body : {&before.a, &before.b})
             std::fill(body->fixed.begin(), body->fixed.end(), 0);
     const auto program = [&] { return program_of(before); };
@@ -301,6 +545,7 @@ void try_call(Random& random, Findings& out) {
     out.demand(same_again,
                again.status == call.status && again.a.same(call.a) && again.b.same(call.b),
                program);
+    if (random.below(4) == 0) judge_memory(random, before, call, out);
     if (call.status != GRIT_OK) {
         out.count(refused);
         out.demand(untouched, call.a.same(before.a) && call.b.same(before.b), program);
@@ -317,7 +562,16 @@ void try_call(Random& random, Findings& out) {
             out.demand(finite, std::isfinite(now->v[i]) || !std::isfinite(old->v[i]), program);
     for (const grit_surface_report& r : call.reports)
         out.demand(presses_only, r.normal_force >= 0.0, program);
+    out.measure(friction_excess, call.friction_excess);
+    out.demand(obeys_coulomb, call.friction_excess <= 1e-12, program);
     judge_motion(before, call, out);
+    if (random.below(4) == 0) judge_beside(random, before, call, out);
+    const auto finite_in = [](const Body& body) {
+        return std::all_of(body.v.begin(), body.v.end(), [](double v) { return std::isfinite(v); });
+    };
+    if (!is_free || !finite_in(before.a) || !finite_in(before.b) || random.below(2)) return;
+    judge_parts(random, before, out);
+    judge_in_other_words(random, before, call, out);
 }
 
 void run_surface(Random& random, long cases, Findings& out) {
