@@ -489,7 +489,7 @@ void judge_in_other_words(Random& random, const Call& before, const Call& call, 
     const auto program = [&] { return program_of(before); };
     const bool axisymmetric = call.options.axisymmetric != 0;
     // Gaps have the roundoff of positions, a step's motion may be less.
-    const double slow = 1e-6 * call.options.reach / call.options.time_step;
+    const double slow = 1e-4 * call.a.cell / call.options.time_step;
     double speed = 0.0;
     for (const Body* body : {&before.a, &before.b})
         for (const double v : body->v) speed = std::max(speed, std::fabs(v));
