@@ -101,9 +101,8 @@ typedef struct grit_contact_clouds {
     const int* body;           /* per particle: GRIT_CONTACT_BODY_A or _B */
     ptrdiff_t body_stride;     /* in ints; 0 means 1 */
     grit_view weight; /* [1] optional, 0 or [1e-100, 1e100], any unit, say V_p; 0: not there */
-    double
-        length; /* [length] > 0, the cell; a node's particles extend over 200 of it at most, along each axis */
-    double ridge;             /* [-] in [1e-6, 1e3]; 0 means 1e-3. Small: the widest gap between the
+    double length;    /* [length] > 0, the cell; a cloud extends over 200 of it at most per axis */
+    double ridge;     /* [-] in [1e-6, 1e3]; 0 means 1e-3. Small: the widest gap between the
                                       outermost particles; large: the line of the centroids */
     int iteration_limit;      /* evaluations of the loss; 0 means 100 */
     int reserved;             /* 0 */
