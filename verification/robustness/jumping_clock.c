@@ -15,7 +15,8 @@ static _Atomic uint64_t state = 1, calls;
 static _Atomic int64_t slept;
 
 static uint64_t draw(void) {
-    const uint64_t x = (state += 0x9e3779b97f4a7c15ULL);
+    state += 0x9e3779b97f4a7c15ULL;
+    const uint64_t x = state;
     const uint64_t y = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
     return y ^ (y >> 31);
 }
