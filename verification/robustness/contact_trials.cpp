@@ -223,10 +223,8 @@ void correct_together(Random& random, const Call& call, std::vector<Node>& all) 
     q.distance = distance.in();
     q.cell_size = cell.in();
     if (common) {
-        q.normal.base = all[0].normal.data();
-        q.normal.component_stride = 1;
-        q.cell_size.base = &all[0].cell;
-        q.normal.point_stride = q.cell_size.point_stride = 0;
+        q.normal = grit_view_of(all[0].normal.data(), 0, 1);
+        q.cell_size = grit_view_of(&all[0].cell, 0, 1);
     }
     if (call.gap) q.gap = gap.in();
     if (call.area) q.contact_area = area.in();
@@ -459,9 +457,7 @@ void try_many(const Call& call, Random& random, Findings& out) {
             if (count == 2 || random.below(3)) {
                 between.push_back(random_node(random, call));
                 Node& x = between.back();
-                x.normal = random_vector(random, c);
-                const double size = norm(x.normal);
-                for (double& each : x.normal) each /= size;
+                x.normal = unit(random_vector(random, c));
                 x.cell = 1.0;
                 x.distance = random.uniform(-0.5, 1.2);
                 x.gap = random.uniform(-1.0, 0.5);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cfloat>
 #include <cmath>
 #include <vector>
 
@@ -134,12 +133,17 @@ Gradient random_gradient(Random& random, const GradientCall& call) {
     return x;
 }
 
-void find(const GradientCall& call, Gradient& x) {
+grit_contact_gradients options_of(const GradientCall& call) {
     grit_contact_gradients q{};
     q.struct_size = sizeof q;
     q.components = call.components;
     q.source = call.source;
     q.threshold = call.threshold;
+    return q;
+}
+
+void find(const GradientCall& call, Gradient& x) {
+    grit_contact_gradients q = options_of(call);
     q.gradient_a = grit_view_of(x.a.data(), 3, 1);
     q.gradient_b = grit_view_of(x.b.data(), 3, 1);
     q.given = grit_view_of(x.given.data(), 3, 1);
@@ -168,11 +172,7 @@ void find_together(Random& random, const GradientCall& call, std::vector<Gradien
         normal.put(at, x.normal.data());
         fixed[static_cast<std::size_t>(at * stride)] = x.fixed;
     }
-    grit_contact_gradients q{};
-    q.struct_size = sizeof q;
-    q.components = c;
-    q.source = call.source;
-    q.threshold = call.threshold;
+    grit_contact_gradients q = options_of(call);
     q.index = index.data();
     q.gradient_a = a.in();
     q.gradient_b = b.in();
@@ -377,20 +377,25 @@ Cloud random_cloud(Random& random, const CloudCall& call) {
     return out;
 }
 
-void regress(const CloudCall& call, Cloud& x) {
-    const std::ptrdiff_t offset[] = {0, x.count()};
+grit_contact_clouds options_of(const CloudCall& call) {
     grit_contact_clouds q{};
     q.struct_size = sizeof q;
     q.components = call.components;
     q.instruction_set = call.instruction_set;
+    q.length = call.length;
+    q.ridge = call.ridge;
+    q.iteration_limit = call.limit;
+    return q;
+}
+
+void regress(const CloudCall& call, Cloud& x) {
+    const std::ptrdiff_t offset[] = {0, x.count()};
+    grit_contact_clouds q = options_of(call);
     q.offset = offset;
     q.particles = x.count();
     q.position = grit_view_of(x.x[0].data(), 3, 1);
     q.body = x.body.data();
     if (call.weighed) q.weight = grit_view_of(x.weight.data(), 1, 1);
-    q.length = call.length;
-    q.ridge = call.ridge;
-    q.iteration_limit = call.limit;
     q.fixed = &x.fixed;
     q.status = &x.status;
     q.normal = grit_mutable_view_of(x.normal.data(), 3, 1);
@@ -405,8 +410,12 @@ void regress(const CloudCall& call, Cloud& x) {
 void regress_together(Random& random, const CloudCall& call, std::vector<Cloud>& all) {
     const auto n = static_cast<std::ptrdiff_t>(all.size());
     std::vector<std::ptrdiff_t> offset = {0};
-    for (const Cloud& x : all) offset.push_back(offset.back() + x.count());
-    const std::ptrdiff_t particles = offset.back(), most = 140;
+    std::ptrdiff_t most = 0;
+    for (const Cloud& x : all) {
+        offset.push_back(offset.back() + x.count());
+        most = std::max(most, x.count());
+    }
+    const std::ptrdiff_t particles = offset.back();
     const std::vector<std::ptrdiff_t> particle = shuffled(random, particles);
     const int c = call.components, stride = 1 + random.below(3);
     Layout position(random, particles, c), weight(random, particles, 1), normal(random, n, c);
@@ -425,10 +434,7 @@ void regress_together(Random& random, const CloudCall& call, std::vector<Cloud>&
         normal.put(i, x.normal.data());
         fixed[static_cast<std::size_t>(i * stride)] = x.fixed;
     }
-    grit_contact_clouds q{};
-    q.struct_size = sizeof q;
-    q.components = c;
-    q.instruction_set = call.instruction_set;
+    grit_contact_clouds q = options_of(call);
     q.offset = offset.data();
     q.particle = particle.data();
     q.particles = particles;
@@ -436,9 +442,6 @@ void regress_together(Random& random, const CloudCall& call, std::vector<Cloud>&
     q.body = body.data();
     q.body_stride = stride;
     if (call.weighed) q.weight = weight.in();
-    q.length = call.length;
-    q.ridge = call.ridge;
-    q.iteration_limit = call.limit;
     q.fixed = fixed.data();
     q.fixed_stride = stride;
     q.status = status.data();
@@ -489,21 +492,17 @@ Minimum minimum_of(const CloudCall& call, const Cloud& cloud) {
     struct Row {
         Real x[most], y, share;
     };
-    std::vector<int> free;
+    std::size_t free[most] = {};
+    int D = 0;
     for (int c = 0; c < call.components; ++c)
-        if (!(cloud.fixed >> c & 1)) free.push_back(c);
-    const int D = static_cast<int>(free.size());
+        if (!(cloud.fixed >> c & 1)) free[D++] = static_cast<std::size_t>(c);
     const Real ridge = call.ridge > 0.0 ? call.ridge : 1e-3;
     Real total[2] = {}, mean[most] = {}, reach = 0.0L, radius = 0.0L;
     std::vector<Row> rows;
     for (std::size_t k = 0; k < cloud.x.size(); ++k) {
         if (cloud.weight[k] == 0.0) continue;
         Row row{};
-        for (int r = 0; r < D; ++r)
-            row.x[r] =
-                static_cast<Real>(
-                    cloud.x[k][static_cast<std::size_t>(free[static_cast<std::size_t>(r)])]) /
-                call.length;
+        for (int r = 0; r < D; ++r) row.x[r] = static_cast<Real>(cloud.x[k][free[r]]) / call.length;
         row.x[D] = 1.0L;
         row.y = cloud.body[k] == GRIT_CONTACT_BODY_B ? 1.0L : -1.0L;
         row.share = cloud.weight[k];
@@ -590,8 +589,7 @@ Minimum minimum_of(const CloudCall& call, const Cloud& cloud) {
     out.condition =
         static_cast<double>(inverse * reach * (0.25L * radius + 1.0L / std::sqrt(square)));
     for (int r = 0; r < D; ++r)
-        out.direction[static_cast<std::size_t>(free[static_cast<std::size_t>(r)])] =
-            static_cast<double>(u[r] / std::sqrt(square));
+        out.direction[free[r]] = static_cast<double>(u[r] / std::sqrt(square));
     return out;
 }
 

@@ -293,38 +293,53 @@ std::string program_of(const Call& call) {
            "t.impulse_on_a[1]);\n}\n";
 }
 
-void judge_motion(const Call& before, const Call& call, Findings& out) {
-    const auto program = [&] { return program_of(before); };
-    const auto n = static_cast<std::size_t>(call.options.components);
-    std::array<double, 3> change{};
-    double size = 0.0, energy = 0.0, gain = 0.0;
+// What a call has changed of the bodies that are not rigid.
+struct Change {
+    double momentum = 0.0, momentum_size = 0.0, energy = 0.0, energy_gain = 0.0;
     bool held = true, any_held = false, rigid = false;
-    for (const auto& [old, now] : {std::pair{&before.a, &call.a}, {&before.b, &call.b}}) {
-        rigid = rigid || now->rigid;
+};
+
+Change change_between(const Call& before, const Call& after) {
+    Change out;
+    const auto n = static_cast<std::size_t>(after.options.components);
+    std::array<double, 3> change{};
+    for (const auto& [old, now] : {std::pair{&before.a, &after.a}, {&before.b, &after.b}}) {
+        out.rigid = out.rigid || now->rigid;
         if (now->rigid) continue;
         for (std::size_t i = 0; i < now->v.size(); ++i) {
             const double m = now->mass[i / n], v = old->v[i], w = now->v[i];
             if (!std::isfinite(v)) continue;
             change[i % n] += m * (w - v);
-            size += m * (std::fabs(v) + std::fabs(w));
-            energy += 0.5 * m * v * v;
-            gain += 0.5 * m * (w - v) * (w + v);
+            out.momentum_size += m * (std::fabs(v) + std::fabs(w));
+            out.energy += 0.5 * m * v * v;
+            out.energy_gain += 0.5 * m * (w - v) * (w + v);
             if (now->fixed[i / n] >> (i % n) & 1) {
-                any_held = any_held || w == v;
-                held = held && w == v;
+                out.any_held = out.any_held || w == v;
+                out.held = out.held && w == v;
             }
         }
     }
-    out.demand(holds_what_is_held, held, program);
-    const double overlap = std::max(-call.totals.smallest_gap, 0.0);
-    const double stored =
-        0.5 * call.options.contact_stiffness * overlap * overlap * call.totals.area;
-    if (stored == 0.0) out.measure(energy_gain, gain / energy);
-    out.demand(gains_no_energy, gain <= 1e-12 * energy + (1.0 + 1e-9) * stored, program);
-    if (rigid || any_held) return;
-    const double error = std::fabs(change[0]) + std::fabs(change[1]) + std::fabs(change[2]);
-    out.measure(momentum_error, error / size);
-    out.demand(keeps_momentum, error <= 1e-12 * size, program);
+    out.momentum = std::fabs(change[0]) + std::fabs(change[1]) + std::fabs(change[2]);
+    return out;
+}
+
+// Energy of overlap that a pair may give back.
+double stored_by(const grit_surface_options& options, const grit_surface_totals& totals) {
+    const double overlap = std::max(-totals.smallest_gap, 0.0);
+    return 0.5 * options.contact_stiffness * overlap * overlap * totals.area;
+}
+
+void judge_motion(const Call& before, const Call& call, Findings& out) {
+    const auto program = [&] { return program_of(before); };
+    const Change change = change_between(before, call);
+    out.demand(holds_what_is_held, change.held, program);
+    const double stored = stored_by(call.options, call.totals);
+    if (stored == 0.0) out.measure(energy_gain, change.energy_gain / change.energy);
+    out.demand(gains_no_energy, change.energy_gain <= 1e-12 * change.energy + (1.0 + 1e-9) * stored,
+               program);
+    if (change.rigid || change.any_held) return;
+    out.measure(momentum_error, change.momentum / change.momentum_size);
+    out.demand(keeps_momentum, change.momentum <= 1e-12 * change.momentum_size, program);
 }
 
 // A body in memory of any strides.
@@ -398,26 +413,6 @@ void judge_beside(Random& random, const Call& before, const Call& call, Findings
                [&] { return program_of(before); });
 }
 
-double momentum_of(const Body& body, std::size_t component, double& size) {
-    if (body.rigid) return 0.0;
-    const auto n = static_cast<std::size_t>(body.components);
-    double sum = 0.0;
-    for (std::size_t i = component; i < body.v.size(); i += n) {
-        sum += body.mass[i / n] * body.v[i];
-        size += body.mass[i / n] * std::fabs(body.v[i]);
-    }
-    return sum;
-}
-
-double energy_of(const Body& body) {
-    if (body.rigid) return 0.0;
-    double sum = 0.0;
-    for (std::size_t i = 0; i < body.v.size(); ++i)
-        sum +=
-            0.5 * body.mass[i / static_cast<std::size_t>(body.components)] * body.v[i] * body.v[i];
-    return sum;
-}
-
 // The facets of A in two parts, each a pair with B: both bodies are in common.
 void judge_parts(Random& random, const Call& before, Findings& out) {
     Call call = before;
@@ -438,22 +433,14 @@ void judge_parts(Random& random, const Call& before, Findings& out) {
         return;
     out.count(in_parts);
     const auto program = [&] { return program_of(before); };
-    double stored = 0.0;
-    for (const grit_surface_totals* t : {&of_one, &of_other}) {
-        const double overlap = std::max(-t->smallest_gap, 0.0);
-        stored += 0.5 * call.options.contact_stiffness * overlap * overlap * t->area;
-    }
-    const double old = energy_of(before.a) + energy_of(before.b),
-                 gain = energy_of(call.a) + energy_of(call.b) - old;
-    if (stored == 0.0) out.measure(parts_energy, gain / old);
-    out.demand(parts_gain_no_energy, gain <= 1e-12 * old + (1.0 + 1e-9) * stored, program);
-    if (before.a.rigid || before.b.rigid) return;
-    double change = 0.0, size = 0.0;
-    for (std::size_t k = 0; k < c; ++k)
-        change += std::fabs(momentum_of(call.a, k, size) + momentum_of(call.b, k, size) -
-                            momentum_of(before.a, k, size) - momentum_of(before.b, k, size));
-    out.measure(parts_momentum, change / size);
-    out.demand(parts_keep_momentum, change <= 1e-12 * size, program);
+    const Change change = change_between(before, call);
+    const double stored = stored_by(call.options, of_one) + stored_by(call.options, of_other);
+    if (stored == 0.0) out.measure(parts_energy, change.energy_gain / change.energy);
+    out.demand(parts_gain_no_energy,
+               change.energy_gain <= 1e-12 * change.energy + (1.0 + 1e-9) * stored, program);
+    if (change.rigid) return;
+    out.measure(parts_momentum, change.momentum / change.momentum_size);
+    out.demand(parts_keep_momentum, change.momentum <= 1e-12 * change.momentum_size, program);
 }
 
 // By how much velocities differ from what is expected of them, over the largest, or over such that are slow.

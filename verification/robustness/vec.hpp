@@ -24,11 +24,14 @@ inline bool all_finite(const Vec& a) {
 inline Vec random_vector(grit::SplitMix& random, int components) {
     return {random.normal(), random.normal(), components == 3 ? random.normal() : 0.0};
 }
+inline Vec unit(Vec v) {
+    const double size = norm(v);
+    for (double& each : v) each /= size;
+    return v;
+}
 // Every tenth along an axis.
 inline Vec random_normal(grit::SplitMix& random, int components) {
-    Vec n = random_vector(random, components);
-    const double size = norm(n);
-    for (double& each : n) each /= size;
+    Vec n = unit(random_vector(random, components));
     if (random.below(10) == 0) {
         n = {};
         n[static_cast<std::size_t>(random.below(components))] = random.below(2) ? 1.0 : -1.0;
