@@ -13,7 +13,7 @@ function(grit_unity target)
   set_source_files_properties(${unity_EXCEPT} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# The sources of a test, BATCH (six) at a time: each in a namespace of its own, after the headers of all, so that
+# The sources of a test, BATCH (twenty) at a time: each in a namespace of its own, after the headers of all, so that
 # tests need not know each other's names. Other sources (support/) and those after EXCEPT are left as they are.
 # Called when the list of sources is complete.
 function(grit_unity_tests target)
@@ -22,7 +22,7 @@ function(grit_unity_tests target)
   endif()
   cmake_parse_arguments(unity "" "BATCH" "EXCEPT" ${ARGN})
   if(NOT unity_BATCH)
-    set(unity_BATCH 6)
+    set(unity_BATCH 20)
   endif()
   get_target_property(sources ${target} SOURCES)
   set(alone ${sources})

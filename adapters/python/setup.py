@@ -41,20 +41,19 @@ work = folder_to_build_in()
 
 class BuildWithCMake(build_ext):
     def build_extension(self, extension):
-        build = work / "cmake"
         generator = ["-G", "Ninja"] if shutil.which("ninja") else []
         off = [f"-DGRIT_BUILD_{part}=OFF" for part in ("TESTS", "CLI", "MPM", "FORTRAN")]
-        subprocess.check_call(["cmake", "-S", root, "-B", build, *generator, *off,
+        subprocess.check_call(["cmake", "-S", root, "-B", work, *generator, *off,
                                "-DCMAKE_BUILD_TYPE=Release", "-DGRIT_BUILD_PYTHON=ON",
                                # The C++ library of the compiler goes into the module: the wheel needs that of C only.
                                "-DCMAKE_MODULE_LINKER_FLAGS=-static-libstdc++ -static-libgcc",
                                f"-DPython_EXECUTABLE={sys.executable}"])
         jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", str(os.cpu_count() or 1))
-        subprocess.check_call(["cmake", "--build", build, "--target", "grit_python",
+        subprocess.check_call(["cmake", "--build", work, "--target", "grit_python",
                                "--parallel", jobs])
         target = pathlib.Path(self.get_ext_fullpath(extension.name)).resolve()
         target.parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy2(build / "adapters/python/grit" / target.name, target)
+        shutil.copy2(work / "adapters/python/grit" / target.name, target)
 
 
 class TaggedWheel(bdist_wheel):

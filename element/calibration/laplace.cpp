@@ -31,7 +31,7 @@ Laplace laplace(const Problem& problem, const Residuals& residuals, bool inflate
     // At least as many rows as parameters: what no reading tells of has the singular value 0.
     Matrix scaled = Matrix::Zero(std::max(residuals.slopes.rows(), range.size()), range.size());
     scaled.topRows(residuals.slopes.rows()) = residuals.slopes * range.asDiagonal();
-    const Eigen::BDCSVD<Matrix> svd(scaled, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    const Eigen::JacobiSVD<Matrix> svd(scaled, Eigen::ComputeThinV);
     Matrix root(range.size(), range.size());
     for (Eigen::Index k = 0; k < range.size(); ++k) {
         Combination each;

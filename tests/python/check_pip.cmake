@@ -6,7 +6,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/../run.cmake)
 
 unset(ENV{PYTHONPATH})
 # Where script/test has ccache, what the build has compiled with the same flags is taken from it.
-set(ENV{CCACHE_BASEDIR} ${SOURCE}/build/python/cmake)
+set(ENV{CCACHE_BASEDIR} ${SOURCE}/build/python)
 run(${PYTHON} -m venv --system-site-packages ${WORK}/venv)
 set(python ${WORK}/venv/bin/python)
 set(pip ${python} -m pip --quiet --disable-pip-version-check)

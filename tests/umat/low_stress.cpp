@@ -98,7 +98,7 @@ struct Cycles {
 };
 
 // Between what is allowed, uniform or by magnitude.
-Sand random_sand(Random& random) {
+Sand sand_that_is_allowed(Random& random) {
     for (;;) {
         grit_sand_parameters p;
         grit_sand_parameters_init(&p, sizeof p);
@@ -355,7 +355,8 @@ TEST(LowStress, ClosedCyclesOfRandomSandsGiveEnergyRarelyAndWithoutThePolicyToo)
         int done = 0, giving = 0, untouched = 0;
         double worst = 0.0;
         while (done < cycles) {
-            const Sand sand = kind.published ? published_sand(random) : random_sand(random);
+            const Sand sand =
+                kind.published ? published_sand(random) : sand_that_is_allowed(random);
             const double e = random.uniform(sand.p.densest_void_ratio, sand.p.loosest_void_ratio);
             const Cycle way = random_cycle(random, 1 + done % 5);
             seen.intergranular_off = !kind.igs;
