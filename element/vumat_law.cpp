@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include <grit/classic_layout.h>
+
 #include "element/guarded.hpp"
 #include "element/text.hpp"
 
@@ -73,6 +75,27 @@ struct VumatArguments {
                state_old.intact() && strain_inc.intact() && props.intact();
     }
 
+    // A point that strains and keeps its stress and state but for the mark that Grit's VUMAT leaves there (docs/umat.md).
+    bool one_stood_still() {
+        for (int i = 0; i < block; ++i) {
+            bool strains = false, moved = false;
+            for (int c = 0; c < 6; ++c) {
+                strains = strains || strain_inc.data()[i + block * c] != 0.0;
+                moved =
+                    moved || stress_new.data()[i + block * c] != stress_old.data()[i + block * c];
+            }
+            for (int k = 0; k < nstatev; ++k)
+                moved =
+                    moved || (k != GRIT_CLASSIC_EVALUATIONS &&
+                              state_new.data()[i + block * k] != state_old.data()[i + block * k]);
+            const bool marked =
+                nstatev > GRIT_CLASSIC_EVALUATIONS &&
+                state_new.data()[i + block * GRIT_CLASSIC_EVALUATIONS] == GRIT_CLASSIC_FAILED;
+            if (strains && marked && !moved) return true;
+        }
+        return false;
+    }
+
     Vector6 stress(int i) {
         Vector6 out;
         for (int c = 0; c < 6; ++c) out[c] = stress_new.data()[i + block * place[c]];
@@ -101,10 +124,13 @@ Response VumatLaw::advance(const MaterialPoint& start, const StrainIncrement& in
                  arguments.nstatev, arguments.nprops);
         return out;
     }
-    if (!arguments.stress_new.finite() || !arguments.state_new.finite()) {
+    const bool finite = arguments.stress_new.finite() && arguments.state_new.finite();
+    if (!finite || arguments.one_stood_still()) {
         out.outcome = Outcome::retry_smaller;
         out.reduction = 0.5;
-        out.message = "the VUMAT returned a value that is not finite";
+        out.message = finite ? "the VUMAT left a point as it was, with STATEV(10) = -1: it cannot "
+                               "go so far at once"
+                             : "the VUMAT returned a value that is not finite";
         return out;
     }
     out.end.stress = arguments.stress(0);

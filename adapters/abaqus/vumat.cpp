@@ -12,9 +12,8 @@
 namespace grit::abaqus {
 namespace {
 
-constexpr int chunk = 64;                            // points that go to the library at once
-constexpr int place[6] = {0, 1, 2, 3, 5, 4};         // of 11 22 33 12 13 23 in a VUMAT
-constexpr double no_evaluations_but_a_failure = -1;  // STATEV(10) of a point that stood still
+constexpr int chunk = 64;                     // points that go to the library at once
+constexpr int place[6] = {0, 1, 2, 3, 5, 4};  // of 11 22 33 12 13 23 in a VUMAT
 
 grit_status check_call(const VumatArguments& call, grit_error& error) {
     const auto refuse = [&](const char* what) { return refuse_null(what, error); };
@@ -63,7 +62,7 @@ class Block {
     void stand_still() {
         for (int i = 0; i < n; ++i) {
             keep(i);
-            state_new(i)[GRIT_CLASSIC_EVALUATIONS] = no_evaluations_but_a_failure;
+            state_new(i)[GRIT_CLASSIC_EVALUATIONS] = GRIT_CLASSIC_FAILED;
         }
     }
 
@@ -140,7 +139,7 @@ class Block {
 
     void stand_still(int i, const grit_error& why) const {
         complain(why, "Grit VUMAT: point %d of a block of %d", i + 1, n);
-        state_new(i)[GRIT_CLASSIC_EVALUATIONS] = no_evaluations_but_a_failure;
+        state_new(i)[GRIT_CLASSIC_EVALUATIONS] = GRIT_CLASSIC_FAILED;
     }
 
     void update(int first, int count) {

@@ -8,6 +8,20 @@ module grit_sand_interface
    implicit none
    public
 
+   integer(c_int), parameter :: grit_sand_critical_friction_angle = 0
+   integer(c_int), parameter :: grit_sand_granulate_hardness = 1
+   integer(c_int), parameter :: grit_sand_stiffness_exponent = 2
+   integer(c_int), parameter :: grit_sand_densest_void_ratio = 3
+   integer(c_int), parameter :: grit_sand_critical_void_ratio = 4
+   integer(c_int), parameter :: grit_sand_loosest_void_ratio = 5
+   integer(c_int), parameter :: grit_sand_pyknotropy_exponent = 6
+   integer(c_int), parameter :: grit_sand_stiffness_void_exponent = 7
+   integer(c_int), parameter :: grit_sand_pressure_shift = 8
+   integer(c_int), parameter :: grit_sand_reversal_stiffness = 9
+   integer(c_int), parameter :: grit_sand_transverse_stiffness = 10
+   integer(c_int), parameter :: grit_sand_elastic_strain_radius = 11
+   integer(c_int), parameter :: grit_sand_evolution_exponent = 12
+   integer(c_int), parameter :: grit_sand_stiffness_interpolation_exponent = 13
    integer(c_int), parameter :: grit_sand_parameter_count = 14
    integer(c_int), parameter :: grit_sand_h11 = 1, grit_sand_h22 = 2, grit_sand_h33 = 3
    integer(c_int), parameter :: grit_sand_h12 = 4, grit_sand_h13 = 5, grit_sand_h23 = 6

@@ -238,6 +238,16 @@ void set_start(const TomlTable& fit, const calibration::IndexTests& index,
         fit.fail("parameters", fmt::format("the fit would start from no sand: {}", error.message));
 }
 
+double read_resolution(TomlTable& numerics) {
+    constexpr double lowest = 0.1, highest = 100.0;
+    const double value = numerics.number_if("resolution").value_or(1.0);
+    if (!(value >= lowest && value <= highest))
+        numerics.fail("resolution",
+                      fmt::format("{} must be in [{}, {}], got {:g}", numerics.full("resolution"),
+                                  lowest, highest, value));
+    return value;
+}
+
 }  // namespace
 
 CalibrationCase read_calibration_case(const std::filesystem::path& path) {
@@ -260,7 +270,7 @@ CalibrationCase read_calibration_case(const std::filesystem::path& path) {
     defaults.parameters = sand.parameters;
     if (auto table = root.table_if("numerics")) {
         read_numerics(*table, defaults.options, defaults.settings);
-        defaults.resolution = table->positive_or("resolution", 1.0);
+        defaults.resolution = read_resolution(*table);
         table->finish();
     }
     TomlTable fit = root.table("fit");

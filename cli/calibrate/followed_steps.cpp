@@ -48,12 +48,14 @@ Followed follow(const Way& way, const std::vector<double>& values, double resolu
         if (unit[static_cast<int>(r)] != 0.0)
             path.columns[r] = {0, way.sign * unit[static_cast<int>(r)]};
     double largest = 0.0, since = 0.0;  // the last turn
+    double before = 0.0;  // the last change that was one: a row that is repeated turns nothing
     for (const double each : values) largest = std::max(largest, std::abs(each));
     path.table.push_back({values.front()});
     out.increments.push_back(0);
     for (std::size_t i = 1; i < values.size(); ++i) {
         const double change = values[i] - values[i - 1], length = std::abs(change);
-        const bool turned = i == 1 || change * (values[i - 1] - values[i - 2]) < 0.0;
+        const bool turned = i == 1 || change * before < 0.0;
+        if (change != 0.0) before = change;
         if (turned) since = 0.0;
         std::vector<double> parts;
         if (way.strain()) {

@@ -14,6 +14,7 @@
 #include "cli/element/material_reader.hpp"
 #include "cli/element/stage_reader.hpp"
 #include "cli/process/exit_code.hpp"
+#include "cli/table/columns.hpp"
 #include "cli/table/sheet.hpp"
 #include "cli/table/workbook.hpp"
 #include "element/check.hpp"
@@ -61,6 +62,7 @@ struct TestTable {
     Sheet sheet;
     Driver driver;
     std::vector<LaboratoryColumn> columns;
+    bool staged = false;  // stages come before the rows
 
     // As the sheet has it.
     const std::string& cell(const Rows& rows, std::size_t row, std::size_t column) const {
@@ -343,6 +345,11 @@ void check_signs(const TestTable& test, const Rows& rows) {
 }
 
 double first_of(const TestTable& test, const Rows& rows, std::size_t column) {
+    if (test.staged)
+        test.table.fail(
+            "stage", fmt::format("{}.start: stages come before the first row, which does not tell "
+                                 "what the sample starts with: say all of it",
+                                 test.table.full("")));
     const double value = rows.values.front()[column];
     if (std::isnan(value))
         test.sheet.fail(
@@ -411,9 +418,8 @@ void read_start_of_test(const TestTable& test, const Rows& rows, std::optional<T
         start.intergranular_strain != element::IntergranularStrain::off;
 }
 
-// What drives the test, a value per row. A deviator stands for the axial stress at a constant lateral one.
-std::vector<double> driving(const TestTable& test, const Rows& rows, const Experiment& experiment,
-                            std::size_t column) {
+// What drives the test, a value per row.
+std::vector<double> driving(const TestTable& test, const Rows& rows, std::size_t column) {
     std::vector<double> out;
     const LaboratoryColumn& of = test.columns[column];
     for (std::size_t i = 0; i < rows.values.size(); ++i) {
@@ -421,7 +427,7 @@ std::vector<double> driving(const TestTable& test, const Rows& rows, const Exper
         if (std::isnan(value))
             test.sheet.fail(rows.of_sheet[i],
                             fmt::format("column {} is empty, and it drives the test", of.name));
-        out.push_back(of.quantity == "axial_deviator" ? experiment.start.stress[1] - value : value);
+        out.push_back(value);
     }
     return out;
 }
@@ -454,6 +460,11 @@ void read_readings(const TestTable& test, const Rows& rows, std::size_t driver, 
         channel.quantity = *linear_quantity(column.quantity, test.driver.test->shear);
         channel.change = column.is_change();
         const double first = channel.change ? column.zero.value_or(rows.values.front()[c]) : 0.0;
+        if (std::isnan(first))
+            test.sheet.fail(
+                rows.of_sheet.front(),
+                fmt::format("column {} is empty, and its changes count from here: give zero of {}",
+                            column.name, column.quantity));
         const int number = static_cast<int>(out.channels.size());
         out.channels.push_back(std::move(channel));
         for (std::size_t i = 1; i < rows.values.size(); ++i) {
@@ -491,21 +502,35 @@ element::Program prepare(TestTable& test) {
     return out;
 }
 
+// Where a sheet has the deviator in place of the axial stress, a row of its own prescribes it, whatever the lateral
+// stress is and becomes.
+const Vector6& deviator() {
+    static const Vector6 weights = linear_quantity("axial_deviator", false)->total_stress;
+    return weights;
+}
+
+bool is_deviator(const TestTable& test, std::size_t column) {
+    return test.columns[column].quantity == "axial_deviator";
+}
+
 // Stages before may end at another stress than that of the first row.
-element::Step to_first_row(const TestTable& test, double value) {
+element::Step to_first_row(const TestTable& test, std::size_t column, double value) {
     const Way& way = *test.driver.way;
     element::Step out = way.step(way.sign * value);
     for (const int row : way.reached)
         std::get<element::Linear>(out.kind).absolute[static_cast<std::size_t>(row)] = true;
+    if (is_deviator(test, column))
+        std::get<element::Linear>(out.kind).rows.stress.row(0) = deviator();
     return out;
 }
 
 // The start that is said is not the stress of the first row.
-bool starts_elsewhere(const TestTable& test, const Experiment& of, double first) {
+bool starts_elsewhere(const Experiment& of, double first) {
     const Vector6& stress = of.start.stress;
-    const double start = test.driver.quantity == "stress_11" ? stress[0]
-                         : test.driver.quantity == "p"       ? -stress.head<3>().sum() / 3.0
-                                                             : first;
+    const double start = of.driver == "stress_11"        ? stress[0]
+                         : of.driver == "axial_deviator" ? deviator().dot(stress)
+                         : of.driver == "p"              ? -stress.head<3>().sum() / 3.0
+                                                         : first;
     return std::abs(start - first) > 1e-9 * std::abs(first);
 }
 
@@ -547,8 +572,8 @@ void make(TestTable& test, Rows rows, bool fitted, Treatment& treatment, Laborat
         made.doubts.push_back(std::move(each));
     read_start_of_test(
         test, rows, treatment.starts ? treatment.starts->table_if(rows.name) : std::nullopt, out);
-    std::vector<double> values = driving(test, rows, out, driver);
-    out.driver = test.driver.quantity;
+    std::vector<double> values = driving(test, rows, driver);
+    out.driver = test.columns[driver].quantity;
     if (test.driver.way->strain() &&
         std::all_of(values.begin(), values.end(), [&](double x) { return x == values[0]; }))
         test.sheet.fail(rows.of_sheet.front(),
@@ -557,10 +582,11 @@ void make(TestTable& test, Rows rows, bool fitted, Treatment& treatment, Laborat
     read_readings(test, rows, driver, out);
     out.driven = values;
     out.program = before;
-    if (!test.driver.way->strain() &&
-        (!before.empty() || starts_elsewhere(test, out, values.front())))
-        out.program.push_back(to_first_row(test, values.front()));
+    if (!test.driver.way->strain() && (!before.empty() || starts_elsewhere(out, values.front())))
+        out.program.push_back(to_first_row(test, driver, values.front()));
     Followed followed = follow(*test.driver.way, values, test.defaults.resolution);
+    if (is_deviator(test, driver))
+        std::get<element::Imported>(followed.step.kind).rows.stress.row(0) = deviator();
     out.program.push_back(std::move(followed.step));
     out.records = std::move(followed.increments);
     try {
@@ -594,6 +620,7 @@ LaboratoryTests read_tests(TomlTable table, const TestDefaults& defaults,
     test.columns = read_columns(table.table("columns"), test.sheet.cells.rows.front(), where,
                                 driver.test->shear);
     Treatment treatment{read_selection(table), prepare(test), table.table_if("starts")};
+    test.staged = !treatment.before.empty();
     const double independent_readings =
         table.has("independent_readings") ? table.positive_or("independent_readings", 1.0) : 0.0;
     LaboratoryTests out;

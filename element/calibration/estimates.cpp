@@ -14,7 +14,22 @@ using element::text;
 
 constexpr double degree = std::numbers::pi / 180.0;
 
-enum Index { phi_c, h_s, n, e_d0, e_c0, e_i0, alpha, beta, p_t, m_R, m_T, R, beta_r, chi };
+enum Index {
+    phi_c = GRIT_SAND_CRITICAL_FRICTION_ANGLE,
+    h_s = GRIT_SAND_GRANULATE_HARDNESS,
+    n = GRIT_SAND_STIFFNESS_EXPONENT,
+    e_d0 = GRIT_SAND_DENSEST_VOID_RATIO,
+    e_c0 = GRIT_SAND_CRITICAL_VOID_RATIO,
+    e_i0 = GRIT_SAND_LOOSEST_VOID_RATIO,
+    alpha = GRIT_SAND_PYKNOTROPY_EXPONENT,
+    beta = GRIT_SAND_STIFFNESS_VOID_EXPONENT,
+    p_t = GRIT_SAND_PRESSURE_SHIFT,
+    m_R = GRIT_SAND_REVERSAL_STIFFNESS,
+    m_T = GRIT_SAND_TRANSVERSE_STIFFNESS,
+    R = GRIT_SAND_ELASTIC_STRAIN_RADIUS,
+    beta_r = GRIT_SAND_EVOLUTION_EXPONENT,
+    chi = GRIT_SAND_STIFFNESS_INTERPOLATION_EXPONENT,
+};
 
 // Values of a channel of a test by row; empty if it was not read.
 std::vector<std::pair<int, double>> channel(const Experiment& test, const char* name) {

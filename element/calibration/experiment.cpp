@@ -37,7 +37,7 @@ StartSlopes slopes_of(const Experiment& experiment, const element::GritLaw& law,
     if (experiment.at_rest) {
         out.stress = element::Matrix6X::Zero(6, count);
         for (Eigen::Index k = 0; k < count; ++k) {
-            if (by[static_cast<std::size_t>(k)] != 0) continue;  // phi_c
+            if (by[static_cast<std::size_t>(k)] != GRIT_SAND_CRITICAL_FRICTION_ANGLE) continue;
             const double lateral = -std::cos(parameters.critical_friction_angle) * start.stress[0];
             out.stress(1, k) = out.stress(2, k) = lateral;
             of_pressure[k] = -2.0 / 3.0 * lateral;

@@ -35,6 +35,7 @@ enum {
     GRIT_CLASSIC_SEPARATION = 13
 };
 
+#define GRIT_CLASSIC_FAILED (-1.0)        /* STATEV(10) of a point that a VUMAT could not update */
 #define GRIT_CLASSIC_NO_MEMORY 0.5        /* m_R at or below it: no intergranular strain */
 #define GRIT_CLASSIC_NO_VOID_RATIO 1e-3   /* STATEV(7) below it: not initialised */
 #define GRIT_CLASSIC_TRUE_VOID_RATIO 10.0 /* e_0 above it: e_0 - 10 is e itself */

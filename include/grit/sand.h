@@ -43,7 +43,24 @@ typedef struct grit_sand_parameters {
 GRIT_API grit_status grit_sand_parameters_init(grit_sand_parameters* parameters,
                                                size_t struct_size);
 
-enum { GRIT_SAND_PARAMETER_COUNT = 14 };
+/* Places of the parameters, for all that counts them. */
+enum {
+    GRIT_SAND_CRITICAL_FRICTION_ANGLE = 0,
+    GRIT_SAND_GRANULATE_HARDNESS = 1,
+    GRIT_SAND_STIFFNESS_EXPONENT = 2,
+    GRIT_SAND_DENSEST_VOID_RATIO = 3,
+    GRIT_SAND_CRITICAL_VOID_RATIO = 4,
+    GRIT_SAND_LOOSEST_VOID_RATIO = 5,
+    GRIT_SAND_PYKNOTROPY_EXPONENT = 6,
+    GRIT_SAND_STIFFNESS_VOID_EXPONENT = 7,
+    GRIT_SAND_PRESSURE_SHIFT = 8,
+    GRIT_SAND_REVERSAL_STIFFNESS = 9,
+    GRIT_SAND_TRANSVERSE_STIFFNESS = 10,
+    GRIT_SAND_ELASTIC_STRAIN_RADIUS = 11,
+    GRIT_SAND_EVOLUTION_EXPONENT = 12,
+    GRIT_SAND_STIFFNESS_INTERPOLATION_EXPONENT = 13,
+    GRIT_SAND_PARAMETER_COUNT = 14
+};
 
 typedef struct grit_sand_parameter_info {
     const char* name;   /* as the member of grit_sand_parameters */

@@ -48,8 +48,10 @@ GRIT_API grit_status grit_sand_rate(const grit_sand* sand, int intergranular_off
                                     double stress_rate[6], double* state_rate);
 
 /* Upper bound of the P-wave modulus [stress] for an explicit time step dt = CFL dx / sqrt(M/rho).
- * With L = f_s/(T_hat:T_hat) (F^2 + a^2 t_max^2), t_max the largest |principal value| of T_hat, and N
- * that of N: the larger of m_R L and L + N; without intergranular strain L + N. */
+ * Without intergranular strain k A + N, k = f_s/(T_hat:T_hat), A = F^2 + a^2 t^2, t the largest |principal value| of
+ * T_hat, N the largest of that of N; with it the larger of k (m_R A + (m_R - m_T) C) where strain turns back and
+ * k (m_T A + (m_T - 1) C) + N, C = (sqrt(A^2 + B^2) - A)/2, B = a^2 s sqrt(T_hat:T_hat - s^2), s at most t and
+ * |T_hat|/sqrt(2). */
 GRIT_API grit_status grit_sand_wave_modulus(const grit_sand* sand, int intergranular_off,
                                             const double stress[6], double void_ratio,
                                             double* modulus);

@@ -111,6 +111,78 @@ TEST(Calibrate, FindsTheSandOfUndrainedShearAndCyclicTests) {
     EXPECT_NEAR(value_of(sand, "elastic_strain_radius"), 1e-4, 2e-3 * 1e-4);
 }
 
+// From an element test of lausitz to its h_s: stages, and columns of the sheet that drive and that are compared.
+double hardness_from(const std::string& start_of_element, const std::string& stages,
+                     const std::string& test, const std::string& last, const std::string& start,
+                     const std::string& columns) {
+    const Workplace here;
+    here.write("made.toml", "[sand]\nname = \"lausitz\"\n[start]\n" + start_of_element + "\n" +
+                                stages + "[[stage]]\ntest = \"" + test + "\"\n" + last);
+    EXPECT_EQ(here.grit("element made.toml --no-plot --out made").status, 0);
+    std::string of_test = stages;
+    for (std::size_t at = 0; (at = of_test.find("[[stage]]", at)) != std::string::npos; at += 14)
+        of_test.replace(at, 9, "[[test.stage]]");
+    // The rows of the last stage alone.
+    std::string sheet, line, before;
+    std::istringstream lines(here.text("made/made.csv"));
+    const std::string own =
+        std::to_string(1 + std::count(stages.begin(), stages.end(), '\n') / 4) + ",";
+    bool begun = false;
+    while (std::getline(lines, line)) {
+        if (line.starts_with("#")) continue;
+        if (sheet.empty()) sheet = line + "\n";
+        else if (line.starts_with(own)) {
+            if (!begun) sheet += before;
+            begun = true;
+            sheet += line + "\n";
+        }
+        before = line + "\n";
+    }
+    here.write("lab.csv", sheet);
+    here.write("x.toml",
+               "[sand]\nname = \"lausitz\"\ngranulate_hardness_kPa = 1.2e6\n[fit]\nparameters = "
+               "[\"h_s\"]\n"
+               "starts = 1\n[[test]]\nname = \"T\"\ntest = \"" +
+                   test + "\"\ndriven_by = \"axial_stress_kPa\"\nfile = \"lab.csv\"\nstart = { " +
+                   start + " }\n[test.columns]\n" + columns + of_test);
+    const Answer answer = here.grit("calibrate x.toml --samples 0 --out out --quiet");
+    EXPECT_EQ(answer.status, 0) << answer.text;
+    EXPECT_FALSE(answer.says("look:")) << answer.text;
+    return value_of(here.text("out/x_sand.toml"), "granulate_hardness_kPa");
+}
+
+// A deviator drives as it is, whatever lateral stress the stages before, the water or the oedometer lead to.
+TEST(Calibrate, IsDrivenByADeviatorInEveryTest) {
+    const std::string consolidated =
+        "[[stage]]\ntest = \"isotropic\"\npressure_kPa = 100\nincrements = 20\n";
+    const std::string deviator = "axial_deviator = { column = \"axial_deviator [kPa]\" }\n";
+    const std::string strain =
+        "axial_strain = { column = \"axial_strain [-]\", compression = \"negative\", strain = "
+        "\"logarithmic\", error = 0.0005 }\n";
+    const std::string void_ratio = "void_ratio = { column = \"void_ratio [-]\", error = 0.0005 }\n";
+    const std::string at_50 = "pressure_kPa = 50\nvoid_ratio = 0.7",
+                      start = "pressure_kPa = 50, void_ratio = 0.7";
+    const double lausitz = 1.6e6;
+    EXPECT_NEAR(hardness_from(at_50, consolidated, "triaxial_drained",
+                              "axial_strain = -0.02\nincrements = 40\n", start,
+                              deviator + strain + void_ratio),
+                lausitz, 0.01 * lausitz);
+    EXPECT_NEAR(hardness_from(at_50, consolidated, "triaxial_undrained",
+                              "axial_strain = -0.01\nincrements = 40\n", start, deviator + strain),
+                lausitz, 0.01 * lausitz);
+    EXPECT_NEAR(hardness_from(at_50, consolidated, "biaxial_drained",
+                              "axial_strain = -0.01\nincrements = 40\n", start,
+                              deviator + strain + void_ratio),
+                lausitz, 0.01 * lausitz);
+    // K_0 = 1 - sin phi_c
+    EXPECT_NEAR(hardness_from("stress_kPa = [-100, -45.536096498497256, -45.536096498497256, 0, 0, "
+                              "0]\nvoid_ratio = 0.7\nintergranular_direction = [-1, 0, 0, 0, 0, 0]",
+                              "", "k0_consolidation", "axial_strain = -0.01\nincrements = 40\n",
+                              "axial_stress_at_rest_kPa = 100, void_ratio = 0.7",
+                              deviator + void_ratio),
+                lausitz, 0.01 * lausitz);
+}
+
 TEST(Calibrate, TellsWhatTheTestsDoNotDetermine) {
     const Workplace here;
     std::string text = oedometer_case();

@@ -111,6 +111,32 @@ TEST(Column, ThatDrivesTheTestHasNoZero) {
         "axial_strain.zero: it drives the test, which counts from its first row");
 }
 
+TEST(Cell, ThatIsEmptyWhereChangesCountFrom) {
+    expect_refused(
+        "[sand]\nname = \"lausitz\"\n[fit]\nparameters = [\"alpha\"]\n[[test]]\nname = "
+        "\"CD\"\ntest = "
+        "\"triaxial_drained\"\nfile = \"lab.csv\"\nstart = { pressure_kPa = 200, void_ratio = 0.7 "
+        "}\n"
+        "[test.columns]\naxial_strain = { column = \"e [%]\", compression = \"positive\" }\n"
+        "axial_deviator = { column = \"q [kPa]\", error = 1 }\nvolumetric_strain = { column = \"v "
+        "[%]\", "
+        "compression = \"positive\", error = 0.1, may_be_empty = true }\n",
+        "e [%],q [kPa],v [%]\n0,0,\n1,200,0.1\n2,250,0.1\n",
+        "lab.csv:2: column v [%] is empty, and its changes count from here: give zero of "
+        "volumetric_strain");
+}
+
+TEST(Stages, LeaveTheStartToBeSaid) {
+    expect_refused(oedometer_case() +
+                       "[[test.stage]]\ntest = \"oedometer\"\naxial_stress_kPa = -20\n",
+                   oedometer_sheet(), "test[1].start: stages come before the first row");
+}
+
+TEST(Resolution, HasBounds) {
+    expect_refused(oedometer_case() + "[numerics]\nresolution = 1e12\n", oedometer_sheet(),
+                   "numerics.resolution must be in [0.1, 100], got 1e+12");
+}
+
 TEST(Column, ThatIsThereTwice) {
     expect_refused(oedometer_case(), replaced(oedometer_sheet(), "remark", "e"),
                    "the sheet has 2 columns \"e\"");

@@ -41,6 +41,20 @@ TEST(VumatLaw, ComesToTheStressOfTheUmatAndNearItsTangent) {
     EXPECT_LE((a.tangent - b.tangent).norm(), 0.02 * a.tangent.norm());
 }
 
+// It keeps such a point as it was and says so in STATEV(10): not done, but to be tried with less.
+TEST(VumatLaw, IsAskedForLessWhereItLeavesAPointAsItWas) {
+    const VumatLaw law(source_of(GRIT_VUMAT_LIBRARY));
+    const MaterialPoint start = law.start(-100.0 * unit_tensor(), {0, 0, 0, 0, 0, 0, 0.8});
+    StrainIncrement increment;
+    increment.strain << -0.22, 0, 0, 0, 0, 0;
+    const Response response = law.advance(start, increment);
+    EXPECT_EQ(response.outcome, Outcome::retry_smaller);
+    EXPECT_GT(response.reduction, 0.0);
+    EXPECT_NE(response.message.find("STATEV(10)"), std::string::npos) << response.message;
+    increment.strain *= 0.5;
+    EXPECT_EQ(law.advance(start, increment).outcome, Outcome::done);
+}
+
 TEST(VumatLaw, RefusesRotations) {
     const VumatLaw law(source_of(GRIT_VUMAT_LIBRARY));
     StrainIncrement increment = increment_of_all_components();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Invariants and start-up helpers.
+#include "support/random_sand.hpp"
 #include "support/states.hpp"
 #include "support/update.hpp"
 
@@ -169,6 +170,70 @@ TEST(WaveModulus, BoundsTheStiffnessInEveryDirection) {
             EXPECT_LE(closest, 1.0 + 1e-12) << sand.name;
             EXPECT_GE(closest, 0.8) << sand.name;  // and is no idle bound
         }
+}
+
+// Sands of any parameters, n along an axis of stress or not, and |h| = R in the plane of nn and of what T_hat has across
+// it: where L:h is largest and least along n.
+TEST(WaveModulus, BoundsTheStiffnessAlongTheWorstMemory) {
+    Random random(35);
+    double closest = 0.0;
+    for (int i = 0; i < 400; ++i) {
+        const Sand sand =
+            i % 4 ? random_sand(random) : four_sands()[static_cast<std::size_t>(i / 4 % 4)];
+        const double p = 1e-4 * sand.p.granulate_hardness * random.log_uniform(1e-2, 1.0);
+        const Vec direction = deviator(random.direction()).normalized();
+        State x;
+        x.T = stress_with(p, random.uniform(0.0, 0.95) * critical_obliquity(sand, direction),
+                          direction) +
+              sand.p.pressure_shift * identity();
+        x.e = void_ratio_at(sand, p, random.uniform(0.2, 1.1));
+        const Eigen::SelfAdjointEigenSolver<Full> principal_axes(full(x.T));
+        const Eigen::Vector3d n =
+            i % 3 ? Eigen::Vector3d(principal_axes.eigenvectors().col(i % 2 ? 0 : 2))
+                  : Eigen::Vector3d(random.normal(), random.normal(), random.normal());
+        const Vec D = mandel(n.normalized() * n.normalized().transpose());
+        Vec across = x.T - x.T.dot(D) * D;
+        across /= std::fmax(across.norm(), 1e-300);
+        double modulus = 0.0;
+        ASSERT_EQ(grit_sand_wave_modulus(sand, 0, voigt_stress(x.T).data(), x.e, &modulus),
+                  GRIT_OK);
+        for (int k = 0; k < 72; ++k) {
+            const double angle = k * M_PI / 36.0;
+            x.h = sand.p.elastic_strain_radius * (std::cos(angle) * D + std::sin(angle) * across);
+            for (const double sign : {-1.0, 1.0})
+                closest = std::fmax(closest, D.dot(rate(sand, x, sign * D).T) * sign / modulus);
+        }
+    }
+    EXPECT_LE(closest, 1.0 + 1e-12);
+    EXPECT_GE(closest, 0.99);
+}
+
+// Its border is the one of updates: to 1.01 R it is scaled back, beyond it is refused.
+TEST(Operators, TakeTheMemoryThatUpdatesTake) {
+    const Sand& sand = four_sands()[0];
+    Random random(36);
+    State x = random_state(sand, random);
+    const Vec D = random.direction();
+    x.h = sand.p.elastic_strain_radius * random.direction();
+    const Rate at_R = rate(sand, x, D);
+    const Mat M_at_R = stiffness_M(sand, x, D);
+    x.h *= 1.009;
+    EXPECT_LE((rate(sand, x, D).T - at_R.T).norm(), 1e-12 * at_R.T.norm());
+    EXPECT_LE((rate(sand, x, D).h - at_R.h).norm(), 1e-12 * at_R.h.norm());
+    EXPECT_LE((stiffness_M(sand, x, D) - M_at_R).norm(), 1e-12 * M_at_R.norm());
+    x.h *= 1.02 / 1.009;
+    double T_rate[6] = {7, 7, 7, 7, 7, 7}, M[36] = {7};
+    const auto call = [&](int off) {
+        return grit_sand_rate(sand, off, voigt_stress(x.T).data(), state_array(x).data(),
+                              voigt_strain(D).data(), T_rate, nullptr);
+    };
+    EXPECT_EQ(call(0), GRIT_BAD_CALL);
+    EXPECT_EQ(grit_sand_intergranular_stiffness(sand, voigt_stress(x.T).data(),
+                                                state_array(x).data(), voigt_strain(D).data(), M),
+              GRIT_BAD_CALL);
+    EXPECT_EQ(T_rate[0], 7);
+    EXPECT_EQ(M[0], 7);
+    EXPECT_EQ(call(1), GRIT_OK);  // without h it does not matter
 }
 
 // n points with 4 components, some of them separated or outside of the cone, as structure of arrays.

@@ -12,7 +12,7 @@ struct StrainPath {
     std::vector<Vec> increments;
 };
 
-constexpr int of_R = 11;
+constexpr int of_R = GRIT_SAND_ELASTIC_STRAIN_RADIUS;
 
 // At a parameter, an initial void ratio or, in its lengths, a component of every increment changed so much. The
 // intergranular strain of the start is a share of R.
@@ -129,7 +129,7 @@ TEST(ParameterDerivatives, AreThoseOfTheStepsTaken) {
             const Differentiated x = differentiated(path, loose);
             const Numbers end = numbers_of(x.point);
             for (int k = 0; k < x.slopes.cols(); ++k) {
-                if (k == 8) continue;  // p_t is 0: no way down
+                if (k == GRIT_SAND_PRESSURE_SHIFT) continue;  // p_t is 0: no way down
                 const double size = size_of(sand, k);
                 const Numbers reference = differences(path, loose, k, 1e-4 * size);
                 const Deviation d = deviation(sand, end, x.slopes.col(k), reference, size);
@@ -259,7 +259,7 @@ TEST(ParameterDerivatives, FollowSeparatedPoints) {
         const Differentiated x = differentiated(path, tight);
         const Numbers end = numbers_of(x.point);
         for (int k = 0; k < x.slopes.cols(); ++k) {
-            if (k == 8) continue;  // p_t is 0: no way down
+            if (k == GRIT_SAND_PRESSURE_SHIFT) continue;  // p_t is 0: no way down
             const double size = size_of(sand, k);
             const Numbers reference = size * differences(path, tight, k, 2e-4 * size);
             const Numbers error = size * x.slopes.col(k) - reference;
@@ -281,6 +281,27 @@ TEST(ParameterDerivatives, FollowSeparatedPoints) {
     EXPECT_EQ(opened.slopes.topRows<12>().norm(), 0.0);
     path.increments.push_back(1e-3 * I);
     compare();
+}
+
+// It opens at once, whatever the sand is.
+TEST(ParameterDerivatives, OfAPointThatSeparatesWhereItStartsAreNone) {
+    const Sand sand = sand_named("lausitz");
+    const double p_floor = 1e-8 * sand.p.granulate_hardness;
+    for (const double p : {1.2 * p_floor, 1.5 * p_floor, 1.9 * p_floor}) {
+        StrainPath path{sand, {}, {1e-3 * identity()}};
+        path.start.state[GRIT_SAND_VOID_RATIO] = 0.7;
+        for (int c = 0; c < 3; ++c) path.start.stress[c] = -p;
+        const Differentiated x = differentiated(path, options_with(1e-12));
+        ASSERT_GT(x.point.state[GRIT_SAND_SEPARATION], 0.0);
+        for (int k = 0; k < x.slopes.cols(); ++k) {
+            if (k == GRIT_SAND_PRESSURE_SHIFT) continue;  // p_t is 0: no way down
+            const double size = size_of(sand, k);
+            const Numbers reference = size * differences(path, options_with(1e-12), k, 2e-4 * size);
+            EXPECT_LE(std::fabs(size * x.slopes(13, k) - reference[13]),
+                      1e-2 * std::fabs(reference[13]) + 1e-12)
+                << p << " " << k;
+        }
+    }
 }
 
 // It is scaled back to the cone, and its derivatives with it. It goes on from the kink at the edge: differences see 1e-5

@@ -33,6 +33,14 @@ bool usable_state(const grit_sand* sand, const double* stress, const double* sta
            usable(sand, stress, state[GRIT_SAND_VOID_RATIO]);
 }
 
+// h as an update takes it; false where none does.
+bool read_h(const Material& m, const double* state, Tensor<double>& h) {
+    h = strain_from_voigt(state);
+    if (!(norm(h) <= tolerated_h_excess * m.R)) return false;
+    back_to_R(m, h);
+    return true;
+}
+
 void matrix_to_voigt(const Matrix& M, double* out) {
     for (int r = 0; r < 6; ++r)
         for (int c = 0; c < 6; ++c) out[6 * r + c] = M.c[r][c] * stiffness_to_voigt(r, c);
@@ -88,9 +96,11 @@ grit_status grit_sand_intergranular_stiffness(const grit_sand* sand, const doubl
         material_of(*sand).has_intergranular_strain == 0.0)
         return GRIT_BAD_CALL;
     const Material& m = material_of(*sand);
+    Tensor<double> h;
+    if (!read_h(m, state, h)) return GRIT_BAD_CALL;
     const PointFactors k =
         point_factors(m, stress_in_domain(m, stress), state[GRIT_SAND_VOID_RATIO]);
-    matrix_to_voigt(intergranular_M(m, k, strain_from_voigt(state), strain_from_voigt(D)), M);
+    matrix_to_voigt(intergranular_M(m, k, h, strain_from_voigt(D)), M);
     return GRIT_OK;
 }
 
@@ -101,6 +111,8 @@ grit_status grit_sand_rate(const grit_sand* sand, int intergranular_off, const d
         return GRIT_BAD_CALL;
     const Material& m = material_of(*sand);
     const bool igs = m.has_intergranular_strain != 0.0 && !intergranular_off;
+    Tensor<double> h_now = isotropic(0.0);
+    if (igs && !read_h(m, state, h_now)) return GRIT_BAD_CALL;
     const Tensor<double> rate_of_strain = strain_from_voigt(D);
     double speed = 0.0;  // largest component first: D may be of any size
     for (const double component : rate_of_strain.c) speed = std::fmax(speed, std::fabs(component));
@@ -110,8 +122,7 @@ grit_status grit_sand_rate(const grit_sand* sand, int intergranular_off, const d
         const Tensor<double> T = stress_in_domain(m, stress);
         const Tensor<double> direction = scaled(rate_of_strain, 1.0 / speed);
         speed *= norm(direction);
-        const auto path =
-            straight_path(m, direction, strain_from_voigt(state), state[GRIT_SAND_VOID_RATIO]);
+        const auto path = straight_path(m, direction, h_now, state[GRIT_SAND_VOID_RATIO]);
         Course<double> course = first_course(m, path);
         if (path.u_0 == 0.0) course.loading = false;
         const Mobilisation<double> h = mobilisation_at_start(m, course);

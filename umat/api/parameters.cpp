@@ -19,6 +19,7 @@ constexpr double degree = pi / 180.0;
 using Member = double grit_sand_parameters::*;
 
 struct Entry {
+    int place;
     grit_sand_parameter_info info;
     Member member;
     double Material::*prepared;
@@ -27,37 +28,74 @@ struct Entry {
 
 using P = grit_sand_parameters;
 constexpr Entry table[] = {
-    {{"critical_friction_angle", "phi_c", "rad", 10 * degree, 60 * degree, 0},
+    {GRIT_SAND_CRITICAL_FRICTION_ANGLE,
+     {"critical_friction_angle", "phi_c", "rad", 10 * degree, 60 * degree, 0},
      &P::critical_friction_angle,
      &Material::phi_c},
-    {{"granulate_hardness", "h_s", "stress", 1e-30, 1e30, 0},
+    {GRIT_SAND_GRANULATE_HARDNESS,
+     {"granulate_hardness", "h_s", "stress", 1e-30, 1e30, 0},
      &P::granulate_hardness,
      &Material::h_s},
-    {{"stiffness_exponent", "n", "-", 0.01, 0.99, 0}, &P::stiffness_exponent, &Material::n},
-    {{"densest_void_ratio", "e_d0", "-", 0.01, 5, 0}, &P::densest_void_ratio, &Material::e_d0},
-    {{"critical_void_ratio", "e_c0", "-", 0.01, 5, 0}, &P::critical_void_ratio, &Material::e_c0},
-    {{"loosest_void_ratio", "e_i0", "-", 0.01, 5, 0}, &P::loosest_void_ratio, &Material::e_i0},
-    {{"pyknotropy_exponent", "alpha", "-", 0.001, 2, 0}, &P::pyknotropy_exponent, &Material::alpha},
-    {{"stiffness_void_exponent", "beta", "-", 0, 5, 0},
+    {GRIT_SAND_STIFFNESS_EXPONENT,
+     {"stiffness_exponent", "n", "-", 0.01, 0.99, 0},
+     &P::stiffness_exponent,
+     &Material::n},
+    {GRIT_SAND_DENSEST_VOID_RATIO,
+     {"densest_void_ratio", "e_d0", "-", 0.01, 5, 0},
+     &P::densest_void_ratio,
+     &Material::e_d0},
+    {GRIT_SAND_CRITICAL_VOID_RATIO,
+     {"critical_void_ratio", "e_c0", "-", 0.01, 5, 0},
+     &P::critical_void_ratio,
+     &Material::e_c0},
+    {GRIT_SAND_LOOSEST_VOID_RATIO,
+     {"loosest_void_ratio", "e_i0", "-", 0.01, 5, 0},
+     &P::loosest_void_ratio,
+     &Material::e_i0},
+    {GRIT_SAND_PYKNOTROPY_EXPONENT,
+     {"pyknotropy_exponent", "alpha", "-", 0.001, 2, 0},
+     &P::pyknotropy_exponent,
+     &Material::alpha},
+    {GRIT_SAND_STIFFNESS_VOID_EXPONENT,
+     {"stiffness_void_exponent", "beta", "-", 0, 5, 0},
      &P::stiffness_void_exponent,
      &Material::beta},
-    {{"pressure_shift", "p_t", "stress", 0, infinite, 1}, &P::pressure_shift, &Material::p_t},
-    {{"reversal_stiffness", "m_R", "-", 1, 20, 2}, &P::reversal_stiffness, &Material::m_R, 1.0},
-    {{"transverse_stiffness", "m_T", "-", 1, 20, 2}, &P::transverse_stiffness, &Material::m_T, 1.0},
-    {{"elastic_strain_radius", "R", "-", 1e-6, 1e-2, 2},
+    {GRIT_SAND_PRESSURE_SHIFT,
+     {"pressure_shift", "p_t", "stress", 0, infinite, 1},
+     &P::pressure_shift,
+     &Material::p_t},
+    {GRIT_SAND_REVERSAL_STIFFNESS,
+     {"reversal_stiffness", "m_R", "-", 1, 20, 2},
+     &P::reversal_stiffness,
+     &Material::m_R,
+     1.0},
+    {GRIT_SAND_TRANSVERSE_STIFFNESS,
+     {"transverse_stiffness", "m_T", "-", 1, 20, 2},
+     &P::transverse_stiffness,
+     &Material::m_T,
+     1.0},
+    {GRIT_SAND_ELASTIC_STRAIN_RADIUS,
+     {"elastic_strain_radius", "R", "-", 1e-6, 1e-2, 2},
      &P::elastic_strain_radius,
      &Material::R,
      1e-4},
-    {{"evolution_exponent", "beta_r", "-", 0.01, 2, 2},
+    {GRIT_SAND_EVOLUTION_EXPONENT,
+     {"evolution_exponent", "beta_r", "-", 0.01, 2, 2},
      &P::evolution_exponent,
      &Material::beta_r,
      1.0},
-    {{"stiffness_interpolation_exponent", "chi", "-", 0.5, 20, 2},
+    {GRIT_SAND_STIFFNESS_INTERPOLATION_EXPONENT,
+     {"stiffness_interpolation_exponent", "chi", "-", 0.5, 20, 2},
      &P::stiffness_interpolation_exponent,
      &Material::chi,
      1.0},
 };
 static_assert(std::size(table) == GRIT_SAND_PARAMETER_COUNT);
+static_assert([] {
+    for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i)
+        if (table[i].place != i) return false;
+    return true;
+}());
 
 grit_status check_range(const Entry& entry, double value, grit_error* error) {
     const grit_sand_parameter_info& i = entry.info;

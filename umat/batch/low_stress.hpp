@@ -44,16 +44,18 @@ inline Point prepare_point(const grit_sand_options& options, const RawPoint& raw
     return p;
 }
 
+// h scaled back to R where it is longer; whether it was.
+template <class Real> inline bool back_to_R(const MaterialOf<Real>& m, Tensor<Real>& h) {
+    const Real length = norm(h);
+    if (!(length > m.R * (1.0 + 1e-6))) return false;
+    h = scaled(h, m.R / length);
+    return true;
+}
+
 // Keep h within R, the stress within the cone; find out whether the point carries stress at all.
 template <class Real>
 inline void enter_domain(const MaterialOf<Real>& m, bool igs, PointOf<Real>& p) {
-    if (igs) {
-        const Real length = norm(p.h);
-        if (length > m.R * (1.0 + 1e-6)) {
-            p.h = scaled(p.h, m.R / length);
-            p.flags |= GRIT_SAND_H_CLAMPED;
-        }
-    }
+    if (igs && back_to_R(m, p.h)) p.flags |= GRIT_SAND_H_CLAMPED;
     for (int i = 0; i < 3; ++i) p.T[i] = p.T[i] - m.p_t;  // (H10)
     const double pressure = trace(value(p.T)) * (-1.0 / 3.0);
     p.separated = value(p.w) > 0.0 || !(pressure >= plain(m).p_floor);

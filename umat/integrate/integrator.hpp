@@ -190,7 +190,8 @@ template <class Real, bool igs> class Integrator {
             // It moves with the place of p_0, a hair before it: the slope there is not that of the whole step.
             const Plain slope = trace(value(k1.T)) * (-1.0 / 3.0) / value(here.ds);
             const Real moved = out.s + (opening_pressure(m) - p_0) / slope;
-            at = value(at) + (moved - value(moved));
+            const Mask within = (value(part) > Plain(0.0)) & (value(part) < Plain(1.0));
+            at = select(within, value(at) + (moved - value(moved)), at);
         }
         out.separation_at = select(separating, at, out.separation_at);
         out.separated = out.separated | separating;

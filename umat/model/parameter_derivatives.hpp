@@ -6,30 +6,12 @@
 
 GRIT_KERNEL_BEGIN
 
-// Places of the parameters, as grit_sand_parameter_describe counts them.
-enum Parameter {
-    of_phi_c,
-    of_h_s,
-    of_n,
-    of_e_d0,
-    of_e_c0,
-    of_e_i0,
-    of_alpha,
-    of_beta,
-    of_p_t,
-    of_m_R,
-    of_m_T,
-    of_R,
-    of_beta_r,
-    of_chi
-};
-
 // parameter(lane): of which the direction is.
 template <class Number, class ParameterOf>
 inline SensitiveMaterial<Number> differentiated(const Material& m, const ParameterOf& parameter) {
     using Directions = typename Number::Derivatives;
     const auto by = Directions::along([&](int lane) -> double { return parameter(lane); });
-    const auto variable = [&](double x, Parameter own) {
+    const auto variable = [&](double x, int own) {
         const auto of_own = [&](const auto& of) {
             using Part = std::decay_t<decltype(of)>;
             return select(fabs(of - Part(static_cast<double>(own))) < Part(0.5), Part(1.0),
@@ -42,20 +24,22 @@ inline SensitiveMaterial<Number> differentiated(const Material& m, const Paramet
         return SensitiveExponent<Number>{as_prepared(q.value, with), q.quarters};
     };
     constexpr double root_3 = 0x1.bb67ae8584caap+0;
-    const Number phi_c = variable(m.phi_c, of_phi_c), h_s = variable(m.h_s, of_h_s),
-                 alpha = variable(m.alpha, of_alpha), beta = variable(m.beta, of_beta);
+    const Number phi_c = variable(m.phi_c, GRIT_SAND_CRITICAL_FRICTION_ANGLE),
+                 h_s = variable(m.h_s, GRIT_SAND_GRANULATE_HARDNESS),
+                 alpha = variable(m.alpha, GRIT_SAND_PYKNOTROPY_EXPONENT),
+                 beta = variable(m.beta, GRIT_SAND_STIFFNESS_VOID_EXPONENT);
     SensitiveMaterial<Number> r;
     r.at = &m;
-    r.n = variable(m.n, of_n);
-    r.e_d0 = variable(m.e_d0, of_e_d0);
-    r.e_c0 = variable(m.e_c0, of_e_c0);
-    r.e_i0 = variable(m.e_i0, of_e_i0);
-    r.p_t = variable(m.p_t, of_p_t);
-    r.m_R = variable(m.m_R, of_m_R);
-    r.m_T = variable(m.m_T, of_m_T);
-    r.R = variable(m.R, of_R);
-    r.beta_r = variable(m.beta_r, of_beta_r);
-    r.chi = variable(m.chi, of_chi);
+    r.n = variable(m.n, GRIT_SAND_STIFFNESS_EXPONENT);
+    r.e_d0 = variable(m.e_d0, GRIT_SAND_DENSEST_VOID_RATIO);
+    r.e_c0 = variable(m.e_c0, GRIT_SAND_CRITICAL_VOID_RATIO);
+    r.e_i0 = variable(m.e_i0, GRIT_SAND_LOOSEST_VOID_RATIO);
+    r.p_t = variable(m.p_t, GRIT_SAND_PRESSURE_SHIFT);
+    r.m_R = variable(m.m_R, GRIT_SAND_REVERSAL_STIFFNESS);
+    r.m_T = variable(m.m_T, GRIT_SAND_TRANSVERSE_STIFFNESS);
+    r.R = variable(m.R, GRIT_SAND_ELASTIC_STRAIN_RADIUS);
+    r.beta_r = variable(m.beta_r, GRIT_SAND_EVOLUTION_EXPONENT);
+    r.chi = variable(m.chi, GRIT_SAND_STIFFNESS_INTERPOLATION_EXPONENT);
     // (H4) solved for the sine, which is what its derivative needs.
     const double sine = 3.0 * root_3 / (2.0 * root_2 * m.a + root_3);
     r.a = {m.a,
