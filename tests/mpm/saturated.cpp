@@ -301,6 +301,43 @@ TEST(FlowingWater, KeepsTheBalanceOfEnergyWithLocalDamping) {
 }
 
 // In steps as short as the explicit ones it carries waves at their speed, and takes from them what it tells.
+// Where nothing flows, what the PIC share takes is no loss to drag.
+TEST(FlowingWater, LosesToDragWhatDragTakes) {
+    Case plan = Column{.cells = 16, .conductivity = 1e-9, .load = 1e4}.plan();
+    plan.settings.pic_rate = 1e4;
+    BuiltCase built = build_case(plan);
+    Simulation& simulation = *built.simulation;
+    while (simulation.time() < 0.01) simulation.step();
+    const Energy energy = simulation.energy();
+    EXPECT_GT(energy.pic, 0.01 * energy.external_work);
+    EXPECT_NEAR(energy.drag, 0.0, 0.01 * energy.pic);
+    EXPECT_NEAR(energy.residual(), 0.0, 1e-3 * energy.external_work);
+}
+
+// All that meets at a node moves alike across: water of the other body, too, though nothing drags it there.
+TEST(ImplicitPressure, MovesTheWaterOfWhatItPressesOn) {
+    WaterPlan free;
+    free.drainage = Drainage::flow;
+    free.conductivity = 10.0;
+    free.porosity = 0.4;
+    free.grain_density = 2650.0;
+    BuiltCase built =
+        hit_by_a_block({.cells = 16, .conductivity = 0.0, .implicit = true}, false, free);
+    Simulation& simulation = *built.simulation;
+    const double before = momentum_z(simulation, 0) + momentum_z(simulation, 1);
+    simulation.step();
+    double grains = 0.0, seepage = 0.0;
+    const Body& block = simulation.body(1);
+    const ParticleView q = simulation.body(1).particles.view();
+    for (std::ptrdiff_t p = 0; p < block.particles.size(); ++p) {
+        grains = std::max(grains, std::fabs(q[column::v_z][p] + 0.1));
+        seepage = std::max(seepage, std::fabs(q[block.water->velocity_column() + 1][p]));
+    }
+    EXPECT_GT(grains, 1e-3);
+    EXPECT_LT(seepage, 1e-12 * grains);
+    EXPECT_NEAR(momentum_z(simulation, 0) + momentum_z(simulation, 1), before, 1e-3 * -before);
+}
+
 TEST(ImplicitPressure, CarriesWavesInShortSteps) {
     const double share = std::sqrt(Column::E / Column::rho) / Column::c_u();
     const Wave wave = standing_wave({.cells = 64, .cfl = 0.1 * share, .implicit = true}, 1.0);

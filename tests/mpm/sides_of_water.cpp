@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include <adapters/mpm/run/measures.hpp>
+
 #include "support/goes_on.hpp"
 #include "support/saturated_column.hpp"
 
@@ -95,6 +97,21 @@ TEST_P(SidesOfWater, APressureDrivesDarcysFlow) {
     plan.tractions = {water_before(Edge::bottom)};
     BuiltCase built = after(plan, 4.0);
     expect_darcy(*built.simulation, 4e-3);
+    // It lifts what rests on the side, the grains by their share and the water's by drag.
+    EXPECT_NEAR(base_reaction(*built.simulation), -pressure * drained.cell(),
+                4e-3 * pressure * drained.cell());
+}
+
+// Sides that hold grains hold no water along them: no node of this column has grains that are free.
+TEST_P(SidesOfWater, LetWaterFlowAlongGrainsThatAreFixed) {
+    Column drained = column(GetParam());
+    drained.drained_bottom = true;
+    Case plan = drained.plan();
+    for (const Side side : {Side::left, Side::right})
+        plan.boundary[static_cast<int>(side)] = Boundary::fixed;
+    plan.tractions = {water_before(Edge::bottom)};
+    BuiltCase built = after(plan, 4.0);
+    expect_darcy(*built.simulation, 4e-3);
 }
 
 TEST_P(SidesOfWater, AnInflowIsDarcysFlow) {
@@ -147,6 +164,7 @@ TEST_P(SidesOfWater, EndTheRunWhereNoWaterIsLeft) {
     } catch (const std::runtime_error& error) {
         told = error.what();
     }
+    EXPECT_NE(told.find("pore water of sand at t = "), std::string::npos) << told;
     EXPECT_NE(told.find("has no water left"), std::string::npos) << told;
 }
 
@@ -160,6 +178,15 @@ TEST_P(SidesOfWater, GoOnFromACheckpointBitForBit) {
     expect_goes_on(plan, 100);
     Case other = plan;
     other.inflows.clear();
+    expect_refused(plan, other);
+    other = plan;
+    other.inflows[0].side = Side::top;
+    expect_refused(plan, other);
+    other = plan;
+    other.tractions[0].on_mixture = false;
+    expect_refused(plan, other);
+    other = plan;
+    other.tractions[0].edge = Edge::bottom;
     expect_refused(plan, other);
 }
 

@@ -47,6 +47,19 @@ TEST_P(WetSurface, BearsThePressureOfItsWaterBesideTheEffectiveStress) {
     }
 }
 
+// Damping counts what contact has done on the velocities that it takes; pressures change what contact does after it.
+TEST_P(WetSurface, KeepsItsEnergyBalanceWithLocalDamping) {
+    for (const double k : {0.0, 1e-4}) {
+        const Column column{.cells = 16, .conductivity = k, .implicit = GetParam(), .damping = 0.7};
+        BuiltCase built = build_case(under_a_piston(column, true));
+        Simulation& simulation = *built.simulation;
+        while (simulation.time() < 0.03) simulation.step();
+        const Energy energy = simulation.energy();
+        EXPECT_NEAR(energy.residual(), 0.0, 1e-4 * energy.rigid_work) << k;
+        EXPECT_GT(energy.damping, 1e-4 * energy.rigid_work) << k;
+    }
+}
+
 // Terzaghi's column upside down: a plate presses on it with its load, and its water leaves below.
 TEST_P(WetSurface, ConsolidatesUnderAPlateAsTerzaghiSays) {
     for (const Consolidation& now : consolidate({.cells = 16,

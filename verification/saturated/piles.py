@@ -61,7 +61,7 @@ def row(out, case):
         cells += [f"{below:.0f}", f"{beside:.0f}"]
     else:
         cells += ["–", "–"]
-    cells += [f"{max(history['tip_force'][first:last]):.0f}", f"{max(history['residual_share']):.0e}",
+    cells += [f"{max(history['tip_force'][first:last]):.0f}", f"{max(abs(x) for x in history['residual_share']):.0e}",
               f"{processor_seconds(out, case) / 60:.1f}"]
     return "| " + " | ".join(cells) + " |"
 

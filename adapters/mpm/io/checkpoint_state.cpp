@@ -13,7 +13,8 @@ namespace {
 void grid_words(const Simulation& s, std::ostream& out) {
     const Settings& settings = s.current_settings();
     const std::vector<std::uint8_t>& nodes = s.constraints();
-    const std::vector<double> rates = s.absorbing().rates(), tied = s.platen_nodes();
+    const std::vector<double> rates = s.absorbing().rates(), tied = s.platen_nodes(),
+                              inflows = s.pore_water().inflow_words();
     out << "geometry: " << (settings.axisymmetric ? "axisymmetric" : "plane strain") << '\n'
         << "grid along r: " << word_of_axis(s.axis_r()) << '\n'
         << "grid along z: " << word_of_axis(s.axis_z()) << '\n'
@@ -24,7 +25,7 @@ void grid_words(const Simulation& s, std::ostream& out) {
         << checksum(s.pore_water().drained_nodes().data(), s.pore_water().drained_nodes().size())
         << '\n'
         << "platen nodes: checksum " << checksum(tied.data(), tied.size() * sizeof(double)) << '\n'
-        << "inflows: " << s.pore_water().inflow_count() << '\n'
+        << "inflows: checksum " << checksum(inflows.data(), inflows.size() * sizeof(double)) << '\n'
         << "absorbing nodes: " << rates.size() / 3 << ", checksum "
         << checksum(rates.data(), rates.size() * sizeof(double)) << '\n'
         << "shape functions: " << word_of(words::shapes, settings.shape) << '\n'
@@ -49,7 +50,9 @@ void body_words(const Simulation& s, std::ostream& out) {
         for (const std::string& word : body.material->words())
             out << "body " << i << ": " << word << '\n';
     }
-    out << "tractions: " << s.traction_count() << '\n';
+    const std::vector<double> tractions = s.traction_words();
+    out << "tractions: " << s.traction_count() << ", checksum "
+        << checksum(tractions.data(), tractions.size() * sizeof(double)) << '\n';
 }
 
 void contact_words(const Simulation& s, std::ostream& out) {

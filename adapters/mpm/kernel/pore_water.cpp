@@ -19,7 +19,8 @@ struct Component {
 Component component(const WaterNodeCall& call, std::ptrdiff_t i, int k) {
     const int bit = k == 0 ? fixed::r : fixed::z;
     const bool is_free = !(call.grains.fixed[i] & bit);
-    return {k, is_free, is_free || (call.drained && (call.drained[i] & bit))};
+    return {k, is_free,
+            is_free || !(call.closed[i] & bit) || (call.drained && (call.drained[i] & bit))};
 }
 
 bool has_water(const WaterNodeCall& call, std::ptrdiff_t i) {
@@ -81,8 +82,8 @@ void add_pressures(const GridView& grid, const ParticleView& q, std::ptrdiff_t b
 namespace {
 
 [[noreturn]] void fail(const ParticleView& q, std::ptrdiff_t p, const std::string& why) {
-    throw std::runtime_error("pore water: a particle at (" + std::to_string(q[column::r][p]) +
-                             ", " + std::to_string(q[column::z][p]) + ") m has no " + why);
+    throw std::runtime_error("a particle at (" + std::to_string(q[column::r][p]) + ", " +
+                             std::to_string(q[column::z][p]) + ") m has no " + why);
 }
 
 }  // namespace

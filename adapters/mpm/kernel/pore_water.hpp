@@ -163,6 +163,7 @@ struct WaterSums {
     Total work;          // taken by the water's compression [J]
     Total half;          // of that, by the pressure of the end in half a step [J]
     Total drag;          // taken by drag, at nodes and within particles [J]
+    Total pic_loss;      // ... by the PIC share [J]
     Total between;       // ... by what flows between cells and no node shows [J]
     Total carried;       // kinetic energy of water that left pores, less of what came into them [J]
     Total gravity_work;  // [J]
@@ -218,7 +219,8 @@ struct WaterNodeCall {
     // (1 - n) v_s + n v_w and n (v_w - v_s); between drag and close in place of the latter the impulse of drag on the
     // grains [N s].
     NodeMotion* volume;
-    const std::uint8_t* drained;  // bits of components that are free though the grains are fixed
+    const std::uint8_t* closed;  // bits of components that are held, where the grains are fixed ...
+    const std::uint8_t* drained;  // ... but for these
     const Vector2* poured;        // filter velocity where neither is free [m/s]; null: none
 
     double porosity(std::ptrdiff_t i) const { return water->porosity_at(water_records[i]); }

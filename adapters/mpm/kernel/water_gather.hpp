@@ -60,8 +60,9 @@ GRIT_INLINE void move_water(const GatherCall& call, const PoreWater& water, cons
     namespace c = column;
     const ParticleView& q = call.particles;
     const double mass = water.mass_of(at.e, at.V);
-    const double unseen = (1.0 - call.pic) * kept_by_drag(call, water, p, at, mass);
-    double kept = 0.0, lost = 0.0;
+    const double kept_share = kept_by_drag(call, water, p, at, mass);
+    const double unseen = (1.0 - call.pic) * kept_share;
+    double kept = 0.0, dragged = 0.0, lost = 0.0;
     for (int k = 0; k < 2; ++k) {
         const double of_grains = q[c::v_r + k][p], against = q[water.velocity_column() + k][p];
         const double moved = of_grains + (grains[k] - grains[2 + k]);
@@ -73,10 +74,13 @@ GRIT_INLINE void move_water(const GatherCall& call, const PoreWater& water, cons
         const double all_kept = of_grains + against + change, end_water = end + end_against;
         q[water.velocity_column() + k][p] = end_against;
         kept += change * (change + 2.0 * of_grains);
-        lost += all_kept * all_kept - end_water * end_water;
+        const double without_pic = moved + now + kept_share * (against - before);
+        dragged += all_kept * all_kept - without_pic * without_pic;
+        lost += without_pic * without_pic - end_water * end_water;
     }
     call.water->sums->kept.add(0.5 * mass * kept, call.fixed_point);
-    call.water->sums->drag.add(0.5 * mass * lost, call.fixed_point);
+    call.water->sums->drag.add(0.5 * mass * dragged, call.fixed_point);
+    call.water->sums->pic_loss.add(0.5 * mass * lost, call.fixed_point);
 }
 
 // Before the grains move. of_grains: what their nodes have given.

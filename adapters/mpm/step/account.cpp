@@ -67,7 +67,8 @@ void Account::add_step(const Gather& gather, const Momentum& momentum, const Loa
     for (std::size_t body = 0; body < model.parts.size(); ++body)
         for (const WaterSums& w : water.sums(body)) {
             (step[external_work] += w.gravity_work) += w.side_work;
-            ((step[transfer] += w.change) -= w.kept) += w.mapped_away;
+            step[pic] += w.pic_loss;
+            (((step[transfer] += w.change) -= w.kept) += w.pic_loss) += w.mapped_away;
             step[pore_water] += w.work;
             step[half] += w.half;
             step[drag] += w.drag;

@@ -25,11 +25,12 @@ struct SurfaceRow {
     Vector2 rigid;           // approach by rigid bodies [m/s]
     Vector2 impulse;         // [N s]
     double water_impulse[2];
-    double impulse_of_contact;  // normal, before pressures changed [N s]
+    // Before pressures changed: of the grains along and across, of the water of a and b [N s].
+    std::array<double, 4> of_contact = {impulse[0], impulse[1], water_impulse[0], water_impulse[1]};
+    double on_damped = 0.0;  // work taken by half of that on what local damping left [J]
 };
 struct SurfaceRows {
     std::size_t a = 0, b = 0;  // bodies
-    double dissipation = 0.0;  // as the contact has counted it [J]
     std::vector<SurfaceRow> rows = {};
     std::vector<SurfaceTerm> terms = {};
 };

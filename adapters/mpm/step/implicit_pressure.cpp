@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 
@@ -273,9 +274,12 @@ Eigen::VectorXd ImplicitPressure::solve(const System& system, Eigen::VectorXd b,
         left2 = dot(b, b);
         direction = b + left2 / before * direction;
     }
-    throw std::runtime_error("pore pressure: not found after " + std::to_string(most_iterations) +
-                             " iterations, what is left is " +
-                             std::to_string(std::sqrt(left2 / load2)) + " of the load");
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "its implicit pressure was not found in %d iterations: what is left is %g of the "
+                  "load, the limit %g",
+                  most_iterations, std::sqrt(left2 / load2), tolerance);
+    throw std::runtime_error(text);
 }
 
 // Between cells that bear, and by the pressures there were.

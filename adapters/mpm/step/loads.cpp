@@ -61,16 +61,23 @@ void Loads::push() {
     });
 }
 
+std::vector<double> Loads::words() const {
+    std::vector<double> out;
+    for (const Traction& t : tractions)
+        out.insert(out.end(), {static_cast<double>(t.body), static_cast<double>(t.particle),
+                               static_cast<double>(t.edge), t.on_mixture ? 1.0 : 0.0});
+    return out;
+}
+
 void Loads::find_work() {
     done = Total();
     for (std::size_t i = 0; i < tractions.size(); ++i) {
         const Traction& traction = tractions[i];
         if (!is_here(traction)) continue;
         const auto twice = [&](std::size_t node, int k) {
-            const int now = motion::v_r + k, before = motion::other_r + k;
             const NodeMotion& v = model.parts[traction.body].motions[node];
-            return traction.on_mixture ? water.volume_velocity(traction.body, node, now, before)
-                                       : v[now] + v[before];
+            return traction.on_mixture ? water.loaded_velocity(traction.body, node, k)
+                                       : v[motion::v_r + k] + v[motion::other_r + k];
         };
         done.add(edge_work(model.grid(), edges[i], model.dt, twice), model.settings.fixed_point);
     }

@@ -30,6 +30,8 @@ class Loads {
     // Of all tractions on a body in the last step, on all processes [N].
     Vector2 force(std::size_t body) const;
     std::size_t count() const { return tractions.size(); }
+    // Of each traction body, particle, edge and whether it is on the mixture.
+    std::vector<double> words() const;
 
     template <class Self, class Archive> static void visit(Self& loads, Archive& archive) {
         archive.own(loads.edges.data(), loads.edges.size());

@@ -12,7 +12,8 @@ namespace grit::mpm {
 Model::Model(Axis along_r, Axis along_z, const Settings& given, Exchange* others)
     : settings(given), r(std::move(along_r)), z(std::move(along_z)),
       fixed_nodes(static_cast<std::size_t>(r.nodes()) * static_cast<std::size_t>(z.nodes())),
-      exchange(others ? *others : nobody), pool(usable_threads(given.threads)) {
+      closed_nodes(fixed_nodes.size()), exchange(others ? *others : nobody),
+      pool(usable_threads(given.threads)) {
     if (settings.axisymmetric && r[0] < 0.0)
         throw std::invalid_argument("the grid must not reach across the axis");
     double longest = -std::min(r.shortest(), z.shortest());

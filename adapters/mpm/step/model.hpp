@@ -90,6 +90,7 @@ class Model {
     Settings settings;
     Axis r, z;
     std::vector<std::uint8_t> fixed_nodes;
+    std::vector<std::uint8_t> closed_nodes;  // to water, which nothing holds along a side
     std::vector<Part> parts;
 
   private:

@@ -39,6 +39,7 @@ void Simulation::step() {
         platens.tie(account.sums());
         surfaces.correct_damped(account.sums());
     }
+    surfaces.keep_damped();
     contacts.change_pressures(surfaces);
     surfaces.take_changes(account.sums());
     platens.move();
@@ -125,7 +126,10 @@ void each_node(const Model& model, int direction, const Where& where, const Take
 void fix(Model& model, int direction, Hold hold, const std::function<bool(double)>& where) {
     const std::uint8_t across = direction == 0 ? fixed::r : fixed::z;
     const std::uint8_t bits = hold == Hold::both ? fixed::r | fixed::z : across;
-    each_node(model, direction, where, [&](std::size_t node) { model.fixed_nodes[node] |= bits; });
+    each_node(model, direction, where, [&](std::size_t node) {
+        model.fixed_nodes[node] |= bits;
+        model.closed_nodes[node] |= across;
+    });
 }
 
 void drain(const Model& model, Water& water, int direction,

@@ -95,6 +95,7 @@ class Simulation {
     std::size_t penalty_contact_count() const { return penalties.count(); }
     std::size_t surface_contact_count() const { return surfaces.count(); }
     std::size_t traction_count() const { return loads.count(); }
+    std::vector<double> traction_words() const { return loads.words(); }
     // Of all tractions on a body in the last step, on all processes [N].
     Vector2 traction_force(std::size_t body) const { return loads.force(body); }
     // Along z, of local damping on a body in the last step, on all processes [N s].

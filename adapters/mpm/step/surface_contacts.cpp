@@ -57,9 +57,22 @@ std::vector<SurfaceRows*> SurfaceContacts::rows_of(std::size_t body) {
     return out;
 }
 
-// Work of impulses is that on the mean of the velocities before the step and at its end.
+void SurfaceContacts::keep_damped() {
+    if (!is_implicit()) return;
+    for (SurfacePair& pair : pairs)
+        for (SurfaceRow& row : pair.rows().rows) {
+            const std::array<double, 4> damped = water.values(pair.rows(), row, true);
+            row.on_damped = 0.0;
+            for (std::size_t k = 0; k < 4; ++k)
+                row.on_damped += 0.5 * row.of_contact[k] * damped[k];
+        }
+}
+
+// Work of impulses is that on the mean of the velocities before the step and at its end. Up to what damping left, contact
+// and damping have counted it; beyond that too where something acts once more after damping.
 void SurfaceContacts::take_changes(Energy& sums) {
     if (!is_implicit()) return;
+    const bool counted_on = model.settings.local_damping > 0.0 && any_after_damping();
     for (SurfacePair& pair : pairs) {
         const SurfaceRows& of = pair.rows();
         double taken = 0.0;
@@ -68,10 +81,13 @@ void SurfaceContacts::take_changes(Energy& sums) {
             const std::array<double, 4> start = water.values(of, row, false);
             const double impulse[] = {row.impulse[0], row.impulse[1], row.water_impulse[0],
                                       row.water_impulse[1]};
-            for (std::size_t k = 0; k < 4; ++k) taken += 0.5 * impulse[k] * (start[k] + end[k]);
-            sums.rigid_work += (row.impulse[0] - row.impulse_of_contact) * row.rigid[0];
+            for (std::size_t k = 0; k < 4; ++k)
+                taken += 0.5 * (impulse[k] * (start[k] + end[k]) -
+                                row.of_contact[k] * (start[k] + (counted_on ? end[k] : 0.0)));
+            if (!counted_on) taken -= row.on_damped;
+            sums.rigid_work += (row.impulse[0] - row.of_contact[0]) * row.rigid[0];
         }
-        sums.contact += taken - of.dissipation;
+        sums.contact += taken;
         pair.take_rows(model.dt);
     }
 }

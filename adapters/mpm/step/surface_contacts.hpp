@@ -18,7 +18,8 @@ class SurfaceContacts {
     void correct(Energy& sums);
     // Of a body with implicit pressure, between correct and take_changes.
     std::vector<SurfaceRows*> rows_of(std::size_t body);
-    // After implicit pressures have changed what bears: what contact took and rigid bodies did once more.
+    // Before implicit pressures change what bears, and after: what contact takes and rigid bodies do besides.
+    void keep_damped();
     void take_changes(Energy& sums);
     // The same for those of them that act on what local damping leaves.
     void correct_damped(Energy& sums);

@@ -58,7 +58,6 @@ void SurfacePair::forget() {
     step_faces = {};
     step_rows.rows.clear();
     step_rows.terms.clear();
-    step_rows.dissipation = 0.0;
 }
 
 void SurfacePair::find_riders(const SurfaceBody& a, Exchange& exchange) {
@@ -228,8 +227,7 @@ void SurfacePair::keep_rows() {
                                   row.bound,
                                   {row.rigid[0], row.rigid[1]},
                                   {row.impulse[0], row.impulse[1]},
-                                  {row.water_impulse[0], row.water_impulse[1]},
-                                  row.impulse[0]});
+                                  {row.water_impulse[0], row.water_impulse[1]}});
         terms += count;
         for (std::ptrdiff_t t = row.first_term; t < row.first_term + row.terms; ++t) {
             const grit_surface_term& term = call_totals.term[t];
@@ -241,12 +239,11 @@ void SurfacePair::keep_rows() {
                                        {Vector2{d[0][0], d[0][1]}, Vector2{d[1][0], d[1][1]}}});
         }
     }
-    step_rows.dissipation = call_totals.dissipation_normal + call_totals.dissipation_tangential;
 }
 
 void SurfacePair::take_rows(double dt) {
     for (const SurfaceRow& row : step_rows.rows) {
-        const double more = row.impulse[0] - row.impulse_of_contact;
+        const double more = row.impulse[0] - row.of_contact[0];
         // The mean normal out of a, by the terms of one side.
         Vector2 normal[2] = {{0.0, 0.0}, {0.0, 0.0}};
         bool any[2] = {false, false};

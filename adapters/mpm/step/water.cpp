@@ -46,6 +46,16 @@ void Water::pour(Inflow inflow) {
     inflows.push_back(std::move(inflow));
 }
 
+std::vector<double> Water::inflow_words() const {
+    std::vector<double> out;
+    for (const Inflow& inflow : inflows) {
+        out.insert(out.end(), {static_cast<double>(inflow.direction), inflow.sign,
+                               static_cast<double>(inflow.nodes.size())});
+        out.insert(out.end(), inflow.nodes.begin(), inflow.nodes.end());
+    }
+    return out;
+}
+
 void Water::tie(TiedNodes nodes) {
     tied_bits.resize(model.fixed_nodes.size());
     for (const std::size_t node : nodes.nodes)
@@ -68,6 +78,7 @@ WaterNodeCall Water::nodes(std::size_t i, int strip) {
             body.records.data(),
             body.flowing.data(),
             body.volume.data(),
+            model.closed_nodes.data(),
             drained.empty() ? nullptr : drained.data(),
             poured.empty() ? nullptr : poured.data()};
 }
@@ -154,6 +165,7 @@ void Water::finish_sums() {
 void Water::push() {
     if (!is_anywhere()) return;
     impulses_took = {};
+    for (OfBody& body : bodies) std::fill(body.loaded.begin(), body.loaded.end(), Vector2{});
     std::fill(poured.begin(), poured.end(), Vector2{});
     for (const Inflow& inflow : inflows) {
         const double speed = inflow.sign * inflow.speed(model.t + model.dt);
@@ -170,8 +182,10 @@ void Water::push() {
 void Water::load(std::size_t i, std::size_t node, const Vector2& force) {
     const double n = has_pores(i, node) ? porosity(i, node) : 0.0, m_w = water_mass(i, node);
     NodeRecord& grains = model.parts[i].records[node];
+    if (n > 0.0) bodies[i].loaded.resize(model.fixed_nodes.size());
     for (int k = 0; k < 2; ++k) {
         grains[record::f_r + k] += (1.0 - n) * force[k];
+        if (n > 0.0) bodies[i].loaded[node][k] += n * force[k];
         const int bit = k == 0 ? fixed::r : fixed::z;
         if (n > 0.0 && !(fixed_bits(node) & bit))
             bodies[i].flowing[node][motion::v_r + k] += model.dt * n * force[k] / m_w;
@@ -294,7 +308,14 @@ void Water::account_for(const Wall& wall) {
     };
     const Part& other = model.parts[wall.other];
     const double on_other = -(wall.on_grains + wall.on_water);
-    const double on_other_work = on_other * mean(other.motions[wall.node]);
+    double on_other_work = on_other * mean(other.motions[wall.node]);
+    if (flows(wall.other)) {
+        const double m = other.records[wall.node][record::m],
+                     m_w = water_mass(wall.other, wall.node);
+        const double of_water = on_other * m_w / (m + m_w);
+        on_other_work += of_water * (mean(bodies[wall.other].flowing[wall.node]) -
+                                     mean(other.motions[wall.node]));
+    }
     double work = wall.on_grains * mean(model.parts[wall.body].motions[wall.node]) + on_other_work;
     if (flows(wall.body)) work += wall.on_water * mean(bodies[wall.body].flowing[wall.node]);
     impulses_took.contact.add(-work, fixed_point);
@@ -330,10 +351,10 @@ Water::Answer Water::answer(std::size_t i, std::size_t node, bool grains_free,
     return out;
 }
 
-// Of what holds the water.
+// Of what holds the water where grains are held.
 std::uint8_t Water::fixed_bits(std::size_t node) const {
     const std::uint8_t free = drained.empty() ? std::uint8_t{0} : drained[node];
-    return static_cast<std::uint8_t>(model.fixed_nodes[node] & ~free);
+    return static_cast<std::uint8_t>(model.closed_nodes[node] & ~free);
 }
 
 bool Water::has_pores(std::size_t i, std::size_t node) const {
@@ -353,6 +374,15 @@ double Water::volume_velocity(std::size_t i, std::size_t node, int lane, int oth
     if (!flows(i) || !has_pores(i, node)) return grains;
     const double n = porosity(i, node);
     return (1.0 - n) * grains + n * sum(bodies[i].flowing[node]);
+}
+
+double Water::loaded_velocity(std::size_t i, std::size_t node, int k) const {
+    const int now = motion::v_r + k, before = motion::other_r + k;
+    if (flows(i) && (fixed_bits(node) & (k == 0 ? fixed::r : fixed::z))) {
+        const NodeMotion& v = model.parts[i].motions[node];
+        return (1.0 - (has_pores(i, node) ? porosity(i, node) : 0.0)) * (v[now] + v[before]);
+    }
+    return volume_velocity(i, node, now, before);
 }
 
 void Water::find_answers(std::size_t i) {
@@ -411,7 +441,8 @@ std::vector<Water::Together> Water::hold_together(std::size_t i, std::vector<Pre
         const double size = std::sqrt(along(n, n));
         if (size == 0.0) continue;
         n = {n[0] / size, n[1] / size};
-        const double mass = model.parts[i].records[p.node][record::m] + water_mass(i, p.node) + m_o;
+        const double mass = model.parts[i].records[p.node][record::m] + water_mass(i, p.node) +
+                            m_o + water_mass(p.other, p.node);
         out.push_back({&p, n, other.body.rigid() ? 0.0 : 1.0 / mass});
     }
     const auto node_of = [](const Together& t) { return t.at->node; };
@@ -457,6 +488,7 @@ Water::Wall Water::push_together(std::size_t i, const Together& together, const 
     move(model.parts[i].motions[node]);
     if (flows(i)) move(bodies[i].flowing[node]);
     if (!model.parts[other].body.rigid()) move(model.parts[other].motions[node]);
+    if (flows(other)) move(bodies[other].flowing[node]);
     const double porosity_there = porosity(i, node);
     const Wall wall{i,
                     other,
@@ -506,6 +538,16 @@ void Water::push_platens(std::size_t i) {
                 work -= 0.5 * body.impulse[body.implicit->node(node)][tie.nodes.direction] *
                         volume_velocity(i, node, now, now + motion::other_r - motion::v_r);
         impulses_took.contact.add(-work, model.settings.fixed_point);
+    }
+}
+
+// An error says whose water it is of, and when.
+template <class Do> void Water::naming(std::size_t i, const Do& act) const {
+    try {
+        act();
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error("pore water of " + model.parts[i].body.name +
+                                 " at t = " + std::to_string(model.t) + " s: " + error.what());
     }
 }
 
@@ -649,8 +691,10 @@ void Water::change(std::size_t i, std::vector<Pressed>& pressed,
             u = body.volume_velocity;
             body.held.hold_free(u);
         }
-        body.implicit->solve(*part.body.water, model.grid(), part.body.particles, model.dt, u,
-                             body.all_answers, again, body.impulse);
+        naming(i, [&] {
+            body.implicit->solve(*part.body.water, model.grid(), part.body.particles, model.dt, u,
+                                 body.all_answers, again, body.impulse);
+        });
         again = true;
         settled = body.held.empty() || !body.held.find_impulses(body.impulse);
     }
@@ -702,11 +746,13 @@ void Water::update() {
         Part& part = model.parts[i];
         OfBody& body = bodies[i];
         const auto s = static_cast<std::size_t>(strip);
-        body.speed2[s] = update_pressures(
-            part.body.particles.view(), part.strips.begin(strip), part.strips.begin(strip + 1),
-            *part.body.water, body.cells.data(), body.places.data(), 1.0 / part.largest_volume,
-            is_implicit(i) ? body.implicit->flow().data() : nullptr, model.settings.fixed_point,
-            body.sums[s]);
+        naming(i, [&] {
+            body.speed2[s] = update_pressures(
+                part.body.particles.view(), part.strips.begin(strip), part.strips.begin(strip + 1),
+                *part.body.water, body.cells.data(), body.places.data(), 1.0 / part.largest_volume,
+                is_implicit(i) ? body.implicit->flow().data() : nullptr, model.settings.fixed_point,
+                body.sums[s]);
+        });
     });
 }
 
@@ -738,7 +784,9 @@ double Water::force_z(std::size_t body, std::size_t node) const {
     const double m = w[water_record::m];
     if (!(m > 0.0)) return 0.0;
     const double n = model.parts[body].body.water->porosity_at(w);
-    return n * w[water_record::f_z] + m * model.settings.gravity_z;
+    const std::vector<Vector2>& loaded = bodies[body].loaded;
+    return n * w[water_record::f_z] + m * model.settings.gravity_z +
+           (loaded.empty() ? 0.0 : loaded[node][1]);
 }
 
 }  // namespace grit::mpm

@@ -30,11 +30,13 @@ class Water {
         std::function<double(double)> speed;
     };
     void pour(Inflow inflow);
-    std::size_t inflow_count() const { return inflows.size(); }
+    // Of each inflow direction, sign and nodes.
+    std::vector<double> inflow_words() const;
     // Force on a node's grains and water by their shares of the volume, once both know theirs [N].
     void load(std::size_t body, std::size_t node, const Vector2& force);
-    // Lanes of the volume velocity (1 - n) v_s + n v_w of a node, their sum [m/s].
-    double volume_velocity(std::size_t body, std::size_t node, int lane, int other_lane) const;
+    // What it works on, before and after the step together [m/s]: (1 - n) v_s + n v_w, of which a side takes what is meant
+    // for water that it holds.
+    double loaded_velocity(std::size_t body, std::size_t node, int direction) const;
     // These nodes move as one: a platen, which no water passes.
     void tie(TiedNodes nodes);
     const std::vector<TiedNodes>& tied() const { return platens; }
@@ -130,7 +132,7 @@ class Water {
     const Taken& taken() const { return impulses_took; }
     // What it adds to the square of the speed of waves, at the most, here [m2/s2].
     double speed2(std::size_t body) const;
-    // Of water that flows, along z on a node in the last step: of its pressure and its weight [N].
+    // Of water that flows, along z on a node in the last step: of its pressure, its weight and its loads [N].
     double force_z(std::size_t body, std::size_t node) const;
     // Of drag on the grains, in the lanes other [N s], between drag and update; null: nothing flows.
     const NodeMotion* drag_impulses(std::size_t body) const {
@@ -163,7 +165,8 @@ class Water {
         std::vector<NodeRecord> records = {};
         IntegerRecords integers = {};                       // of these, in fixed point
         std::vector<NodeMotion> flowing = {}, volume = {};  // of water that flows
-        std::vector<double> met_masses = {};                // as other bodies meet it
+        std::vector<Vector2> loaded = {};     // by its share of loads [N]; empty: by none
+        std::vector<double> met_masses = {};  // as other bodies meet it
         std::vector<NodeMotion> met_motions = {};
         std::vector<WaterSums> sums = {};  // of each strip
         std::vector<double> speed2 = {};
@@ -192,6 +195,8 @@ class Water {
         Vector2 normal;
         double per_mass;  // [1/kg]
     };
+    // Lanes of the volume velocity (1 - n) v_s + n v_w of a node, their sum [m/s].
+    double volume_velocity(std::size_t body, std::size_t node, int lane, int other_lane) const;
     void find_answers(std::size_t body);
     // answer: of the volume velocity to an impulse, along r and z [1/kg].
     CompactAnswer compact_answers(std::size_t body, std::size_t node, const Vector2& answer) const;
@@ -208,6 +213,7 @@ class Water {
     void push_platens(std::size_t body);
     Wall push_together(std::size_t body, const Together& together, const Vector2& impulse);
     WaterNodeCall nodes(std::size_t body, int strip);
+    template <class Do> void naming(std::size_t body, const Do& act) const;
     void sum_cells();
     void measure(std::size_t body, int strip);
 

@@ -41,8 +41,9 @@ inline Case under_a_piston(const SaturatedColumn& column, bool at_surfaces = fal
     return plan;
 }
 
-// A dry block hits the top of a free column at 0.1 m/s.
-inline BuiltCase hit_by_a_block(const SaturatedColumn& column, bool at_surfaces = false) {
+// A block, dry or not, hits the top of a free column at 0.1 m/s.
+inline BuiltCase hit_by_a_block(const SaturatedColumn& column, bool at_surfaces = false,
+                                const std::optional<WaterPlan>& in_block = {}) {
     Case plan = column.plan();
     const double h = column.cell(), L = column.height;
     plan.boundary[static_cast<int>(Side::bottom)] = Boundary::free;
@@ -52,6 +53,7 @@ inline BuiltCase hit_by_a_block(const SaturatedColumn& column, bool at_surfaces 
     block.outlines = {Outline{{{0.0, L}, {h, L}, {h, 1.5 * L}, {0.0, 1.5 * L}}}};
     block.density = 2000.0;
     block.material = ElasticPlan{1e8, 0.0};
+    block.water = in_block;
     plan.bodies.push_back(block);
     plan.contacts = {contact_with("block", "sand", at_surfaces)};
     BuiltCase built = build_case(plan);
