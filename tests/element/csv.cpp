@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <support/tables/csv.hpp>
+#include "support/tables/csv.hpp"
 
 #include <gtest/gtest.h>
 
