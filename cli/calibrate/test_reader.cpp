@@ -509,18 +509,17 @@ const Vector6& deviator() {
     return weights;
 }
 
-bool is_deviator(const TestTable& test, std::size_t column) {
-    return test.columns[column].quantity == "axial_deviator";
+void prescribe_what_drives(const Experiment& of, element::Restrictions& rows) {
+    if (of.driver == "axial_deviator") rows.stress.row(0) = deviator();
 }
 
 // Stages before may end at another stress than that of the first row.
-element::Step to_first_row(const TestTable& test, std::size_t column, double value) {
+element::Step to_first_row(const TestTable& test, const Experiment& of, double value) {
     const Way& way = *test.driver.way;
     element::Step out = way.step(way.sign * value);
-    for (const int row : way.reached)
-        std::get<element::Linear>(out.kind).absolute[static_cast<std::size_t>(row)] = true;
-    if (is_deviator(test, column))
-        std::get<element::Linear>(out.kind).rows.stress.row(0) = deviator();
+    element::Linear& kind = std::get<element::Linear>(out.kind);
+    for (const int row : way.reached) kind.absolute[static_cast<std::size_t>(row)] = true;
+    prescribe_what_drives(of, kind.rows);
     return out;
 }
 
@@ -583,10 +582,9 @@ void make(TestTable& test, Rows rows, bool fitted, Treatment& treatment, Laborat
     out.driven = values;
     out.program = before;
     if (!test.driver.way->strain() && (!before.empty() || starts_elsewhere(out, values.front())))
-        out.program.push_back(to_first_row(test, driver, values.front()));
+        out.program.push_back(to_first_row(test, out, values.front()));
     Followed followed = follow(*test.driver.way, values, test.defaults.resolution);
-    if (is_deviator(test, driver))
-        std::get<element::Imported>(followed.step.kind).rows.stress.row(0) = deviator();
+    prescribe_what_drives(out, std::get<element::Imported>(followed.step.kind).rows);
     out.program.push_back(std::move(followed.step));
     out.records = std::move(followed.increments);
     try {

@@ -19,8 +19,7 @@ struct Component {
 Component component(const WaterNodeCall& call, std::ptrdiff_t i, int k) {
     const int bit = k == 0 ? fixed::r : fixed::z;
     const bool is_free = !(call.grains.fixed[i] & bit);
-    return {k, is_free,
-            is_free || !(call.closed[i] & bit) || (call.drained && (call.drained[i] & bit))};
+    return {k, is_free, !(call.closed[i] & bit) || (call.drained && (call.drained[i] & bit))};
 }
 
 bool has_water(const WaterNodeCall& call, std::ptrdiff_t i) {

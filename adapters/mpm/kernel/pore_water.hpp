@@ -219,7 +219,8 @@ struct WaterNodeCall {
     // (1 - n) v_s + n v_w and n (v_w - v_s); between drag and close in place of the latter the impulse of drag on the
     // grains [N s].
     NodeMotion* volume;
-    const std::uint8_t* closed;  // bits of components that are held, where the grains are fixed ...
+    const std::uint8_t*
+        closed;  // bits of components that are held, some of those that are fixed ...
     const std::uint8_t* drained;  // ... but for these
     const Vector2* poured;        // filter velocity where neither is free [m/s]; null: none
 

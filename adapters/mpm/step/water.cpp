@@ -31,6 +31,7 @@ void Water::add_body() {
     }
     if (!flows(i)) return;
     body.flowing.resize(model.fixed_nodes.size());
+    body.loaded.resize(model.fixed_nodes.size());
     body.volume.resize(model.fixed_nodes.size());
     body.met_masses.resize(model.fixed_nodes.size());
     body.met_motions.resize(model.fixed_nodes.size());
@@ -182,7 +183,6 @@ void Water::push() {
 void Water::load(std::size_t i, std::size_t node, const Vector2& force) {
     const double n = has_pores(i, node) ? porosity(i, node) : 0.0, m_w = water_mass(i, node);
     NodeRecord& grains = model.parts[i].records[node];
-    if (n > 0.0) bodies[i].loaded.resize(model.fixed_nodes.size());
     for (int k = 0; k < 2; ++k) {
         grains[record::f_r + k] += (1.0 - n) * force[k];
         if (n > 0.0) bodies[i].loaded[node][k] += n * force[k];
@@ -784,9 +784,7 @@ double Water::force_z(std::size_t body, std::size_t node) const {
     const double m = w[water_record::m];
     if (!(m > 0.0)) return 0.0;
     const double n = model.parts[body].body.water->porosity_at(w);
-    const std::vector<Vector2>& loaded = bodies[body].loaded;
-    return n * w[water_record::f_z] + m * model.settings.gravity_z +
-           (loaded.empty() ? 0.0 : loaded[node][1]);
+    return n * w[water_record::f_z] + m * model.settings.gravity_z + bodies[body].loaded[node][1];
 }
 
 }  // namespace grit::mpm

@@ -165,8 +165,8 @@ class Water {
         std::vector<NodeRecord> records = {};
         IntegerRecords integers = {};                       // of these, in fixed point
         std::vector<NodeMotion> flowing = {}, volume = {};  // of water that flows
-        std::vector<Vector2> loaded = {};     // by its share of loads [N]; empty: by none
-        std::vector<double> met_masses = {};  // as other bodies meet it
+        std::vector<Vector2> loaded = {};                   // by its share of loads [N]
+        std::vector<double> met_masses = {};                // as other bodies meet it
         std::vector<NodeMotion> met_motions = {};
         std::vector<WaterSums> sums = {};  // of each strip
         std::vector<double> speed2 = {};
