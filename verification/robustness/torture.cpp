@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// torture sand|contact|distances|normals|penalty|surface|mpm [--count N] [--seed S] [--only BLOCK] [--hours H] [--threads N] [--journal FILE]: random trials, what
+// torture sand|derivatives|undrained|contact|distances|normals|penalty|surface|mpm [--count N] [--seed S] [--only BLOCK] [--hours H] [--threads N] [--journal FILE]: random trials, what
 // they found, and for each rule that was broken a program that breaks it again. Ends with 1 if there is one.
 #include <cstdio>
 #include <map>
@@ -9,6 +9,7 @@
 
 #include "robustness/campaign.hpp"
 #include "robustness/contact_trials.hpp"
+#include "robustness/derivative_trials.hpp"
 #include "robustness/distance_trials.hpp"
 #ifdef GRIT_TORTURES_MPM
 #include "robustness/mpm_trials.hpp"
@@ -17,6 +18,7 @@
 #include "robustness/penalty_trials.hpp"
 #include "robustness/sand_trials.hpp"
 #include "robustness/surface_trials.hpp"
+#include "robustness/undrained_trials.hpp"
 
 int main(int argc, char** argv) {
     using namespace robustness;
@@ -31,7 +33,9 @@ int main(int argc, char** argv) {
                                                   {"distances", &distance_trials},
                                                   {"normals", &normal_trials},
                                                   {"penalty", &penalty_trials},
-                                                  {"surface", &surface_trials}};
+                                                  {"surface", &surface_trials},
+                                                  {"derivatives", &derivative_trials},
+                                                  {"undrained", &undrained_trials}};
     app.add_option("KIND", name, "Of what")->required()->check(CLI::IsMember(kinds));
     app.add_option("--count", campaign.count, "Cases, in whole blocks")
         ->check(CLI::Range(1L, 1000000000000L));
