@@ -32,6 +32,8 @@ enum Count {
     retried_to_a_billionth,
     retried_out_of_states,
     retried_on_its_way,
+    retried_published,
+    retried_published_through,
     compared,
     over_tolerance,
     referred,
@@ -65,6 +67,7 @@ enum Rule {
     estimate_positive,
     taken_again,
     retry_ends,
+    retry_gets_through,
     error_bounded,
     estimate_tells,
     exact_stress,
@@ -89,6 +92,8 @@ const Vocabulary words = {
      "of these, ended at a billionth of the strain",
      "of these, ended out of the range of states",
      "of these, on their way after 100000 steps",
+     "of published sands, not converged, followed by smaller steps",
+     "of these, done in the end",
      "compared with a tolerance of 1e-11",
      "of these, error above the tolerance",
      "compared with the long double reference",
@@ -109,7 +114,9 @@ const Vocabulary words = {
      "evaluations stay within their limit", "stress ends within the cone",
      "|h| ends within R (1 + 1e-12)", "e follows the volume to 1e-12",
      "the error estimate is not negative", "the next call takes the result",
-     "following step_reduction ends", "the error of published sands stays below 10 tolerances",
+     "following step_reduction ends",
+     "following step_reduction takes published sands through, unless stress or e leave their range",
+     "the error of published sands stays below 10 tolerances",
      "the error estimate of published sands is above a hundredth of an error above the tolerance",
      "stress and h of published sands are those of the reference within 1e-7",
      "the tangent of published sands is the difference of stresses within 1 %",
@@ -247,6 +254,16 @@ void follow_advice(const Call& call, const Point& before, const Point& failed, F
     out.demand(retry_ends,
                (steps < most_steps || on_its_way) && failed.report.step_reduction > 0.0 &&
                    failed.report.step_reduction < 1.0,
+               [&] { return program_of(call, before); });
+    if (!call.of_catalogue) return;
+    out.count(retried_published);
+    out.count(retried_published_through, left == 0.0 ? 1 : 0);
+    const double largest = std::fabs(*std::max_element(
+        x.stress, x.stress + 6, [](double a, double b) { return std::fabs(a) < std::fabs(b); }));
+    const bool at_an_end = largest > 5.0 * call.parameters.granulate_hardness ||
+                           x.state[GRIT_SAND_VOID_RATIO] < 1e-6 ||
+                           !(norm_of_strain(before.strain) < 1e3);
+    out.demand(retry_gets_through, left == 0.0 || at_an_end,
                [&] { return program_of(call, before); });
 }
 

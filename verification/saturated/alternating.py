@@ -7,7 +7,8 @@ docs/saturated.md; a picture of the cells (gnuplot).
 Means of cells, their excess over the pressure at rest; within three radii of the axis, three below the tip and six above it.
 "Checkerboard": fourth differences along r and along z over 256, as in the table of blocks; by what the pile presses with, the
 largest force on its tip over its section. "Bears": of it where no particle of the 25 cells cavitates, for beside those that do the
-pressure itself jumps. "One way": fourth differences along r or along z over 16, of two neighbours with different signs the smaller one.
+pressure itself jumps. "One way": fourth differences along r or along z over 16, the least of five cells in a row whose signs alternate: of a plain jump
+nothing, of a cell that stands out a sixteenth.
 What has ended
 in DIR (results/saturated) is not run again."""
 import math
@@ -61,10 +62,10 @@ def near_the_tip(values, tip):
 def one_way(values, tip):
     for cell in near_the_tip(values, tip):
         for direction in ((1, 0), (0, 1)):
-            a = fourth(values, cell, direction)
-            b = fourth(values, (cell[0] + direction[0], cell[1] + direction[1]), direction)
-            if a is not None and b is not None:
-                yield min(abs(a), abs(b)) if a * b < 0 else 0.0
+            parts = [fourth(values, (cell[0] + n * direction[0], cell[1] + n * direction[1]), direction) for n in range(-2, 3)]
+            if None not in parts:
+                alternates = all(a * b < 0 for a, b in zip(parts, parts[1:]))
+                yield min(abs(part) for part in parts) if alternates else 0.0
 
 
 def checkerboards(values, least, tip):
