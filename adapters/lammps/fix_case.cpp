@@ -17,6 +17,7 @@
 #include "adapters/mpm/io/checksum.hpp"
 #include "adapters/mpm/space/step/settings.hpp"
 #include "adapters/mpm/step/contact_pair.hpp"
+#include "adapters/mpm/step/text.hpp"
 
 namespace grit::lammps {
 namespace {
@@ -67,7 +68,10 @@ void read_segment(Words& words, Case& plan) {
     segment.cells = words.integer("the number of its cells", case_word("grid.r", "cells").range);
     segment.growth = words.number("their growth", case_word("grid.r", "growth"));
     const double before = axis.segments.empty() ? axis.from : axis.to();
-    if (!(segment.to > before)) throw std::invalid_argument("the segments of a grid must ascend");
+    if (!(segment.to > before))
+        throw std::invalid_argument("the segments of a grid must ascend, got " +
+                                    mpm::exact_text(segment.to) + " m behind " +
+                                    mpm::exact_text(before) + " m");
     axis.segments.push_back(segment);
 }
 
@@ -225,8 +229,8 @@ void check_grid(const mpm::AxisPlan& axis, double end, std::string_view name) {
     const std::string grid = "grid " + std::string(name);
     if (axis.segments.empty()) throw std::invalid_argument(grid + " is missing");
     if (axis.to() != end)
-        throw std::invalid_argument(grid + " ends at " + std::to_string(axis.to()) +
-                                    " m, the box at " + std::to_string(end) + " m");
+        throw std::invalid_argument(grid + " ends at " + mpm::exact_text(axis.to()) +
+                                    " m, the box at " + mpm::exact_text(end) + " m");
 }
 
 void check_water(const Case& plan, const mpm::BodyPlan& body) {
@@ -294,6 +298,8 @@ FixCase read_fix(const std::vector<std::string>& given, const Box& box) {
     for (int d = 0; d < out.dimensions(); ++d)
         axis_of(plan, d).from = box[static_cast<std::size_t>(d)][0];
     std::string matters = words.taken_since(0);
+    for (int d = 0; d < out.dimensions(); ++d)
+        matters += mpm::exact_text(axis_of(plan, d).from) + '\n';
     while (!words.done()) {
         const std::size_t first = words.taken();
         const std::string keyword = words.word("a keyword");

@@ -22,6 +22,7 @@
 #include "adapters/mpm/case/initial_state.hpp"
 #include "adapters/mpm/run/history.hpp"
 #include "adapters/mpm/step/column_names.hpp"
+#include "adapters/mpm/step/text.hpp"
 #include "adapters/mpm/step/thread_pool.hpp"
 
 namespace grit::lammps {
@@ -105,9 +106,8 @@ FixGritMpm::FixGritMpm(LAMMPS* host, int count, char** words) : Fix(host, count,
     if (count < 4) error->all(FLERR, std::string("Illegal fix grit/mpm command: no geometry"));
     dimensions = is_in_space(words[3]) ? 3 : 2;
     check_host();
+    box = box_now();
     guarded([&] {
-        Box box;
-        for (std::size_t d = 0; d < box.size(); ++d) box[d] = {domain->boxlo[d], domain->boxhi[d]};
         FixCase plan = read_fix({words + 3, words + count}, box);
         read_surfaces(plan, [this](const std::string& file) { return bytes_of(file); });
         run =
@@ -137,6 +137,7 @@ FixGritMpm::FixGritMpm(LAMMPS* host, int count, char** words) : Fix(host, count,
     next_reneighbor = -1;
     restart_global = 1;
     restart_peratom = 1;
+    stores_ids = 1;
     time_depend = 1;
     vector_flag = 1;
     size_vector = static_cast<int>(mpm::history_columns(run->in_space()).size());
@@ -157,6 +158,7 @@ FixGritMpm::FixGritMpm(LAMMPS* host, int count, char** words) : Fix(host, count,
 FixGritMpm::~FixGritMpm() {
     atom->delete_callback(id, 0);
     atom->delete_callback(id, 1);
+    end_timeout();
 }
 
 int FixGritMpm::setmask() {
@@ -188,6 +190,86 @@ void FixGritMpm::check_bricks() const {
                                "rcb: comm_style brick"));
 }
 
+Box FixGritMpm::box_now() const {
+    Box out;
+    for (std::size_t d = 0; d < out.size(); ++d) out[d] = {domain->boxlo[d], domain->boxhi[d]};
+    return out;
+}
+
+// The grid was made for it.
+void FixGritMpm::check_box() const {
+    const Box now = box_now();
+    for (int d = 0; d < dimensions; ++d) {
+        const auto& was = box[static_cast<std::size_t>(d)];
+        const auto& is = now[static_cast<std::size_t>(d)];
+        if (was != is)
+            error->all(FLERR, std::string("Fix grit/mpm: the box along ") + "xyz"[d] + " is from " +
+                                  mpm::exact_text(is[0]) + " to " + mpm::exact_text(is[1]) +
+                                  " m, the grid of the fix from " + mpm::exact_text(was[0]) +
+                                  " to " + mpm::exact_text(was[1]) +
+                                  " m: change_box before the fix is made");
+    }
+}
+
+// All processes see a group change, but none that it does so within a run.
+void FixGritMpm::check_tractions() const {
+    for (const std::string& name : run->description().traction_groups) {
+        const int number = group->find(name);
+        if (number >= 0 && group->dynamic[number])
+            error->all(FLERR, "Fix grit/mpm: traction group " + name +
+                                  " is dynamic, but loads stay on their atoms while a run lasts");
+    }
+}
+
+// Atoms that have moved have more than the files of points know.
+void FixGritMpm::check_beginning() const {
+    if (run->has_begun() || is_restarted || update->ntimestep == 0) return;
+    error->all(
+        FLERR,
+        "Fix grit/mpm: the atoms are at step " + std::to_string(update->ntimestep) + ", but fix " +
+            id +
+            " knows of no run before: it was removed, or a restart file has it under another ID; "
+            "reset_timestep 0 before the fix lets its run begin with the atoms as they are");
+}
+
+// Each atom of the group is a material point, and each body has some.
+void FixGritMpm::check_points() {
+    std::vector<long> count(1, 0);
+    for (int i = 0; i < atom->nlocal; ++i) count[0] += is_mine(i) ? 1 : 0;
+    run->each_body([&](std::size_t, const mpm::ParticleColumns& of) {
+        count.push_back(static_cast<long>(of.size()));
+    });
+    MPI_Allreduce(MPI_IN_PLACE, count.data(), static_cast<int>(count.size()), MPI_LONG, MPI_SUM,
+                  world);
+    long points = 0;
+    for (std::size_t b = 0; b + 1 < count.size(); ++b) {
+        points += count[b + 1];
+        if (count[b + 1] == 0)
+            error->all(FLERR, "Fix grit/mpm: body " + run->description().plan.bodies[b].name +
+                                  " has no atoms");
+    }
+    if (count[0] != points)
+        error->all(FLERR, "Fix grit/mpm: " + std::to_string(count[0]) +
+                              " atoms in its group, but " + std::to_string(points) +
+                              " material points");
+}
+
+// Positions are the fix's: where a command has moved an atom, it may be on another process than its point.
+void FixGritMpm::check_places() {
+    const double most = 1e-9 * run->slack();  // what cuts that move may round
+    run->each_body([&](std::size_t, const mpm::ParticleColumns& q) {
+        for (std::ptrdiff_t p = 0; p < q.size(); ++p) {
+            const double* const x = atom->x[atom_of(q.ids()[p])];
+            for (int d = 0; d < dimensions; ++d)
+                if (!(std::fabs(x[d] - q(d, p)) <= most))
+                    throw std::runtime_error(
+                        "a command has moved atom " + std::to_string(q.ids()[p]) + " along " +
+                        "xyz"[d] + " to " + mpm::exact_text(x[d]) +
+                        " m, its material point is at " + mpm::exact_text(q(d, p)) + " m");
+        }
+    });
+}
+
 void FixGritMpm::fail(const std::string& why) {
     if (comm->nprocs == 1) error->all(FLERR, "Fix grit/mpm: " + why);
     error->one(FLERR, "Fix grit/mpm: " + why);
@@ -195,6 +277,8 @@ void FixGritMpm::fail(const std::string& why) {
 
 void FixGritMpm::init() {
     check_host();
+    check_box();
+    check_tractions();
     check_variables();
     if (update->whichflag == 2)
         error->all(FLERR, std::string("Fix grit/mpm cannot be used with minimize"));
@@ -246,24 +330,21 @@ bool FixGritMpm::is_mine(int i) const { return (atom->mask[i] & groupbit) != 0; 
 
 // All atoms are where they belong.
 void FixGritMpm::setup_pre_neighbor() {
-    long here = 0, wanted[2];
-    for (int i = 0; i < atom->nlocal; ++i) here += is_mine(i) ? 1 : 0;
+    check_beginning();
     guarded([&] {
         run->start(cuts(), checked_loads());
         const std::vector<std::vector<std::string>> due = std::move(stages_due);
         stages_due.clear();
         for (const std::vector<std::string>& words : due) begin_stage(words);
     });
-    long counts[2] = {here, static_cast<long>(run->particles())};
-    MPI_Allreduce(counts, wanted, 2, MPI_LONG, MPI_SUM, world);
-    if (wanted[0] != wanted[1])
-        error->all(FLERR, "Fix grit/mpm: " + std::to_string(wanted[0]) +
-                              " atoms in its group, but " + std::to_string(wanted[1]) +
-                              " material points");
+    check_points();
+    guarded_here([this] { check_places(); });
     if (run->run().finished())
         error->all(FLERR, std::string("Fix grit/mpm: all stages have ended"));
     way = 0.0;
     ask_variables(&LocalRun::ask_for_motion_now);
+    update->atime = run->time();
+    update->atimestep = update->ntimestep;
     if (run->next_step() > 0.0) update->dt = run->next_step();
     traffic_before = run->halo().traffic();
     run_began = MPI_Wtime();
@@ -287,6 +368,8 @@ void FixGritMpm::setup(int) {
 
 // A run with "pre no" has no setup: it goes on with what the run before and commands have left.
 void FixGritMpm::begin_run() {
+    if (!run->started())
+        error->all(FLERR, std::string("Fix grit/mpm: its first run cannot be one with pre no"));
     if (run->run().finished())
         error->all(FLERR, std::string("Fix grit/mpm: all stages have ended"));
     if (run->is_cut_anew(cuts()))
@@ -303,7 +386,9 @@ void FixGritMpm::initial_integrate(int) {
         run->run().step();
         show_atoms();
         if (is_looked_at()) show_columns();
-        if (run->run().state().stage != stage) timer->force_timeout();
+        if (run->run().state().stage == stage) return;
+        timer->force_timeout();
+        is_at_stage_end = true;
     });
     update->atime = run->time();
     update->atimestep = update->ntimestep;
@@ -316,6 +401,14 @@ void FixGritMpm::initial_integrate(int) {
 int FixGritMpm::modify_param(int count, char** words) {
     if (std::string(words[0]) != "stage" || count < 2) return 0;
     const std::vector<std::string> all(words + 1, words + count);
+    end_timeout();
+    if (timer->is_timeout()) {  // LAMMPS leaves out the runs to come, and so the stage
+        if (comm->me == 0)
+            error->warning(FLERR, "Fix grit/mpm: stage " + all[0] +
+                                      " is left out: LAMMPS was told to end, by timer timeout or "
+                                      "another fix");
+        return count;
+    }
     guarded([&] {
         if (run->started()) begin_stage(all);
         else stages_due.push_back(all);
@@ -330,11 +423,27 @@ void FixGritMpm::begin_stage(const std::vector<std::string>& words) {
     });
 }
 
+// The timeout outlasts the run: a "run N every M" looks for one between its parts, which all end with the stage. Nothing tells
+// when its last one is over; runs are left out until a stage is described.
 void FixGritMpm::post_run() {
     if (!run->started()) return;
-    timer->reset_timeout();
-    guarded_here([this] { show_columns(); });
+    if (is_at_stage_end)
+        LAMMPS_NS::utils::logmesg(
+            lmp, run->run().finished()
+                     ? std::string("Grit: all stages have ended, further runs are left out\n")
+                     : std::string("Grit: a stage has ended, runs are left out until fix_modify ") +
+                           id + " stage describes the next one\n");
+    guarded_here([this] {
+        run->settle(loaded_here());
+        show_columns();
+    });
     report_traffic();
+}
+
+// The one that the fix has called for, and no other.
+void FixGritMpm::end_timeout() {
+    if (is_at_stage_end) timer->reset_timeout();
+    is_at_stage_end = false;
 }
 
 // One process reads, so that all have the same or none.
@@ -378,6 +487,7 @@ void FixGritMpm::read_points(std::size_t body) {
     if (!opened) error->all(FLERR, "Fix grit/mpm: cannot open file " + name);
     std::unique_ptr<PointsFile> points;
     std::set<int> seen;
+    std::int64_t rows = 0;
     for (;;) {
         std::string lines = comm->me == 0 ? next_lines(file) : std::string();
         auto size = static_cast<int>(lines.size());
@@ -405,6 +515,7 @@ void FixGritMpm::read_points(std::size_t body) {
                     continue;
                 }
                 const int tag = PointsFile::id_of(line.c_str());
+                ++rows;
                 const int i = tag >= 1 && tag <= atom->map_tag_max ? atom->map(tag) : -1;
                 if (i < 0 || i >= atom->nlocal) continue;
                 if (!is_mine(i) || body_of(i) != static_cast<int>(body))
@@ -422,6 +533,12 @@ void FixGritMpm::read_points(std::size_t body) {
         }
     }
     if (!points) error->all(FLERR, "Fix grit/mpm: file " + name + " is empty");
+    auto found = static_cast<std::int64_t>(seen.size());
+    MPI_Allreduce(MPI_IN_PLACE, &found, 1, MPI_INT64_T, MPI_SUM, world);
+    if (found != rows)
+        error->all(FLERR, "Fix grit/mpm: file " + name + " has " + std::to_string(rows) +
+                              " points, but only " + std::to_string(found) +
+                              " of them have an atom");
 }
 
 // Of each traction, ascending.
@@ -599,6 +716,7 @@ void FixGritMpm::write_restart(FILE* file) {
 }
 
 void FixGritMpm::restart(char* bytes) {
+    is_restarted = true;
     guarded([&] {
         const auto stored = from_bytes(bytes, run->description().fingerprint);
         if (stored) run->go_on_from(std::move(*stored));

@@ -49,6 +49,13 @@ class FixGritMpm : public LAMMPS_NS::Fix {
     void check_variables() const;
     void check_host() const;
     void check_bricks() const;
+    void check_box() const;
+    void check_tractions() const;
+    void check_beginning() const;
+    void check_points();
+    void check_places();
+    Box box_now() const;
+    void end_timeout();
     std::string bytes_of(const std::string& file);
     void broadcast(std::string& text);
     void read_points(std::size_t body);
@@ -78,6 +85,10 @@ class FixGritMpm : public LAMMPS_NS::Fix {
     Riders riders_of(int atom) const;
 
     int dimensions = 2;
+    Box box{};                  // that the grid was made for
+    bool is_restarted = false;  // what a restart file says is there
+    bool is_at_stage_end =
+        false;  // LAMMPS is told of the end of a stage as of a timeout, until the next one is
     std::unique_ptr<LocalRun> run;
     std::vector<int> member_bits;                      // of bodies by group, 0: by type
     std::vector<std::vector<std::string>> stages_due;  // of fix_modify before the run is built

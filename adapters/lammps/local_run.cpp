@@ -12,6 +12,7 @@
 #include "adapters/mpm/io/grid_state.hpp"
 #include "adapters/mpm/space/case/build.hpp"
 #include "adapters/mpm/step/column_names.hpp"
+#include "adapters/mpm/step/text.hpp"
 
 namespace grit::lammps {
 using mpm::BuiltCase;
@@ -78,8 +79,11 @@ void LocalRun::leave(int id) {
 }
 
 void LocalRun::settle(const LoadedIds& loaded) {
-    if (!runner || (waiting.empty() && leaving.empty())) return;
+    if (!runner) return;
     with([&, this](auto& simulation) {
+        // Groups may have changed where no particle has come.
+        if (waiting.empty() && leaving.empty())
+            return simulation.set_tractions(tractions(simulation, loaded));
         std::vector<std::vector<std::ptrdiff_t>> places(simulation.bodies());
         for (const int id : leaving) {
             const std::size_t body = body_of(id);
@@ -252,7 +256,24 @@ mpm::Body LocalRun::plane_body(std::size_t b) {
     body.water = waters[b];
     body.particles = particles_of<mpm::Particles>(b, mpm::column::own);
     if (of_plan.rigid()) body.prescribed_velocity = velocity_of(b);
+    if (plan.plan.settings.axisymmetric && !stored) check_beside_axis(body);
     return body;
+}
+
+// At the start; later a particle may cross it.
+void LocalRun::check_beside_axis(const mpm::Body& body) const {
+    namespace column = mpm::column;
+    const mpm::Particles& q = body.particles;
+    double beyond = 0.0;
+    for (std::ptrdiff_t p = 0; p < q.size(); ++p)
+        if (!(q(column::r, p) >= q(column::l_r, p) * (1.0 - 1e-12)))
+            beyond = std::max(beyond, q(column::l_r, p) - q(column::r, p));
+    exchange->max(&beyond, 1);
+    if (beyond > 0.0)
+        throw std::invalid_argument(
+            "body " + body.name +
+            ": half side l_r of a point must not reach across the axis, it does so by " +
+            mpm::text(beyond) + " m");
 }
 
 mpm::space::Body LocalRun::space_body(std::size_t b) {
@@ -268,7 +289,10 @@ mpm::space::Body LocalRun::space_body(std::size_t b) {
     course.velocity = with_variables(course.velocity, names.along, stage);
     course.spin = with_variables(course.spin, names.about, stage);
     body.make_rigid(course, plan.plan.settings.fixed_point, exchange.get());
-    if (!stored) body.motion->check_centre();
+    if (!stored) {
+        body.motion->check_centre();
+        mpm::space::check_free_at_sides(plan.plan, b, body, exchange.get());
+    }
     return body;
 }
 

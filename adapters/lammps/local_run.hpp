@@ -129,6 +129,7 @@ class LocalRun {
     // Of a body: those that wait to be here.
     template <class Particles> Particles particles_of(std::size_t body, int first_own) const;
     mpm::Body plane_body(std::size_t body);
+    void check_beside_axis(const mpm::Body& body) const;
     mpm::space::Body space_body(std::size_t body);
     std::function<Vector2(double)> velocity_of(std::size_t body);
     std::function<Vector3(double)> with_variables(std::function<Vector3(double)> other,

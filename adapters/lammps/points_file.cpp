@@ -17,6 +17,16 @@ namespace grit::lammps {
 
 using mpm::words::Geometry;
 
+namespace {
+
+constexpr char blanks[] = " \t\r\n";
+
+std::string word_at(const std::string& text, std::size_t first) {
+    return text.substr(first, text.find_first_of(blanks, first) - first);
+}
+
+}  // namespace
+
 PointsFile::PointsFile(std::vector<std::string> given, const std::string& first_line,
                        Geometry geometry, std::vector<Otherwise> otherwise)
     : names(std::move(given)), axisymmetric(geometry == Geometry::axisymmetric),
@@ -71,9 +81,12 @@ PointsFile::PointsFile(std::vector<std::string> given, const std::string& first_
 int PointsFile::id_of(const char* line) {
     char* end = nullptr;
     const long id = std::strtol(line, &end, 10);
-    if (id < 0 || id > std::numeric_limits<int>::max())
+    const std::string rest(line);
+    const std::size_t first = rest.find_first_not_of(blanks);
+    if (first == std::string::npos) return 0;
+    if (id < 1 || id > std::numeric_limits<int>::max())
         throw std::invalid_argument("an id must be in [1, 2147483647], got " +
-                                    std::string(line, static_cast<std::size_t>(end - line)));
+                                    word_at(rest, first));
     return static_cast<int>(id);
 }
 
@@ -85,26 +98,36 @@ void PointsFile::read(const char* line, std::vector<double>& row) const {
     const auto fail = [id](const std::string& why) {
         throw std::invalid_argument("point " + std::to_string(id) + ": " + why);
     };
+    const auto fail_at = [&](int which, const std::string& rest) {
+        const std::size_t first = rest.find_first_not_of(blanks);
+        fail("column " + (which < 0 ? "density" : names[static_cast<std::size_t>(which)]) +
+             (first == std::string::npos
+                  ? " is missing"
+                  : " must be a finite number, got \"" + word_at(rest, first) + '"'));
+    };
     double density = 0.0;
     for (const int which : column) {
         const char* begin = at;
         const double value = std::strtod(begin, &at);
-        if (at == begin || !std::isfinite(value)) fail("a number is missing or wrong");
+        if (at == begin || !std::isfinite(value)) fail_at(which, begin);
         (which < 0 ? density : row[static_cast<std::size_t>(which)]) = value;
     }
     while (*at == ' ' || *at == '\t' || *at == '\r') ++at;
     if (*at != '\0' && *at != '\n' && *at != '#') fail("more numbers than columns");
+    const auto check = [&](const std::string& what, double value, const char* unit) {
+        if (!(value > 0.0 && std::isfinite(value)))
+            fail(what + " must be > 0 and finite, got " + mpm::text(value) + unit);
+    };
     double brick = 1.0;
-    bool is_positive = true;
     for (const std::size_t side : sides) {
+        check("half side " + names[side], row[side], " m");
         brick *= 2.0 * row[side];
-        is_positive = is_positive && row[side] > 0.0;
     }
     if (!has_volume) row[volume] = axisymmetric ? brick * row[mpm::column::r] : brick;
     if (!has_mass) row[mass] = density * row[volume];
-    if (!(is_positive && row[mass] > 0.0 && row[volume] > 0.0 && std::isfinite(row[mass]) &&
-          std::isfinite(row[volume])))
-        fail("half sides, mass and volume must be positive and finite");
+    const std::string per = in_space ? "" : axisymmetric ? "/rad" : "/m";
+    check("the volume", row[volume], (" m³" + per).c_str());
+    check("the mass", row[mass], (" kg" + per).c_str());
     const double stretch = in_space ? mpm::space::ParticleView{row.data(), 1}.J(0)
                                     : mpm::ParticleView{row.data(), 1}.J(0);
     if (!(stretch > 0.0)) fail("det F must be positive, got " + mpm::text(stretch));

@@ -136,6 +136,13 @@ void read_motion(Words& words, FixCase& out) {
             break;
         }
     }
+    for (std::size_t k = 0; k < 6; ++k)
+        if (const std::string& name = k < 3 ? variables.along[k] : variables.about[k - 3];
+            rigid->free[k] && !name.empty())
+            throw std::invalid_argument(
+                "motion " + out.plan.bodies[body].name + ": " +
+                std::string(mpm::word_of(mpm::words::degrees_of_freedom, static_cast<int>(k))) +
+                " is free, and v_" + name + " tells it");
     if (words.take("from")) rigid->from_stage = words.word("the stage of a motion");
 }
 

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "adapters/mpm/step/text.hpp"
+
 namespace grit::lammps {
 
 std::vector<Slice> slices(const mpm::Axis& axis, const std::vector<double>& cuts, double slack) {
@@ -24,8 +26,7 @@ std::vector<Slice> slices(const mpm::Axis& axis, const std::vector<double>& cuts
     for (std::size_t i = 0; i + 2 < out.size(); ++i)
         if (out[i + 2].first_node <= out[i].last_node)
             throw std::invalid_argument(
-                "a sub-domain from " + std::to_string(cuts[i + 1]) + " to " +
-                std::to_string(cuts[i + 2]) +
+                "a sub-domain from " + mpm::text(cuts[i + 1]) + " to " + mpm::text(cuts[i + 2]) +
                 " m is too thin for the cells there: particles on both sides of it would meet at a "
                 "node; use fewer processors along this direction");
     return out;

@@ -51,7 +51,8 @@ double Words::number(const std::string& what, mpm::Interval range) {
 
 int Words::integer(const std::string& what, mpm::Interval range) {
     const double value = number(what, range);
-    if (value != std::floor(value)) throw std::invalid_argument(what + " must be an integer");
+    if (value != std::floor(value))
+        throw std::invalid_argument(what + " must be an integer, got " + mpm::text(value));
     return static_cast<int>(value);
 }
 

@@ -164,11 +164,19 @@ TEST_F(LammpsRefuses, ToGoOnWithoutSetupWhenTheGridIsCutAnew) {
            "cannot be one with pre no", 2);
 }
 
+// As LAMMPS leaves out runs once its time is over; where nothing has ended in this run, it is an error.
 TEST_F(LammpsRefuses, ToGoOnWhenAllStagesHaveEnded) {
-    const Answer answer = hosts.lammps(1, hosts.script() + "run 10\n");
-    EXPECT_NE(answer.status, 0);
-    EXPECT_TRUE(answer.says("ERROR: Fix grit/mpm: all stages have ended")) << answer.text;
-    const Answer again = hosts.lammps(2, hosts.script() + "run 10 pre no\n");
+    const std::string more = "write_restart the.end\nprint \"at $(step)\"\nrun 10\nprint \"at "
+                             "$(step)\"\nrun 10 pre no\nprint \"at $(step)\"\n";
+    const Answer answer = hosts.lammps(1, hosts.script() + more);
+    ASSERT_EQ(answer.status, 0) << answer.text;
+    EXPECT_TRUE(answer.says("Grit: all stages have ended, further runs are left out"))
+        << answer.text;
+    const std::string end = hosts.folder.read("said.log");
+    const std::string at =
+        end.substr(end.rfind("\nat "), end.find('\n', end.rfind("\nat ") + 1) - end.rfind("\nat "));
+    EXPECT_NE(end.find(at), end.rfind(at)) << "there were more steps";
+    const Answer again = hosts.lammps(2, hosts.go_on("the.end"));
     EXPECT_NE(again.status, 0);
     EXPECT_TRUE(again.says("ERROR: Fix grit/mpm: all stages have ended")) << again.text;
 }

@@ -125,6 +125,9 @@ void Runner::begin(const std::string& stage,
     const auto now = static_cast<std::size_t>(state_now.stage);
     if (wanted != now && wanted != now + 1)
         throw std::invalid_argument("stage " + stage + " is not the next one");
+    if (wanted != now && !(run_on->time() > state_now.stage_time[now]))
+        throw std::invalid_argument("stage " + stage + " cannot begin: stage " +
+                                    plan.stages[now].name + " has not done a step yet");
     const StagePlan given = describe(plan.stages[wanted]);
     std::vector<StagePlan> stages = plan.stages;
     for (std::size_t i = wanted; i < stages.size(); ++i) {

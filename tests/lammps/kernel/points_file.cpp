@@ -27,7 +27,7 @@ PointsFile file(Geometry geometry, const std::string& first_line) {
 }
 
 void expect_refused(const PointsFile& of, const char* line, const char* why) {
-    std::vector<double> row;
+    std::vector<double> row{1.0, 0.0, 0.0, 0.0};
     try {
         of.read(line, row);
         ADD_FAILURE() << line;
@@ -53,7 +53,7 @@ TEST(PointsFile, HasVolumeAndMassOfABrickWhereTheyAreLeftOut) {
 TEST(PointsFile, RefusesIdsThatNoAtomHas) {
     EXPECT_EQ(PointsFile::id_of("2147483647 1"), 2147483647);
     EXPECT_EQ(PointsFile::id_of(""), 0);
-    for (const char* line : {"4294967297 1", "2147483648", "-1 2"}) {
+    for (const char* line : {"4294967297 1", "2147483648", "-1 2", "0 1", "one 1"}) {
         try {
             PointsFile::id_of(line);
             ADD_FAILURE() << line;
@@ -67,7 +67,19 @@ TEST(PointsFile, RefusesIdsThatNoAtomHas) {
 // Found by a fuzzer.
 TEST(PointsFile, RefusesVolumesThatOverflow) {
     expect_refused(file(Geometry::space, "id l_x l_y l_z density"), "1 1e200 1e200 1 1000",
-                   "point 1: half sides, mass and volume must be positive and finite");
+                   "point 1: the volume must be > 0 and finite, got inf m³");
+}
+
+TEST(PointsFile, NamesTheColumnAndTheWordOfWhatIsWrong) {
+    const PointsFile of = file(Geometry::axisymmetric, "id l_r l_z density");
+    expect_refused(of, "1 0.5 one 1000",
+                   "point 1: column l_z must be a finite number, got \"one\"");
+    expect_refused(of, "1 0.5 1 nan",
+                   "point 1: column density must be a finite number, got \"nan\"");
+    expect_refused(of, "1 0.5 1 ", "point 1: column density is missing");
+    expect_refused(of, "1 -0.5 1 1000",
+                   "point 1: half side l_r must be > 0 and finite, got -0.5 m");
+    expect_refused(of, "1 0.5 1 0", "point 1: the mass must be > 0 and finite, got 0 kg/rad");
 }
 
 TEST(PointsFile, RefusesWhatIsTurnedInsideOut) {

@@ -75,30 +75,34 @@ void check_told(const RigidPlan& motion, const BodyPlan& body, const Vector3& st
     }
 }
 
-// A plane of symmetry halves what lies at it: it cannot move across, nor turn about what lies within the plane.
-void check_free_at_sides(const Case& plan, const BodyPlan& body, const RigidPlan& motion,
-                         const Axes& axes, const ParticleView& q, std::ptrdiff_t count) {
+}  // namespace
+
+void check_free_at_sides(const Case& plan, std::size_t number, const Body& body,
+                         Exchange* exchange) {
+    const auto& motion = std::get<RigidPlan>(plan.bodies[number].material);
+    const Particles& q = body.particles;
+    double lies_at_it[6] = {};
     for (int side = 0; side < 6; ++side) {
         const int d = side / 2;
-        const auto across = static_cast<std::size_t>(d);
-        if (plan.space->boundary[side] == Boundary::free) continue;
-        const Axis& axis = axes[across];
-        const double at = side % 2 == 0 ? axis[0] : axis[axis.nodes() - 1];
-        bool lies_at_it = false;
-        for (std::ptrdiff_t p = 0; p < count && !lies_at_it; ++p)
-            lies_at_it = std::fabs(std::fabs(q[column::x + d][p] - at) - q[column::l_x + d][p]) <=
-                         1e-6 * q[column::l_x + d][p];
+        const AxisPlan& axis = plan.space->axis[d];
+        const double at = side % 2 == 0 ? axis.from : axis.to();
+        for (std::ptrdiff_t p = 0; p < q.size() && lies_at_it[side] == 0.0; ++p)
+            lies_at_it[side] = std::fabs(std::fabs(q(column::x + d, p) - at) -
+                                         q(column::l_x + d, p)) <= 1e-6 * q(column::l_x + d, p);
+    }
+    if (exchange) exchange->max(lies_at_it, 6);
+    for (int side = 0; side < 6; ++side) {
+        const auto across = static_cast<std::size_t>(side / 2);
         const bool moves_out = motion.free[across] || motion.free[(across + 1) % 3 + 3] ||
                                motion.free[(across + 2) % 3 + 3];
-        if (lies_at_it && moves_out)
-            throw std::invalid_argument(
-                "body " + body.name + " lies at the " +
-                std::string(word_of(words::sides_in_space, side)) +
-                " side, which is held: it may not be free across it, nor about axes within it");
+        if (lies_at_it[side] == 0.0 || !moves_out || plan.space->boundary[side] == Boundary::free)
+            continue;
+        throw std::invalid_argument(
+            "body " + body.name + " lies at the " +
+            std::string(word_of(words::sides_in_space, side)) +
+            " side, which is held: it may not be free across it, nor about axes within it");
     }
 }
-
-}  // namespace
 
 RigidCourse course_of(const Case& plan, std::size_t body, const std::shared_ptr<Clock>& clock) {
     const auto& motion = std::get<RigidPlan>(plan.bodies[body].material);
@@ -150,8 +154,7 @@ void add_bodies(const Case& plan, const Axes& axes, const std::shared_ptr<Clock>
         if (!body_plan.rigid()) set_start(body_plan, plan.gravity, body.particles);
         else {
             body.make_rigid(course_of(plan, b, clock), plan.settings.fixed_point);
-            check_free_at_sides(plan, body_plan, std::get<RigidPlan>(body_plan.material), axes,
-                                body.particles.view(), body.particles.size());
+            check_free_at_sides(plan, b, body, nullptr);
         }
         for (std::size_t i = 0; i < b; ++i) {
             const auto& left_out =

@@ -21,6 +21,10 @@ std::function<Vector3(double)> face_stress(const Case& plan, std::size_t tractio
 // Fixed nodes are known to a contact when it is made: after these.
 void hold_sides(const Case& plan, Simulation& simulation);
 void add_contacts(const Case& plan, Simulation& simulation);
+// A plane of symmetry halves what lies at it: it cannot move across, nor turn about what lies within the plane. Of a rigid
+// body; exchange: of processes that have some of its particles, or null. Throws std::invalid_argument.
+void check_free_at_sides(const Case& plan, std::size_t number, const Body& body,
+                         Exchange* exchange);
 
 // The stage's gravity, damping, PIC rate and CFL from now on.
 void apply_stage(const Case& plan, const StagePlan& stage, Simulation& simulation);
