@@ -142,6 +142,15 @@ class Block {
         state_new(i)[GRIT_CLASSIC_EVALUATIONS] = GRIT_CLASSIC_FAILED;
     }
 
+    // The words of a call are those of its first failure; a point that fails changes nothing, and has its own when it is alone.
+    grit_error why_not(const grit_sand_options& options, const grit_sand_water& water,
+                       grit_sand_points views, const std::ptrdiff_t& point) const {
+        grit_error error{};
+        views.index = &point;
+        grit_sand_update_undrained(&material.sand, &options, &water, 1, &views, nullptr, &error);
+        return error;
+    }
+
     void update(int first, int count) {
         Point start[chunk], end[chunk];
         std::ptrdiff_t able[chunk];
@@ -165,7 +174,9 @@ class Block {
         for (std::ptrdiff_t r = 0; r < able_count; ++r) {
             const int k = static_cast<int>(able[r]);
             if (reports[r].status != GRIT_OK) {
-                stand_still(first + k, error);
+                stand_still(first + k, reports[r].status == error.status
+                                           ? error
+                                           : why_not(options, water, views, able[r]));
                 continue;
             }
             write(first + k, start[k], end[k], reports[r].evaluations);
@@ -178,6 +189,7 @@ class Block {
 };
 
 grit_status run(const VumatArguments& call, grit_error& error) {
+    if (call.nblock && *call.nblock == 0) return GRIT_OK;  // of no points nothing is asked
     if (const grit_status s = check_call(call, error)) return s;
     if (const grit_status s = check_precision(call, error)) return s;
     const Material* material = nullptr;

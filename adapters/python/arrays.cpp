@@ -20,6 +20,16 @@ std::string type_name(const py::object& object) {
     return py::str(py::type::of(object).attr("__name__"));
 }
 
+// Its mask would be ignored.
+void refuse_masked(const char* name, const py::object& object) {
+    if (!py::isinstance<py::array>(object) ||
+        Py_TYPE(object.ptr()) == py::detail::npy_api::get().PyArray_Type_)
+        return;
+    if (py::isinstance(object, py::module_::import("numpy.ma").attr("MaskedArray")))
+        refuse("%s must have no mask, got a MaskedArray: an index tells which points are taken",
+               name);
+}
+
 // Two of its numbers may lie at the same place.
 bool overlaps_itself(const py::array& a) {
     std::vector<std::pair<py::ssize_t, py::ssize_t>> axes;  // |stride|, size
@@ -40,6 +50,7 @@ bool overlaps_itself(const py::array& a) {
 py::array judged(const char* name, const py::object& object, bool written) {
     if (!py::isinstance<py::array>(object))
         refuse("%s must be a NumPy array of float64, got %s", name, type_name(object).c_str());
+    refuse_masked(name, object);
     auto array = py::reinterpret_borrow<py::array>(object);
     if (!py::isinstance<py::array_t<double>>(object))
         refuse("%s must be an array of float64, got %s", name,
@@ -181,6 +192,7 @@ const ptrdiff_t* Arrays::read_index(const py::object& object) {
                py::isinstance<py::array>(object)
                    ? std::string(py::str(py::reinterpret_borrow<py::array>(object).dtype())).c_str()
                    : type_name(object).c_str());
+    refuse_masked("index", object);
     const auto list = py::reinterpret_borrow<py::array_t<std::int64_t>>(object);
     if (list.ndim() != 1) refuse("index must be (m,), got %s", shape_text(shape_of(list)).c_str());
     std::vector<bool> seen(static_cast<std::size_t>(n), false);
@@ -214,6 +226,7 @@ void Arrays::check_overlap(const Arrays* other) const {
 WholeNumbers whole_numbers(const char* name, const py::object& object) {
     if (!py::isinstance<py::array>(object))
         refuse("%s must be a NumPy array of integers, got %s", name, type_name(object).c_str());
+    refuse_masked(name, object);
     const auto array = py::reinterpret_borrow<py::array>(object);
     const char kind = array.dtype().kind();
     if (kind != 'i' && kind != 'u')

@@ -174,6 +174,7 @@ void add_contact_distance(py::module_& module) {
     using py::arg;
     const py::none none;
     py::class_<Surfaces>(module, "ContactSurfaces", surfaces_doc)
+        .def("__reduce_ex__", &reduce)
         .def(py::init<const py::object&, const py::object&, bool>(), arg("position"), arg("normal"),
              arg("centres") = false)
         .def("add", &Surfaces::add, arg("body"), arg("position"), arg("node"), py::kw_only(),

@@ -205,7 +205,8 @@ void add_element(py::module_& module) {
         "its plane. increments: of even size, or growing geometrically from first_share of the "
         "path, "
         "which resolves the first strain after a reversal.");
-    py::class_<Step>(stage, "Stage", "What is done to a sample, for grit.element_test.");
+    py::class_<Step>(stage, "Stage", "What is done to a sample, for grit.element_test.")
+        .def("__reduce_ex__", &reduce);
     add_stage(stage, "isotropic_stress", &isotropic_stress, "change",
               "All three stresses [stress].");
     add_stage(stage, "isotropic_strain", &isotropic_strain, "volumetric_strain",

@@ -2,6 +2,7 @@
 // What the module is made of.
 #pragma once
 
+#include <algorithm>
 #include <string>
 
 #include <grit/grit.h>
@@ -15,6 +16,12 @@ namespace py = pybind11;
 struct Sand {
     grit_sand prepared{};
 };
+
+// __reduce_ex__ of every class: protocols 0 and 1 would make an instance of pybind11's base, which ends the process.
+inline py::object reduce(const py::object& self, int protocol) {
+    const py::object base = py::module_::import("builtins").attr("object");
+    return base.attr("__reduce_ex__")(self, std::max(protocol, 2));
+}
 
 // The number of a parameter by its name or symbol; -1 for "void_ratio": GRIT_SAND_NO_PARAMETER, element::by_void_ratio.
 int direction_of(const std::string& name);

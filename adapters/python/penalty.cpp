@@ -163,6 +163,9 @@ double stable_step(const py::object& mass_a, const py::object& stiffness_a,
     const grit_view of_a[2] = {a.read("mass_a", mass_a, 0), a.read("stiffness_a", stiffness_a, 0)};
     grit_view of_b[2] = {};
     ptrdiff_t n_b = 0;
+    if (mass_b.is_none() != stiffness_b.is_none())
+        refuse("%s is missing: body B has both, or none of them",
+               mass_b.is_none() ? "mass_b" : "stiffness_b");
     if (!mass_b.is_none()) {
         Arrays b("mass_b", mass_b);
         of_b[0] = b.read("mass_b", mass_b, 0);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One point at a time: for insight and set-up.
+#include <cmath>
+
 #include "adapters/python/arrays.hpp"
 #include "adapters/python/errors.hpp"
 #include "adapters/python/parts.hpp"
@@ -21,7 +23,7 @@ py::tuple rate(const Sand& sand, const Numbers& stress, const Numbers& state, co
     check(grit_sand_rate(&sand.prepared, !intergranular_strain, of_size("stress", stress, 6),
                          of_size("state", state, GRIT_SAND_STATE_SIZE), of_size("D", D, 6),
                          stress_rate.mutable_data(), state_rate.mutable_data()),
-          "rate: stress, state and D must be finite, e > 0");
+          "rate: stress, state and D must be finite, e > 0, |h| at most 1.01 R");
     return py::make_tuple(stress_rate, state_rate);
 }
 
@@ -66,10 +68,19 @@ double wave_modulus(const Sand& sand, const Numbers& stress, double void_ratio,
 
 Numbers stress_at_rest(const Sand& sand, double unit_weight, double depth, double surcharge,
                        double K0, int axis) {
+    const auto check_positive = [](const char* name, double value, const char* unit) {
+        if (!(value >= 0.0) || !std::isfinite(value))
+            refuse("%s must be >= 0 and finite [%s], got %g", name, unit, value);
+    };
+    check_positive("unit_weight", unit_weight, "stress/length");
+    check_positive("depth", depth, "length");
+    check_positive("surcharge", surcharge, "stress");
+    if (!std::isfinite(K0)) refuse("K0 must be finite, got %g", K0);
+    if (axis < 0 || axis > 2) refuse("axis must be 0, 1 or 2, got %d", axis);
     Numbers stress(6);
     check(grit_sand_stress_at_rest(&sand.prepared, unit_weight, depth, surcharge, K0, axis,
                                    stress.mutable_data()),
-          "stress_at_rest: depth and surcharge must be >= 0, axis 0, 1 or 2");
+          "stress_at_rest: the vertical stress must be finite");
     return stress;
 }
 

@@ -34,11 +34,23 @@ std::vector<std::string> names_of_parameters() {
     return out;
 }
 
+template <class Value> Value cast_of(const char* name, const char* what, const py::handle& given) {
+    try {
+        return given.cast<Value>();
+    } catch (const py::cast_error&) {
+        refuse("%s must be %s, got %s", name, what, Py_TYPE(given.ptr())->tp_name);
+    }
+}
+
 Sand make(const py::object& name, double stress_scale, const py::kwargs& given) {
     grit_sand_parameters parameters{};
     check(grit_sand_parameters_init(&parameters, sizeof parameters), "grit_sand_parameters_init");
-    if (!name.is_none()) {
-        const std::string key = name.cast<std::string>();
+    if (name.is_none()) {
+        if (stress_scale != 1.0)
+            refuse("stress_scale is that of a published sand, and no name was given; got %g",
+                   stress_scale);
+    } else {
+        const std::string key = cast_of<std::string>("name", "a string", name);
         const int record = grit_sand_record_find(key.c_str());
         if (record < 0)
             refuse("there is no sand \"%s\"%s", key.c_str(),
@@ -57,7 +69,9 @@ Sand make(const py::object& name, double stress_scale, const py::kwargs& given) 
             refuse("a sand has no parameter \"%s\"%s%s", wanted.c_str(),
                    best.empty() ? ": help(grit.Sand) tells them" : "; nearest: ", best.c_str());
         }
-        check(grit_sand_parameter_set(&parameters, at, value.cast<double>()), wanted.c_str());
+        check(grit_sand_parameter_set(&parameters, at,
+                                      cast_of<double>(wanted.c_str(), "a number", value)),
+              wanted.c_str());
     }
     Sand out;
     grit_error error{};
@@ -100,12 +114,6 @@ py::str repr_of(const Sand& sand) {
         text += std::string(py::str(key)) + "=" + std::string(py::repr(value));
     }
     return "grit.Sand(" + text + ")";
-}
-
-// Protocols 0 and 1 would make an instance of pybind11's base, which ends the process.
-py::object reduce(const py::object& self, int protocol) {
-    const py::object base = py::module_::import("builtins").attr("object");
-    return base.attr("__reduce_ex__")(self, std::max(protocol, 2));
 }
 
 Sand restored(const py::dict& parameters) {

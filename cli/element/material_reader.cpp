@@ -198,6 +198,19 @@ void fill_umat(CaseFile& file, bool radian) {
         source.props[GRIT_CLASSIC_WATER_ITSELF] = water.water_bulk_modulus > 0.0 ? 1.0 : 0.0;
         source.largest_tension = water.largest_tension;
     }
+    if (water.largest_tension == 0.0)
+        throw element::BadCase("cavitation_kPa = 0 has no place in the PROPS of a UMAT, where 0 "
+                               "stands for water that never "
+                               "cavitates: give a small tension");
+    if (file.options.tolerance != element::usual_options().tolerance) {
+        const std::size_t least = GRIT_CLASSIC_TOLERANCE + 1;
+        if (source.props.size() < least) source.props.resize(least);
+        source.props[GRIT_CLASSIC_TOLERANCE] = file.options.tolerance;
+    }
+    if (file.options.evaluation_limit != element::usual_options().evaluation_limit)
+        throw element::BadCase(
+            fmt::format("numerics.evaluation_limit = {} has no place in the PROPS of a UMAT",
+                        file.options.evaluation_limit));
     source.state_size = GRIT_CLASSIC_NSTATV + 1;
     source.void_ratio = radian ? int{GRIT_RADIAN_VOID_RATIO} : int{GRIT_CLASSIC_VOID_RATIO};
     if (water.has_water()) source.minus_pore_pressure = GRIT_CLASSIC_PORE_STRESS;

@@ -211,4 +211,28 @@ TEST(VumatFailure, TakesAnEmptyBlock) {
     EXPECT_EQ(block.complaint(), "");
 }
 
+// A host may have no arrays for it, and what is said of it is what the first failure cannot say any more.
+TEST(VumatFailure, TakesAnEmptyBlockOfNoArrays) {
+    for (const char* argument : {"stressNew", "strainInc", "props"}) {
+        VumatCall block(0);
+        block.missing = argument;
+        EXPECT_EQ(block.complaint(), "");
+    }
+}
+
+TEST(VumatFailure, SaysWhatIsWrongOfEachKindInOneBlock) {
+    for (const int bad : {1, 40, 68}) {
+        VumatCall block = loaded(70);
+        block.strain_inc(0, 0) = -0.6;
+        block.strain_inc(bad, 2) = nan;
+        const std::string said = block.complaint();
+        EXPECT_NE(said.find("point 1 of a block of 70: "), std::string::npos) << said;
+        EXPECT_NE(said.find("use smaller steps"), std::string::npos) << said;
+        const std::size_t other =
+            said.find("point " + std::to_string(bad + 1) + " of a block of 70: ");
+        ASSERT_NE(other, std::string::npos) << said;
+        EXPECT_NE(said.find("must be finite, got nan", other), std::string::npos) << said;
+    }
+}
+
 }  // namespace

@@ -66,6 +66,19 @@ TEST(CliLayout, NeedsALibraryAndANameThatItKnows) {
                     .says("--layout: there is no \"degrees\"; known here: classic, radian"));
 }
 
+// Rather than to run with another number.
+TEST(CliThroughAnyLibrary, RefusesWhatItsPropsHaveNoPlaceFor) {
+    const Workplace here;
+    const std::string run =
+        "element --no-plot " GRIT_CASES "/umat_cavitation.toml --umat " GRIT_UMAT " --set ";
+    const Answer tension = here.grit(run + "sand.cavitation_kPa=0");
+    EXPECT_NE(tension.status, 0);
+    EXPECT_TRUE(tension.says("cavitation_kPa = 0 has no place in the PROPS")) << tension.text;
+    const Answer limit = here.grit(run + "numerics.evaluation_limit=500");
+    EXPECT_NE(limit.status, 0);
+    EXPECT_TRUE(limit.says("evaluation_limit = 500 has no place in the PROPS")) << limit.text;
+}
+
 // Radians are out of range for the classic layout, and its degrees for the other: no numbers come out.
 TEST(CliLayout, OfTheWrongLibraryGivesNoResult) {
     const Workplace here;

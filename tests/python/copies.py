@@ -50,6 +50,12 @@ class Copies(unittest.TestCase):
                 for a, b in zip(update(sand), ends):
                     self.assertEqual(a.tobytes(), b.tobytes(), name)
 
+    def test_of_what_is_not_copied_are_refused(self):
+        for other in grit.stage.oedometer(-0.01), grit.ContactSurfaces(np.zeros((1, 2)), np.zeros((1, 2))):
+            for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+                with self.assertRaises(TypeError):
+                    pickle.dumps(other, protocol)
+
     def test_of_what_is_no_sand_are_refused(self):
         parts = grit.Sand("lausitz").parameters
         with self.assertRaises(grit.BadParameter):

@@ -88,6 +88,30 @@ class Refusals(unittest.TestCase):
         self.refused("index[2] = 1 is there twice", index=np.array([1, 0, 1]))
         self.refused("index must be (m,), got (1, 1)", index=np.array([[0]]))
 
+    def test_masks_that_would_be_ignored(self):
+        for name, array in (("stress", stress()), ("state", state()), ("strain_increment", strain())):
+            self.refused(name + " must have no mask, got a MaskedArray: an index tells which points are taken",
+                         **{name: np.ma.masked_array(array, np.zeros_like(array))})
+        self.refused("index must have no mask, got a MaskedArray: an index tells which points are taken",
+                     index=np.ma.masked_array([0, 1], [1, 0]))
+
+    def test_arguments_of_one_point(self):
+        for message, call in (
+                ("stress_scale is that of a published sand, and no name was given; got 1000",
+                 lambda: grit.Sand(stress_scale=1000, **sand.parameters)),
+                ("critical_friction_angle must be a number, got str",
+                 lambda: grit.Sand("lausitz", critical_friction_angle="33")),
+                ("name must be a string, got int", lambda: grit.Sand(5)),
+                ("unit_weight must be >= 0 and finite [stress/length], got -10", lambda: sand.stress_at_rest(-10, 5)),
+                ("depth must be >= 0 and finite [length], got -5", lambda: sand.stress_at_rest(10, -5)),
+                ("axis must be 0, 1 or 2, got 3", lambda: sand.stress_at_rest(10, 5, axis=3)),
+                ("K0 must be finite, got nan", lambda: sand.stress_at_rest(10, 5, K0=np.nan)),
+                ("mass_b is missing: body B has both, or none of them",
+                 lambda: grit.penalty_stable_step(np.ones(2), np.ones(2), stiffness_b=np.ones(2)))):
+            with self.assertRaises(grit.BadCall) as caught:
+                call()
+            self.assertEqual(str(caught.exception), message)
+
     def test_options_out_of_range(self):
         self.refused("tolerance must be in [1e-12, 0.1], got 0", tolerance=0.0)
 
