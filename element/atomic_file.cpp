@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "element/atomic_file.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <fstream>
 #include <random>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "element/signal_safe_names.hpp"
 
@@ -78,6 +81,11 @@ void AtomicPath::complete() {
     slot = -1;
 }
 
+void AtomicPath::complete_as(fs::path other) {
+    place = std::move(other);
+    complete();
+}
+
 AtomicFile::AtomicFile(const fs::path& place) : name(place) {
     file = std::fopen(name.path().c_str(), "wx");
     if (!file) fail(place, errno);
@@ -94,6 +102,34 @@ void AtomicFile::write(std::string_view text) {
 
 void AtomicFile::flush() {
     if (std::fflush(file) != 0 || std::ferror(file) != 0) fail(name.destination(), errno);
+}
+
+void AtomicFile::complete_on_disk() {
+    flush();
+    const fs::path place = name.destination();
+    // Some file systems know no such call.
+    if (fsync(fileno(file)) != 0 && errno != EINVAL && errno != EROFS) fail(place, errno);
+    complete();
+    const fs::path folder = fs::absolute(place).parent_path();
+    const int handle = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (handle < 0) return;
+    fsync(handle);  // the file itself is complete, whatever this says
+    close(handle);
+}
+
+bool AtomicFile::keep_lines(const fs::path& other) noexcept try {
+    if (file) std::fclose(std::exchange(file, nullptr));
+    std::ifstream in(name.path(), std::ios::binary);
+    std::uintmax_t whole = 0, at = 0;
+    for (char c; in.get(c);)
+        if (++at, c == '\n') whole = at;
+    in.close();
+    if (whole == 0) return false;
+    fs::resize_file(name.path(), whole);
+    name.complete_as(other);
+    return true;
+} catch (const std::exception&) {
+    return false;
 }
 
 void AtomicFile::complete() {

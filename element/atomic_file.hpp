@@ -27,6 +27,7 @@ class AtomicPath {
     const std::filesystem::path& path() const { return beside; }
     const std::filesystem::path& destination() const { return place; }
     void complete();  // throws CannotWrite
+    void complete_as(std::filesystem::path other);
 
   private:
     std::filesystem::path place, beside;
@@ -45,6 +46,10 @@ class AtomicFile {
     const std::filesystem::path& path() const { return name.path(); }
     void flush();     // throws CannotWrite
     void complete();  // throws CannotWrite
+    // ... and not before the disk has it, so that it survives the power.
+    void complete_on_disk();
+    // What has been written, up to its last whole line, as another file; this one is none any more. False: it cannot be.
+    bool keep_lines(const std::filesystem::path& other) noexcept;
 
   private:
     AtomicPath name;

@@ -79,7 +79,7 @@ struct TestTable {
 
 Sheet read_sheet_of(TomlTable& table, std::vector<std::filesystem::path>& inputs) {
     Sheet out;
-    out.path = table.folder() / table.string("file");
+    out.path = table.folder_of("file") / table.string("file");
     out.format.sheet = table.string_if("sheet").value_or("");
     out.format.header_line = table.integer_or("header_line", 0, 1, 1000000);
     out.format.first_line = table.integer_or("first_line", 0, 1, 1000000);

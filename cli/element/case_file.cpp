@@ -41,7 +41,7 @@ Samples read_samples(TomlTable& root) {
     if (!table) return out;
     const std::string name = table->string("table");
     out.given = true;
-    out.table = table->folder() / name;
+    out.table = table->folder_of("table") / name;
     Cells cells;
     try {
         cells = read_cells(out.table);

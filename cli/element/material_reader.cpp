@@ -43,7 +43,7 @@ NamedSand read_sand_parameters(TomlTable& table) {
         if (table.has("name"))
             table.fail("name", fmt::format("{} and {}: the sand comes from one or the other",
                                            table.full("name"), table.full("file")));
-        out.file = table.folder() / *file;
+        out.file = table.folder_of("file") / *file;
         out.name = out.file.stem().string();
         out.parameters = read_sand_file(out.file);
     }
@@ -86,7 +86,7 @@ void read_sand(TomlTable table, CaseFile& file, const std::filesystem::path& giv
 void read_umat(TomlTable table, CaseFile& file) {
     element::UmatSource source;
     if (const std::optional<std::string> library = table.string_if("library"))
-        source.library = (table.folder() / *library).lexically_normal();
+        source.library = (table.folder_of("library") / *library).lexically_normal();
     source.props = table.numbers("props");
     file.umat_state = table.numbers("statev");
     const int given = static_cast<int>(file.umat_state.size());

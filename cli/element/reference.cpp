@@ -44,7 +44,7 @@ Reference read_reference(TomlTable table, int stages, const std::string& sample)
     for (TomlTable& value : table.tables_if("value"))
         out.values.push_back(read_value(std::move(value), stages));
     if (const std::optional<std::string> curve = table.string_if("curve")) {
-        out.curve_file = (table.folder() / *curve).lexically_normal();
+        out.curve_file = (table.folder_of("curve") / *curve).lexically_normal();
         try {
             out.curve = standardised(read_table(out.curve_file, sample));
             // Every column that somebody may ask for, while nothing has been computed yet.

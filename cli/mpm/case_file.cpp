@@ -24,6 +24,10 @@ StageEnd read_until(TomlTable table, const Case& plan) {
     if (table.given().empty())
         table.fail("", fmt::format("{} must say what ends the stage", table.full("")));
     refuse(table, objection_to(plan, out, same_name));
+    if (!(out.time < unlimited) && !(out.depth < unlimited) && out.blows == 0 &&
+        out.unbalanced_share == 0.0)
+        table.fail("unbalanced_share",
+                   fmt::format("{} of 0 never ends a stage", table.full("unbalanced_share")));
     table.finish();
     return out;
 }
@@ -94,8 +98,7 @@ void read_profile(TomlTable& table, Case& plan) {
     ProfilePlan& profile = plan.history.profile;
     profile.from = (*z)[0];
     profile.to = (*z)[1];
-    profile.parts =
-        static_cast<int>(number_or_default(table, case_word("history", "profile_parts")));
+    profile.parts = integer_or_default(table, case_word("history", "profile_parts"));
 }
 
 void read_history(TomlTable table, Case& plan) {
@@ -165,6 +168,7 @@ MpmCaseFile read_mpm_case(const std::filesystem::path& path, const std::filesyst
             read_fields(std::move(*fields),
                         plan.space ? space_fields() : mpm_fields(plan.settings.axisymmetric));
     root.finish();
+    for (const auto& [key, value] : root.values()) out.given.push_back(key + " = " + value);
     return out;
 }
 

@@ -25,6 +25,7 @@ struct MpmCaseFile {
     grit::mpm::Case plan;
     std::optional<FieldsPlan> fields;
     std::vector<std::filesystem::path> inputs;  // all files that were read
+    std::vector<std::string> given;             // "KEY = VALUE" of all that it says, ascending
 };
 
 // sand: a file whose parameters take the place of those of all bodies of sand, empty: none. settings: "KEY=VALUE", see

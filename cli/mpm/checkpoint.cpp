@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/mpm/checkpoint.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -15,7 +12,6 @@
 #include <adapters/mpm/io/checksum.hpp>
 #include <fmt/format.h>
 
-#include "cli/process/cannot_write.hpp"
 #include "element/atomic_file.hpp"
 
 namespace cli {
@@ -46,19 +42,6 @@ Header header_of(std::string_view runner) {
     throw std::runtime_error(fmt::format("{}: {}", place.string(), why));
 }
 
-// What the disk does not hold is lost with the power. Some file systems know no such call for folders.
-void to_disk(int file, const fs::path& place) {
-    if (fsync(file) != 0 && errno != EINVAL && errno != EROFS) cannot_write(place, errno);
-}
-
-void folder_to_disk(const fs::path& place) {
-    const fs::path folder = fs::absolute(place).parent_path();
-    const int handle = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (handle < 0) return;
-    fsync(handle);  // the file itself is complete, whatever this says
-    close(handle);
-}
-
 std::string bytes_of(const fs::path& place) {
     errno = 0;
     std::ifstream file(place, std::ios::binary);
@@ -80,10 +63,7 @@ void write_mpm_checkpoint(const fs::path& place, const grit::mpm::Subject& simul
     file.write({reinterpret_cast<const char*>(&header), sizeof header});
     file.write(runner);
     file.write(state.view());
-    file.flush();
-    to_disk(fileno(file.stream()), place);
-    file.complete();
-    folder_to_disk(place);
+    file.complete_on_disk();
 }
 
 MpmCheckpoint::MpmCheckpoint(const fs::path& path) : place(path) {

@@ -13,6 +13,7 @@
 #include "cli/mpm/space_fields.hpp"
 #include "cli/mpm/to_lammps.hpp"
 #include "cli/process/abnormal_end.hpp"
+#include "cli/process/cannot_write.hpp"
 #include "cli/process/outputs.hpp"
 #include "cli/process/standard_streams.hpp"
 
@@ -34,6 +35,21 @@ Outputs outputs_of(const MpmRequest& request, const MpmCaseFile& file,
     if (options.shown) outputs.add(options.fields.string() + ".pvd", who);
     outputs.spare(file.inputs);
     return outputs;
+}
+
+// A run that begins anew is none of the checkpoint's, and might never come to its own.
+void put_aside(const std::filesystem::path& checkpoint, const Case& plan) {
+    std::error_code none;
+    if (!std::filesystem::exists(checkpoint, none)) return;
+    std::filesystem::path old = checkpoint;
+    old += ".old";
+    std::error_code refused;
+    std::filesystem::rename(checkpoint, old, refused);
+    if (refused) cannot_write(old, refused.value());
+    warn("grit: {}: an interrupted run of this case left a checkpoint, now {}; without --restart "
+         "this "
+         "run begins anew\n",
+         plan.name, old.string());
 }
 
 Runner prepare(const MpmRequest& request, const MpmCaseFile& file) {
@@ -137,10 +153,12 @@ ExitCode run_mpm(const MpmRequest& request) {
                                 request.restart,
                                 request.quiet,
                                 request.field_svg,
-                                words_of(request.settings, others)};
+                                words_of(request.settings, others),
+                                file.given};
     const Outputs outputs = outputs_of(request, file, options);
     Runner runner = prepare(request, file);
     const auto lock = outputs.lock();
+    if (!request.restart) put_aside(options.checkpoint, plan);
     const RunGuard guard(plan.name + ": Grit");
     MpmRun run(options, runner);
     const std::string failure = run.go();

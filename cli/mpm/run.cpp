@@ -54,6 +54,8 @@ void MpmRun::resume() {
                             history_columns(runner.description()).size());
         runner.resume(done.state);
         checkpoint.restore(runner.subject());
+        compare_cases(done.given, options.given);
+        runner.take_steps();
         if (field_files) field_files->resume(done.frames);
     } catch (const std::runtime_error& error) {
         throw BadInput(error.what());
@@ -63,22 +65,43 @@ void MpmRun::resume() {
 std::string MpmRun::go() {
     const std::string failure = compute();
     progress.finish();
-    for (const std::string& text : done.ends) history->comment(text);
-    if (!failure.empty()) history->comment("STOPPED EARLY: " + failure);
-    history->complete();
+    complete_history(failure);
     // What it was kept for is done.
     std::error_code nobody_needs_it;
     if (failure.empty()) std::filesystem::remove(options.checkpoint, nobody_needs_it);
     return failure;
 }
 
+std::filesystem::path MpmRun::incomplete() const {
+    std::filesystem::path out = options.history;
+    return out += ".incomplete";
+}
+
+// Where the disk does not take all of it, what is there is worth a name of its own.
+void MpmRun::complete_history(const std::string& failure) {
+    try {
+        for (const std::string& text : done.ends) history->comment(text);
+        if (!failure.empty()) history->comment("STOPPED EARLY: " + failure);
+        history->complete();
+        std::error_code there_is_none;
+        std::filesystem::remove(incomplete(), there_is_none);
+    } catch (const element::CannotWrite& error) {
+        const std::filesystem::path part = incomplete();
+        const std::string rows =
+            history->keep_rows(part) ? "; its rows so far are in " + part.string() : std::string();
+        throw element::CannotWrite((failure.empty() ? "" : failure + "; ") + error.what() + rows);
+    }
+}
+
 // Whatever goes wrong here, the history so far is worth keeping.
 std::string MpmRun::compute() {
     try {
+        // At the start, or what a disk did not take of a step before.
         if (runner.row_is_due()) {
+            done.frame_is_open = field_files.has_value();
             row();
-            frame();
         }
+        if (done.frame_is_open) frame();
         while (!runner.finished()) {
             if (RunGuard::interrupted()) {
                 const std::string problem = save();
@@ -88,6 +111,10 @@ std::string MpmRun::compute() {
         }
     } catch (const MaterialFailure& error) {
         return error.what() + replay(error);
+    } catch (const element::CannotWrite& error) {
+        // The run itself is whole.
+        const std::string problem = save();
+        return error.what() + here() + (problem.empty() ? "" : "; " + problem);
     } catch (const std::exception& error) {
         return error.what() + here();
     }
@@ -145,30 +172,32 @@ std::string MpmRun::here() {
     return fmt::format(" (after step {}, t = {:.6g} s)", simulation.steps(), simulation.time());
 }
 
+// It is part of the state before the disk has it: asked again, the runner would have no means of a step.
 void MpmRun::row() {
     const std::vector<double> values = history_values(runner.description(), runner.row());
-    history->row(values);
     done.history.insert(done.history.end(), values.begin(), values.end());
+    history->row(values);
 }
 
 void MpmRun::frame() {
-    if (!field_files) return;
     field_files->write();
     done.frames = field_files->times();
     if (options.shown->interval > 0.0)
         done.next_frame = next_multiple(options.shown->interval, runner.subject().time());
+    done.frame_is_open = false;
 }
 
 void MpmRun::step() {
     const int stage = runner.state().stage;
     runner.step();
     RunGuard::done(stage + 1, static_cast<int>(runner.subject().steps()));
-    if (runner.row_is_due()) row();
     const bool ended = runner.state().stage != stage;
-    if (ended) stage_ended(stage);
     const bool frame_due = options.shown && options.shown->interval > 0.0 &&
                            runner.subject().time() >= done.next_frame;
-    if (ended || frame_due) frame();
+    done.frame_is_open = field_files && (ended || frame_due);
+    if (ended) stage_ended(stage);
+    if (runner.row_is_due()) row();
+    if (done.frame_is_open) frame();
     if (progress(runner)) history->flush();
     const std::chrono::duration<double, std::ratio<60>> since = Clock::now() - saved;
     if (options.checkpoint_minutes > 0.0 && since.count() >= options.checkpoint_minutes)
@@ -192,6 +221,7 @@ std::string MpmRun::save() {
     saved = Clock::now();  // after a failure too: the next one is due as late
     try {
         done.state = runner.state();
+        done.given = options.given;
         write_mpm_checkpoint(options.checkpoint, runner.subject(), bytes_of(done));
     } catch (const std::exception& error) {
         return fmt::format("the checkpoint could not be written: {}", error.what());

@@ -28,8 +28,9 @@ struct MpmRunOptions {
     double checkpoint_minutes = 0.0;  // 0: when it is interrupted, only
     bool restart = false;             // from the checkpoint
     bool quiet = false;
-    bool field_svg = false;    // pictures of fields as .svg too
-    std::string changes = {};  // of the case by options, "with KEY=VALUE", empty: none
+    bool field_svg = false;               // pictures of fields as .svg too
+    std::string changes = {};             // of the case by options, "with KEY=VALUE", empty: none
+    std::vector<std::string> given = {};  // as of MpmCaseFile
 };
 
 class MpmRun {
@@ -54,6 +55,8 @@ class MpmRun {
     void stage_ended(int stage);
     // Why there is no new checkpoint; empty: there is. The one before stays.
     std::string save();
+    std::filesystem::path incomplete() const;
+    void complete_history(const std::string& failure);
     std::string here();
 
     const MpmRunOptions& options;

@@ -81,7 +81,7 @@ SurfaceShape read_surface(TomlTable& table) {
 
 std::shared_ptr<const ClosedSurface> read_closed_surface(TomlTable& table,
                                                          const CaseWord& unit_word) {
-    const std::filesystem::path file = table.folder() / table.string("file");
+    const std::filesystem::path file = table.folder_of("file") / table.string("file");
     const double unit = number_or_default(table, unit_word);
     const auto at = table.numbers_if("offset_m", 3).value_or(std::vector<double>(3, 0.0));
     try {

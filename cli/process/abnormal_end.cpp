@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 
 #include "cli/process/exit_code.hpp"
 #include "element/atomic_file.hpp"
@@ -21,6 +22,7 @@ std::array<char, 1024> culprit;
 volatile sig_atomic_t running = 0, asked_to_stop = 0;
 volatile long last_step = 0;
 volatile int last_increment = 0;
+volatile double asked_at = 0.0;             // [s]
 std::array<char, 65536> stack_of_handlers;  // for a stack that overflows
 
 void say_where(const char* how) {
@@ -55,11 +57,21 @@ void at_crash(int signal) {
     raise(signal);
 }
 
+double seconds_now() {
+    timespec now{};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// Asked twice, it drops everything. A terminal that goes, and timeout, send one signal twice in no time.
 void at_interrupt(int signal) {
+    const double now = seconds_now();
     if (running && !asked_to_stop) {
         asked_to_stop = 1;
+        asked_at = now;
         return;
     }
+    if (running && now - asked_at < (signal == SIGINT ? 0.1 : 2.0)) return;
     remove_unfinished();
     _exit(128 + signal);
 }

@@ -89,15 +89,24 @@ void take(std::map<std::string, Finding>& found, const fs::path& folder, const f
     else finding.*place = path;
 }
 
-// A reference of nothing is a table like others.
-void free_references(std::map<std::string, Finding>& found) {
+// A reference of nothing, and cycles of nothing, are tables like others.
+void free_tables(std::map<std::string, Finding>& found) {
     std::vector<Finding> alone;
     for (auto& [stem, finding] : found) {
-        if (finding.reference.empty() || !finding.table.empty()) continue;
-        alone.emplace_back().stem = stem + "_reference";
-        alone.back().table = std::exchange(finding.reference, {});
+        if (!finding.table.empty()) continue;
+        const std::pair<fs::path*, const char*> parts[] = {{&finding.reference, "_reference"},
+                                                           {&finding.cycles, "_cycles"}};
+        for (const auto& [part, ending] : parts) {
+            if (part->empty()) continue;
+            alone.emplace_back().stem = stem + ending;
+            alone.back().table = std::exchange(*part, {});
+        }
     }
-    for (Finding& finding : alone) found[finding.stem] = std::move(finding);
+    for (Finding& finding : alone) {
+        Finding& own = found[finding.stem];
+        own.stem = finding.stem;
+        own.table = std::move(finding.table);
+    }
     std::erase_if(found, [](const auto& each) {
         const Finding& f = each.second;
         return f.table.empty() && f.cycles.empty() && f.picture.empty() && f.frames.empty() &&
@@ -118,7 +127,7 @@ std::vector<Finding> findings_in(const fs::path& folder) {
         if (at->is_regular_file(problem) && !problem) take(found, folder, at->path());
     }
     if (problem) throw BadInput(fmt::format("{}: {}", folder.string(), problem.message()));
-    free_references(found);
+    free_tables(found);
     if (found.empty())
         throw BadInput(fmt::format("{}: no results: neither tables, pictures, frames nor what "
                                    "grit calibrate writes",
@@ -144,6 +153,7 @@ std::vector<StoryLine> read_story(const fs::path& path) {
     int number = 0;
     for (std::string line; std::getline(file, line);) {
         ++number;
+        if (line.ends_with('\r')) line.pop_back();
         if (line.empty() || line.front() == '#') continue;
         const std::size_t bar = line.find(" | ");
         if (line.starts_with("== ")) out.push_back({true, line.substr(3), ""});

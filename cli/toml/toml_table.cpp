@@ -2,6 +2,7 @@
 #include "cli/toml/toml_table.hpp"
 
 #include <cmath>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -27,6 +28,39 @@ struct TomlTable::Content {
     const toml::node* get(const std::string& key) const { return values->get(spelled(key)); }
 };
 
+namespace {
+
+bool is_list_of_tables(const toml::node& node) {
+    const toml::array* const list = node.as_array();
+    return list && !list->empty() && list->is_homogeneous(toml::node_type::table);
+}
+
+void add_values(const toml::table& table, const std::string& before,
+                std::map<std::string, std::string>& out) {
+    for (const auto& [key, node] : table) {
+        const std::string name = before + std::string(key.str());
+        if (const toml::table* inner = node.as_table()) {
+            add_values(*inner, name + ".", out);
+        } else if (is_list_of_tables(node)) {
+            const toml::array& list = *node.as_array();
+            std::string names;
+            for (std::size_t i = 0; i < list.size(); ++i) {
+                const toml::table& each = *list.get_as<toml::table>(i);
+                const std::string which = each.at_path("name").value_or(std::to_string(i + 1));
+                names += (names.empty() ? "" : ", ") + which;
+                add_values(each, name + "." + which + ".", out);
+            }
+            out[name] = names;
+        } else {
+            std::ostringstream text;
+            node.visit([&text](const auto& value) { text << value; });
+            out[name] = text.str();
+        }
+    }
+}
+
+}  // namespace
+
 TomlTable::TomlTable(std::shared_ptr<const Content> table_content, std::string file,
                      std::string table_name, const SampleRow* row)
     : content(std::move(table_content)), path(std::move(file)), name(std::move(table_name)),
@@ -48,8 +82,16 @@ void TomlTable::take_names_from(const OtherNames& names) {
     content = std::make_shared<const Content>(Content{content->document, content->values, &names});
 }
 
-std::filesystem::path TomlTable::folder() const {
-    return std::filesystem::path(path).parent_path();
+std::filesystem::path TomlTable::folder_of(const std::string& key) const {
+    const toml::node* node = content->get(key);
+    const bool is_of_file = node && node->source().path && !node->source().path->starts_with("--");
+    return std::filesystem::path(is_of_file ? *node->source().path : path).parent_path();
+}
+
+std::map<std::string, std::string> TomlTable::values() const {
+    std::map<std::string, std::string> out;
+    add_values(*content->values, "", out);
+    return out;
 }
 
 void TomlTable::fail(const std::string& key, const std::string& message) const {

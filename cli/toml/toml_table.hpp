@@ -69,7 +69,10 @@ class TomlTable {
     // A file may write the second name in the place of the first, as errors do then.
     using OtherNames = std::map<std::string, std::string>;
     void take_names_from(const OtherNames& names);
-    std::filesystem::path folder() const;
+    // Of the file that says this key, or of the case where an option does.
+    std::filesystem::path folder_of(const std::string& key) const;
+    // All values below, "body.pile.rigid.time_s" and as TOML; of a list of tables "stage" has their names.
+    std::map<std::string, std::string> values() const;
 
   private:
     struct Content;  // hides the TOML library

@@ -236,9 +236,9 @@ TEST(MaterialPointCommand, GivesTheSameHistoryForAnyNumberOfThreads) {
 }
 
 TEST(MaterialPointCommand, EndsAfterTheStepWhenItIsInterrupted) {
-    const Workplace here;
-    here.write("x.toml", column("1000"));
     for (const char* signal : {"INT", "TERM", "HUP"}) {
+        const Workplace here;
+        here.write("x.toml", column("1000"));
         // A first checkpoint is written after many steps.
         const Answer answer = here.interrupted(
             "mpm --no-plot --checkpoint-minutes 1e-3 --out out x.toml", signal, "out/x.checkpoint");
@@ -323,6 +323,66 @@ TEST(MaterialPointCommand, RefusesACheckpointOfAnotherMaterialAndNamesTheDiffere
     }
 }
 
+// How steps are taken, stages and loads may be others when a run goes on; what it began with may not.
+TEST(MaterialPointCommand, GoesOnWithTheStepsOfTheCaseAsItIsNowAndWithNoOtherStart) {
+    const Workplace here;
+    here.write("x.toml", column("1000"));
+    const std::string run = "mpm --no-plot --quiet --out out x.toml";
+    here.interrupted(run, "TERM");
+    const auto steps = [&] {
+        const Values dt = here.result("x").at("dt");
+        return std::pair{*std::max_element(dt.begin(), dt.end()), dt.back()};
+    };
+    const auto [longest, last] = steps();
+    EXPECT_GT(last, 0.9 * longest);
+    here.interrupted(run + " --restart --set numerics.cfl=0.1", "TERM");
+    EXPECT_LT(steps().second, 0.3 * longest);
+    here.interrupted(run + " --restart --set numerics.largest_step_s=1e-5", "TERM");
+    EXPECT_NEAR(steps().second, 1e-5, 1e-15);
+    const std::string before = here.text("out/x.checkpoint");
+    for (const auto& [setting, why] :
+         {std::pair{"history.depth_of=centre_of_mass",
+                    "of a case that says nothing for history.depth_of, this one 'centre_of_mass'"},
+          std::pair{"body.column.velocity_m_per_s=[0,1]",
+                    "nothing for body.column.velocity_m_per_s, this one [ 0, 1 ]"},
+          std::pair{"stage.stand.name=lie", "of a case that says stand for stage, this one lie"}}) {
+        const Answer other = here.grit(run + " --restart --set '" + setting + "'");
+        EXPECT_EQ(other.status, 2);
+        EXPECT_TRUE(other.says(why)) << other.text;
+    }
+    EXPECT_TRUE(here.text("out/x.checkpoint") == before);
+}
+
+TEST(MaterialPointCommand, PutsTheCheckpointOfAnInterruptedRunAsideWhereItBeginsAnew) {
+    const Workplace here;
+    here.write("x.toml", column("1000"));
+    const std::string run = "mpm --no-plot --quiet --out out x.toml";
+    here.interrupted(run, "TERM");
+    const std::string before = here.text("out/x.checkpoint");
+    EXPECT_GT(before.size(), 1000U);
+    here.write("x.toml", column("0.01"));
+    const Answer answer = here.grit(run);
+    EXPECT_EQ(answer.status, 0) << answer.text;
+    EXPECT_TRUE(answer.says("left a checkpoint, now out/x.checkpoint.old")) << answer.text;
+    EXPECT_EQ(here.files("out"), (Names{"x.checkpoint.old", "x.csv"}));
+    EXPECT_TRUE(here.text("out/x.checkpoint.old") == before);
+    EXPECT_EQ(here.grit(run + " --restart").status, 2);
+}
+
+// A terminal that goes sends SIGHUP twice, timeout SIGTERM to the program and to its group.
+TEST(MaterialPointCommand, IsInterruptedOnceByTwoSignalsInNoTime) {
+    for (const std::string signal : {"HUP", "TERM"}) {
+        const Workplace here;
+        here.write("x.toml", column("1000"));
+        const Answer answer =
+            here.interrupted("mpm --no-plot --quiet --out out x.toml",
+                             signal + " $grit; kill -" + signal + " $grit; kill -" + signal);
+        EXPECT_EQ(answer.status, 1);
+        EXPECT_TRUE(answer.says("interrupted (after step")) << answer.text;
+        EXPECT_EQ(here.files("out"), (Names{"x.checkpoint", "x.csv"}));
+    }
+}
+
 // Files of 20 KiB at most: the checkpoint is larger, the history is not.
 constexpr const char* little_room = "ulimit -f 40";
 
@@ -360,6 +420,44 @@ TEST(MaterialPointCommand, GoesOnIfACheckpointBetweenCannotBeWritten) {
         << answer.text;
     EXPECT_EQ(here.files("out"), Names{"x.csv"});
     EXPECT_EQ(here.text("out/x.csv"), here.text("whole/x.csv"));
+}
+
+TEST(MaterialPointCommand, KeepsTheRowsOfAHistoryThatTheDiskDoesNotTake) {
+    const Workplace here;
+    here.write("y.toml", column("12"));
+    here.write("x.toml", "base = \"y.toml\"\n[override]\n\"history.interval_s\" = 0\n");
+    const Answer answer = here.grit(std::string("--version > /dev/null; ") + little_room +
+                                    "; " GRIT_CLI " mpm --no-plot --quiet --out out x.toml");
+    EXPECT_NE(answer.status, 0);
+    EXPECT_TRUE(answer.says("; its rows so far are in out/x.csv.incomplete")) << answer.text;
+    EXPECT_EQ(here.files("out"), Names{"x.csv.incomplete"});
+    const std::string rows = here.text("out/x.csv.incomplete");
+    EXPECT_GT(rows.size(), 10000U);
+    EXPECT_EQ(rows.back(), '\n');
+    const auto commas = [](const std::string& text) {
+        return std::count(text.begin(), text.end(), ',');
+    };
+    const std::string last = rows.substr(rows.rfind('\n', rows.size() - 2) + 1);
+    EXPECT_EQ(commas(last), 34) << last;
+}
+
+// A file is beside the one that names it.
+TEST(MaterialPointCommand, FindsTheFilesOfABaseBesideTheBase) {
+    const Workplace here;
+    std::filesystem::create_directories(here.path("cases"));
+    here.write("cases/own.toml",
+               "[sand]\ncritical_friction_angle_deg = 33.0\ngranulate_hardness_kPa = 1.6e6\n"
+               "stiffness_exponent = 0.19\ndensest_void_ratio = 0.44\ncritical_void_ratio = 0.85\n"
+               "loosest_void_ratio = 1.00\npyknotropy_exponent = 0.25\n"
+               "stiffness_void_exponent = 1.0\n");
+    std::string base = column("0.01");
+    base = replaced(base, "[body.elastic]\nyoungs_modulus_kPa = 1000\npoissons_ratio = 0.3\n",
+                    "[body.sand]\nfile = \"own.toml\"\nvoid_ratio = 0.6\n"
+                    "[body.stress_at_rest]\nsurface_m = 1\n");
+    here.write("cases/y.toml", base);
+    here.write("x.toml", "base = \"cases/y.toml\"\n");
+    const Answer answer = here.grit("mpm --no-plot --quiet --out out x.toml");
+    EXPECT_EQ(answer.status, 0) << answer.text;
 }
 
 TEST(MaterialPointCommand, WritesARowForEachThousandthOfTheFirstStageUnlessItIsToldOtherwise) {

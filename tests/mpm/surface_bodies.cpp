@@ -297,6 +297,12 @@ TEST(RiddenLine, MovesAsTheDomainsThatItsVerticesWereNearestTo) {
     EXPECT_LT(x.size(), 6u);
 }
 
+TEST(RiddenLine, IsRefusedWhereItIsTooLongForItsCells) {
+    EXPECT_NO_THROW(RiddenLine({{{0.0, 0.0}, {0.0, 1e4}}, false}, 0.05));
+    for (const double length : {2e4, 1e300})
+        EXPECT_THROW(RiddenLine({{{0.0, 0.0}, {0.0, length}}, false}, 0.05), std::invalid_argument);
+}
+
 TEST(RiddenLine, OfAClosedLineIsClosed) {
     Particles particles(0);
     particles.add({0.5, 0.5, 0.5, 0.5, 1.0}, false);

@@ -176,6 +176,23 @@ TEST(RiddenMesh, MovesAsTheParticlesThatItsVerticesWereNearestToAndHasNoLongEdge
 }
 
 // Where two edges of a triangle are halved, what is left of it is parted as its mirror image is; sides alike, and not.
+// Found by a fuzzer: a file in mm, read as if it were in m, was divided for minutes, into as much memory as there is.
+TEST(RiddenMesh, IsRefusedWhereItIsTooLargeForItsCells) {
+    TriangleMesh tetrahedron;
+    tetrahedron.position = {0.0, 0.0, 0.0, 100.0, 0.0, 0.0, 0.0, 100.0, 0.0, 0.0, 0.0, 50.0};
+    tetrahedron.facet = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+    EXPECT_NO_THROW(RiddenMesh(tetrahedron, 1.0));
+    try {
+        RiddenMesh(tetrahedron, 0.05);
+        ADD_FAILURE();
+    } catch (const std::invalid_argument& error) {
+        EXPECT_EQ(
+            std::string(error.what()),
+            "the surface of a contact is 100 by 100 by 50 m large: without edges beyond 0.05 m, "
+            "the shortest cell, it has more than 262144 triangles; is its unit right?");
+    }
+}
+
 TEST(RiddenMesh, IsDividedAlikeOnBothSidesOfAMirror) {
     Particles particles;
     particles.add({{0.5, 0.5, 0.5}, {0.5, 0.5, 0.5}, 1.0});

@@ -142,6 +142,9 @@ class Trials:
 
 def of_a_stopped_run(trials, command, name, content, whole):
     """The history so far, the frames so far, and a checkpoint from which it goes on to the whole result."""
+    if name.endswith(".csv.incomplete"):
+        rows = rows_of(content)
+        return content.endswith(b"\n") and rows == rows_of(whole[name.removesuffix(".incomplete")])[: len(rows)]
     if name.endswith(".csv"):
         rows = rows_of(content)
         return b"# STOPPED EARLY" in content and rows == rows_of(whole[name])[: len(rows)]

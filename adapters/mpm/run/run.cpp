@@ -153,6 +153,11 @@ void Runner::resume(const RunState& state) {
     if (!finished()) run_on->apply(plan, plan.stages[static_cast<std::size_t>(state.stage)]);
 }
 
+void Runner::take_steps() {
+    if (!finished())
+        run_on->take_steps(plan, plan.stages[static_cast<std::size_t>(state_now.stage)]);
+}
+
 void Runner::step() {
     Subject& simulation = *run_on;
     const double before = simulation.time();

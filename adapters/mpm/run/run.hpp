@@ -113,6 +113,8 @@ class Runner {
 
     // Goes on from there; the state of the simulation is to be restored afterwards.
     void resume(const RunState& state);
+    // ... and, once it is, how steps are taken as the case says it now.
+    void take_steps();
 
   private:
     void begin_stage();

@@ -24,6 +24,8 @@ class Subject {
     virtual Energy energy() = 0;
     virtual double shortest_cell() const = 0;
     virtual void apply(const Case& plan, const StagePlan& stage) = 0;
+    // Of what is restored: how steps are taken, where the case says that otherwise now.
+    virtual void take_steps(const Case& plan, const StagePlan& stage) = 0;
 
     // Sums over all particles of free bodies.
     struct Bodies {
@@ -59,6 +61,16 @@ class Subject {
     virtual void save(std::ostream& out) const = 0;
     virtual void restore(std::istream& in, OtherBits bits) = 0;
 };
+
+template <class Simulated>
+void take_steps_as(const Case& plan, const StagePlan& stage, Simulated& simulation) {
+    const auto was = simulation.current_settings();
+    if (was.local_damping != stage.local_damping) simulation.set_local_damping(stage.local_damping);
+    if (was.pic_rate != stage.pic_rate) simulation.set_pic_rate(stage.pic_rate);
+    if (was.cfl != stage.cfl) simulation.set_cfl(stage.cfl);
+    if (was.largest_step != plan.settings.largest_step)
+        simulation.set_largest_step(plan.settings.largest_step);
+}
 
 // They outlive it.
 std::unique_ptr<Subject> subject_of(Simulation& simulation);

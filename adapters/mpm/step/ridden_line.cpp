@@ -3,11 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include "adapters/mpm/step/contact_zone.hpp"
+#include "adapters/mpm/step/text.hpp"
 
 namespace grit::mpm {
 namespace {
+
+constexpr int most_points = 1 << 18;  // far more than a body of particles has cells at its surface
 
 // Points of a line, none farther from the next one than this.
 std::vector<Vector2> divided(const BoundaryLine& line, double longest) {
@@ -18,6 +23,11 @@ std::vector<Vector2> divided(const BoundaryLine& line, double longest) {
         out.push_back(from);
         if (i + 1 == n && !line.closed) break;
         const double parts = std::ceil(norm(along) / longest * (1.0 - 1e-9));
+        if (!(static_cast<double>(out.size()) + parts <= most_points))
+            throw std::invalid_argument("the surface line of a contact has a segment of " +
+                                        text(norm(along)) + " m: without any beyond " +
+                                        text(longest) + " m, the shortest cell, it has more than " +
+                                        std::to_string(most_points) + " points");
         for (double k = 1.0; k < parts; k += 1.0) out.push_back(from + (k / parts) * along);
     }
     return out;

@@ -222,6 +222,11 @@ void Simulation::set_cfl(double cfl) {
     model.dt = std::min(model.dt, before);
 }
 
+void Simulation::set_largest_step(double step) {
+    model.settings.largest_step = step;
+    if (started) model.dt = std::min(model.dt, step);
+}
+
 Seconds Simulation::seconds() const {
     Seconds out = spent;
     for (std::size_t body = 0; body < model.parts.size(); ++body)

@@ -24,6 +24,9 @@ class SpaceSubject : public Subject {
     void apply(const Case& plan, const StagePlan& stage) override {
         apply_stage(plan, stage, simulation);
     }
+    void take_steps(const Case& plan, const StagePlan& stage) override {
+        take_steps_as(plan, stage, simulation);
+    }
     Bodies measure(double gravity, std::size_t driven) override;
     bool rigid(std::size_t body) const override { return simulation.body(body).rigid(); }
     double level(std::size_t body, DepthOf what) override;

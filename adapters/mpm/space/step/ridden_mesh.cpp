@@ -4,10 +4,32 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
+#include <string>
 #include <utility>
+
+#include "adapters/mpm/step/text.hpp"
 
 namespace grit::mpm::space {
 namespace {
+
+// Far more than a body of particles has cells at its surface; a file in another unit asks for millions.
+constexpr std::size_t most_triangles = 1u << 18;
+
+[[noreturn]] void refuse_size(const TriangleMesh& mesh, double longest) {
+    Vector3 low = mesh.vertex(0), high = low;
+    for (std::ptrdiff_t v = 1; v < mesh.vertices(); ++v)
+        for (int k = 0; k < 3; ++k) {
+            low[k] = std::min(low[k], mesh.vertex(v)[k]);
+            high[k] = std::max(high[k], mesh.vertex(v)[k]);
+        }
+    std::string extent;
+    for (int k = 0; k < 3; ++k) extent += (k ? " by " : "") + text(high[k] - low[k]);
+    throw std::invalid_argument("the surface of a contact is " + extent +
+                                " m large: without edges beyond " + text(longest) +
+                                " m, the shortest cell, it has more than " +
+                                std::to_string(most_triangles) + " triangles; is its unit right?");
+}
 
 // Edges that are too long are halved, for both of their triangles, until there is none.
 void divide(TriangleMesh& mesh, double longest) {
@@ -27,6 +49,7 @@ void divide(TriangleMesh& mesh, double longest) {
             finer.insert(finer.end(), {a, b, c});
         };
         for (std::size_t f = 0; f < mesh.facet.size(); f += 3) {
+            if (finer.size() > 3 * most_triangles) refuse_size(mesh, longest);
             std::ptrdiff_t v[3] = {mesh.facet[f], mesh.facet[f + 1], mesh.facet[f + 2]}, m[3];
             int count = 0;
             for (int k = 0; k < 3; ++k) {

@@ -364,6 +364,11 @@ void Simulation::set_cfl(double cfl) {
     model.dt = std::min(model.dt, before);
 }
 
+void Simulation::set_largest_step(double step) {
+    model.settings.largest_step = step;
+    if (started) model.dt = std::min(model.dt, step);
+}
+
 double Simulation::damping_impulse(std::size_t body) const {
     if (!(model.settings.local_damping > 0.0)) return 0.0;
     std::array<Total, 1> sum;

@@ -44,6 +44,7 @@ class Simulation {
     void set_local_damping(double share) { model.settings.local_damping = share; }
     void set_pic_rate(double rate) { model.settings.pic_rate = rate; }
     void set_cfl(double cfl);
+    void set_largest_step(double step);
 
     // Throws std::runtime_error if particles leave the grid, MaterialFailure if the sand of one fails.
     void step();
