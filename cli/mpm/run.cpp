@@ -82,7 +82,7 @@ void MpmRun::complete_history(const std::string& failure) {
     try {
         for (const std::string& text : done.ends) history->comment(text);
         if (!failure.empty()) history->comment("STOPPED EARLY: " + failure);
-        history->complete();
+        history->complete_on_disk();  // the checkpoint goes next
         std::error_code there_is_none;
         std::filesystem::remove(incomplete(), there_is_none);
     } catch (const element::CannotWrite& error) {

@@ -18,7 +18,8 @@ class TableFile {
     void row(const std::vector<double>& values);
     void comment(const std::string& text);
     void flush() { file.flush(); }
-    void complete() { file.complete_on_disk(); }
+    void complete() { file.complete(); }
+    void complete_on_disk() { file.complete_on_disk(); }
     // Where it cannot be completed: what is there of it, in whole lines, as another file. False: it cannot.
     bool keep_rows(const std::filesystem::path& place) { return file.keep_lines(place); }
 

@@ -19,18 +19,9 @@ class LammpsRefuses : public ::testing::Test {
         text = replaced(text, words, other);
         script = replaced(script, "both.fix", "changed.fix");
         hosts.folder.write("changed.fix", fix);
-        const Answer answer = hosts.lammps(processes, script);
-        EXPECT_NE(answer.status, 0);
-        EXPECT_TRUE(answer.says("ERROR")) << answer.text;
-        EXPECT_TRUE(answer.says(why)) << answer.text;
-        EXPECT_FALSE(answer.says("terminate called") || answer.says("Segmentation")) << answer.text;
+        expect_error(hosts.lammps(processes, script), why);
     }
-    const BothHosts hosts{block_case("1, 0.5", "0.1", R"([[traction]]
-body = "block"
-edge = "top"
-time_s = [0]
-stress_kPa = [1]
-)")};
+    const BothHosts hosts{loaded_block_case("0.1")};
 };
 
 TEST_F(LammpsRefuses, NothingInTheCaseAsItIs) {

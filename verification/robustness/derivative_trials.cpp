@@ -363,14 +363,6 @@ double apart(const double* a, const double* b, double shear) {
     return std::sqrt(sum);
 }
 
-// Where F has the tip of a cone.
-bool near_axis(const double* T) {
-    double deviator[6];
-    const double mean = (T[0] + T[1] + T[2]) / 3.0;
-    for (int c = 0; c < 6; ++c) deviator[c] = T[c] - (c < 3 ? mean : 0.0);
-    return norm_of_stress(deviator) < 0.02 * std::fabs(mean);
-}
-
 // One direction, of a size that counts, at a tight tolerance, against differences of the reference. Differences of two
 // sizes that agree are the derivative; the others pass a kink.
 void compare_reference(const Call& given, const Point& before, Random& random, Findings& out) {

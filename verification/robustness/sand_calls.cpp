@@ -217,6 +217,13 @@ bool is_rotation(const double* Q) {
     return true;
 }
 
+bool near_axis(const double* T) {
+    double deviator[6];
+    const double mean = (T[0] + T[1] + T[2]) / 3.0;
+    for (int c = 0; c < 6; ++c) deviator[c] = T[c] - (c < 3 ? mean : 0.0);
+    return norm_of_stress(deviator) < 0.02 * std::fabs(mean);
+}
+
 bool all_finite(const double* x, int n) {
     return std::all_of(x, x + n, [](double each) { return std::isfinite(each); });
 }

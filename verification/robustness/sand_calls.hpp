@@ -37,6 +37,8 @@ bool same(const Point& a, const Point& b);
 bool with_memory(const Call& call);
 double norm_of_stress(const double* T);
 double norm_of_strain(const double* E);
+// Where F has the tip of a cone.
+bool near_axis(const double* T);
 bool all_finite(const double* x, int n);
 // What a call takes for a rotation: orthogonal, by a margin within its 1e-8.
 bool is_rotation(const double* Q);

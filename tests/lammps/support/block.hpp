@@ -36,3 +36,13 @@ name = "flight"
 time_s = )" +
            until + "\n[history]\ninterval_s = 0\n" + more;
 }
+
+// ... that flies, pressed on its top.
+inline std::string loaded_block_case(const std::string& until) {
+    return block_case("1, 0.5", until, R"([[traction]]
+body = "block"
+edge = "top"
+time_s = [0]
+stress_kPa = [1]
+)");
+}

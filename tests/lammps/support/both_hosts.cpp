@@ -194,3 +194,10 @@ std::string first_difference(const Told& one, const Told& other) {
     }
     return {};
 }
+
+void expect_error(const Answer& answer, const std::string& why) {
+    EXPECT_NE(answer.status, 0);
+    EXPECT_TRUE(answer.says("ERROR")) << answer.text;
+    EXPECT_TRUE(answer.says(why)) << answer.text;
+    EXPECT_FALSE(answer.says("terminate called") || answer.says("Segmentation")) << answer.text;
+}

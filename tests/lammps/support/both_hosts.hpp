@@ -54,5 +54,8 @@ class BothHosts {
 // A text with other words in the place of the first of these; the test fails if there are none.
 std::string replaced(std::string text, const std::string& words, const std::string& other);
 
+// It ended by LAMMPS's own kind of error, which says why.
+void expect_error(const Answer& answer, const std::string& why);
+
 // For messages: where a row differs, bit for bit; empty: nowhere.
 std::string first_difference(const Told& one, const Told& other);
