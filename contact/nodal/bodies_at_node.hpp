@@ -33,7 +33,6 @@ template <int C> struct BodiesAtNode {
     int bodies = 0, pair_count = 0, active = 0;
     double mass[most_bodies];
     bool rigid[most_bodies] = {};
-    bool meets[most_bodies] = {};  // has an active pair
     Velocity velocity[most_bodies];
     NodePair<C> pairs[most_pairs];
 
@@ -53,16 +52,17 @@ template <int C> struct BodiesAtNode {
         for (int body = 0; body < bodies; ++body) trial[body] = velocity[body];
         const double approach = assemble(), allowed = 1e-6 * tolerance * approach;
         if (!(approach > 0.0)) return true;
-        double most_energy = energy(trial);  // springs may give some
+        double given = 0.0;  // by springs
         for (int s = 0; s < sweep_limit; ++s) {
             const double pressed = press(allowed);
             if (pressed < 0.0) return false;
-            if (s == 0 && has_springs) most_energy = max(most_energy, energy(velocity));
+            if (s == 0 && has_springs) given = max(-loss().work, 0.0);
             if (max(pressed, rub()) <= tolerance * approach) break;
         }
         // Coulomb's law at several normals may have no solution, or one that gains energy: then friction
         // is left out.
-        if (energy(velocity) <= most_energy && consistent(approach)) return true;
+        const Loss lost = loss();
+        if (lost.work + given >= -1e-15 * lost.size && consistent(approach)) return true;
         for (int row = 0; row < system.count; ++row) {
             NodePair<C>& pair = pairs[pair_of[row]];
             pair.u_t = {};
@@ -84,17 +84,23 @@ template <int C> struct BodiesAtNode {
         return true;
     }
 
-    // Twice the kinetic energy of the bodies that meet another, as seen from the rigid one if there is one. The
-    // velocity of a body that meets none may be anything.
-    double energy(const Velocity (&v)[most_bodies]) const {
-        Velocity frame{};
-        for (int body = 0; body < bodies; ++body)
-            if (rigid[body] && meets[body]) frame = v[body];
-        double sum = 0.0;
-        for (int body = 0; body < bodies; ++body) {
-            if (rigid[body] || !meets[body]) continue;
-            const Velocity seen = v[body] - frame;
-            sum += mass[body] * fused_dot(seen, seen);
+    // Twice the work that the pairs take, sum J . (w before + w after), and the size of its terms. Without rigid bodies
+    // it is twice the kinetic energy lost; rigid ones that move differently may do work of their own.
+    struct Loss {
+        double work, size;
+    };
+    Loss loss() const {
+        Loss sum{0.0, 0.0};
+        for (int row = 0; row < system.count; ++row) {
+            const NodePair<C>& pair = pairs[pair_of[row]];
+            for (int c = 0; c < C; ++c) {
+                const double J = pair.shares.m_r * pair.r.u[c];
+                const double w = (trial[pair.a][c] - trial[pair.b][c]) +
+                                 (velocity[pair.a][c] - velocity[pair.b][c]);
+                sum.work += J * w;
+                sum.size += fabs(J) * (fabs(trial[pair.a][c]) + fabs(trial[pair.b][c]) +
+                                       fabs(velocity[pair.a][c]) + fabs(velocity[pair.b][c]));
+            }
         }
         return sum;
     }

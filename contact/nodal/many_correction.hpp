@@ -47,7 +47,6 @@ template <int C> class ManyCorrection {
         for (int body = 0; body < b.count; ++body) {
             node.mass[body] = load<double>(b.mass[body], 0, here);
             node.velocity[body] = load_vector<C, double>(b.velocity[body], here);
-            node.meets[body] = false;
         }
         node.active = 0;
         for (int p = 0; p < q.pair_count; ++p) {
@@ -59,7 +58,6 @@ template <int C> class ManyCorrection {
             pair.shares = shares_of(pair.law, m_a, m_b);
             if (!pair.shares.active) continue;
             ++node.active;
-            node.meets[pair.a] = node.meets[pair.b] = true;
             if (!read_pair(q.pairs[p], pair, here)) return p;
         }
         return -1;

@@ -35,8 +35,8 @@ cell_along(const grit_view& cell_size, const grit_view& spacing, const Vector<Re
         good = good & good_length(edge);
         cells[i] = n[i] * inverse_of(edge, spacing, i);
     }
-    const Real inverse = sqrt(fused_dot(cells, cells));
-    return {Real(1.0) / max(inverse, Real(1.0 / largest_number)), inverse};
+    const Real inverse = max(sqrt(fused_dot(cells, cells)), Real(1.0 / largest_number));
+    return {Real(1.0) / inverse, inverse};
 }
 
 template <class Real, int C> struct ReadApproach {

@@ -16,7 +16,7 @@ TEST(FloatingPointTraps, AreNotSprungByGoodNodes) {
     const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
     for (int isa = GRIT_ISA_BASELINE; isa <= grit_instruction_set(); ++isa)
         for (const std::size_t count : {std::size_t(1), std::size_t(16)})
-            for (std::size_t odd = 0; odd < 6; ++odd) {
+            for (std::size_t odd = 0; odd < 7; ++odd) {
                 Nodes nodes = random_nodes(count, 3, 72);
                 Node& x = nodes.node[count / 2];
                 if (odd == 0) x.m_a = x.m_b = 0.0;
@@ -27,6 +27,8 @@ TEST(FloatingPointTraps, AreNotSprungByGoodNodes) {
                 if (odd == 3) x.n = {0.0, 0.0, 0.0};
                 if (odd == 4) x.v_a = x.v_b;
                 if (odd == 5) x.v_a = x.v_b + x.n;  // no slip
+                if (odd == 6) x.n = {0.0, 0.0, 0.0};
+                if (odd == 6) x.s = infinity;
                 nodes.gated = true;
                 grit_contact_options options = options_with();
                 options.allow_zero_normal = 1;
@@ -35,7 +37,12 @@ TEST(FloatingPointTraps, AreNotSprungByGoodNodes) {
                 options.time_step = 1e-3;
                 options.contact_stiffness = odd == 0 || odd == 5 ? 0.0 : 1e5;
                 std::feclearexcept(FE_ALL_EXCEPT);
-                EXPECT_EQ(nodes.correct(options), GRIT_OK) << nodes.error.message;
+                grit_contact_nodes views = nodes.views();
+                const Vec edges = {0.1, 0.2, 0.3};
+                if (odd == 6) views.cell_size = {};
+                if (odd == 6) views.spacing = grit_view_of(edges.data(), 0, 1);
+                EXPECT_EQ(nodes.correct(options, views, nodes.size()), GRIT_OK)
+                    << nodes.error.message;
                 EXPECT_EQ(std::fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW), 0)
                     << "isa " << isa << ", case " << odd << ", nodes " << count;
             }

@@ -26,7 +26,8 @@ enum Largest {
     galilei_error,
     turn_error,
     many_momentum,
-    many_energy
+    many_energy,
+    many_work
 };
 enum Rule {
     finite,
@@ -46,6 +47,8 @@ enum Rule {
     turns_along,
     many_keeps_momentum,
     many_gains_no_energy,
+    rigid_stays,
+    many_takes_work,
     many_of_two_is_pair
 };
 
@@ -59,18 +62,27 @@ const Vocabulary words = {
      "difference with bodies exchanged, over velocities",
      "difference with a common velocity, over velocities",
      "difference when turned, over velocities", "momentum error of more bodies",
-     "energy gained by more bodies, over that of relative motion"},
-    {"results are finite", "a refused node keeps its bits", "an open node keeps its bits",
-     "a batch gives the bits of single calls, whatever its strides", "a status is one of a node's",
-     "momentum is kept to 1e-15", "energy does not grow by more than 1e-14",
-     "friction stays within Coulomb's limit to 1e-13 (1 + mu / 100)", "the normal impulse presses",
+     "energy gained by more bodies, over that of relative motion",
+     "work of impulses beside rigid bodies given, over its terms"},
+    {"results are finite",
+     "a refused node keeps its bits",
+     "an open node keeps its bits",
+     "a batch gives the bits of single calls, whatever its strides",
+     "a status is one of a node's",
+     "momentum is kept to 1e-15",
+     "energy does not grow by more than 1e-14",
+     "friction stays within Coulomb's limit to 1e-13 (1 + mu / 100)",
+     "the normal impulse presses",
      "f_p of the approach is taken to 1e-14",
      "energy with that of a spring does not grow by more than 1e-14",
      "the impulse of a spring is that of (C9) to 1e-14",
      "bodies exchanged give the same to 1e-14 (1 + mu)",
      "a common velocity is not seen, to 1e-14 (1 + mu)",
      "turned nodes give turned velocities to 1e-13 (1 + mu)",
-     "momentum of more bodies is kept to 1e-14", "energy of more bodies does not grow by 1e-12",
+     "momentum of more bodies is kept to 1e-14",
+     "energy of more bodies does not grow by 1e-12",
+     "a rigid body keeps its bits among many",
+     "impulses beside rigid bodies give no more work than 1e-12 of its terms",
      "two bodies among many are a pair, to the bit"}};
 
 struct Node {
@@ -435,7 +447,7 @@ void judge_in_other_words(const Call& call, const Node& x, const Node& y, Random
     out.demand(turns_along, off <= 1e-13 * rough, program);
 }
 
-// Two to five bodies at a node, in pairs of random normals.
+// Two to five bodies at a node, up to two of them rigid, in pairs of random normals.
 void try_many(const Call& call, Random& random, Findings& out) {
     const int count = 2 + random.below(4), c = call.options.components;
     std::vector<double> mass(static_cast<std::size_t>(count));
@@ -447,13 +459,13 @@ void try_many(const Call& call, Random& random, Findings& out) {
         for (double& each : velocity[i]) each *= speed;
     }
     before = velocity;
+    const int rigid = random.below(4) ? 0 : 1 + random.below(2);  // the first ones
     grit_contact_options options = call.options;
-    options.rigid = GRIT_CONTACT_NONE_RIGID;
     options.mass_tolerance = 0.0;
     std::vector<Node> between;
     std::vector<grit_contact_pair> pairs;
     for (int a = 0; a < count; ++a)
-        for (int b = a + 1; b < count; ++b)
+        for (int b = std::max(a + 1, rigid); b < count; ++b)
             if (count == 2 || random.below(3)) {
                 between.push_back(random_node(random, call));
                 Node& x = between.back();
@@ -470,9 +482,12 @@ void try_many(const Call& call, Random& random, Findings& out) {
                 pairs.push_back(pair);
             }
     if (pairs.empty()) return;
+    grit_contact_options beside_rigid = options;
+    options.rigid = GRIT_CONTACT_NONE_RIGID;
+    beside_rigid.rigid = GRIT_CONTACT_A_RIGID;
     for (std::size_t k = 0; k < pairs.size(); ++k) {
         Node& x = between[k];
-        pairs[k].options = &options;
+        pairs[k].options = pairs[k].a < rigid ? &beside_rigid : &options;
         pairs[k].normal = grit_view_of(x.normal.data(), 3, 1);
         pairs[k].distance = grit_view_of(&x.distance, 1, 1);
         pairs[k].cell_size = grit_view_of(&x.cell, 1, 1);
@@ -505,7 +520,8 @@ void try_many(const Call& call, Random& random, Findings& out) {
     const auto program = [&] {
         std::string text = program_of(call, pair) + "/* bodies:";
         for (std::size_t i = 0; i < mass.size(); ++i)
-            text += " m " + number_text(mass[i]) + " v " + numbers(before[i].data(), 3);
+            text += (static_cast<int>(i) < rigid ? " rigid m " : " m ") + number_text(mass[i]) +
+                    " v " + numbers(before[i].data(), 3);
         for (std::size_t k = 0; k < pairs.size(); ++k)
             text += " pair " + std::to_string(pairs[k].a) + '-' + std::to_string(pairs[k].b) +
                     " n " + numbers(between[k].normal.data(), 3) + " s " +
@@ -543,16 +559,37 @@ void try_many(const Call& call, Random& random, Findings& out) {
         energy_before += 0.5 * mass[i] * dot(old, old);
         energy_after += 0.5 * mass[i] * dot(now, now);
     }
-    out.measure(many_momentum, error / size);
-    out.demand(many_keeps_momentum, error <= 1e-14 * size, program);
-    if (options.contact_stiffness == 0.0) {
+    for (int i = 0; i < rigid; ++i)
+        out.demand(rigid_stays,
+                   same(velocity[static_cast<std::size_t>(i)], before[static_cast<std::size_t>(i)]),
+                   program);
+    if (rigid == 0) {
+        out.measure(many_momentum, error / size);
+        out.demand(many_keeps_momentum, error <= 1e-14 * size, program);
+    }
+    if (options.contact_stiffness == 0.0 && rigid > 0) {
+        double given = 0.0, terms = 0.0;
+        for (std::size_t k = 0; k < pairs.size(); ++k) {
+            const auto a = static_cast<std::size_t>(pairs[k].a),
+                       b = static_cast<std::size_t>(pairs[k].b);
+            for (std::size_t d = 0; d < 3; ++d) {
+                const double J = reports[k].impulse[d];
+                given -= J * (before[a][d] - before[b][d] + velocity[a][d] - velocity[b][d]);
+                terms += std::fabs(J) * (std::fabs(before[a][d]) + std::fabs(before[b][d]) +
+                                         std::fabs(velocity[a][d]) + std::fabs(velocity[b][d]));
+            }
+        }
+        if (terms > 0.0) out.measure(many_work, given / terms);
+        out.demand(many_takes_work, given <= 1e-12 * terms, program);
+    }
+    if (options.contact_stiffness == 0.0 && rigid == 0) {
         const double gain = energy_after / energy_before - 1.0;
         out.measure(many_energy, gain);
         out.demand(many_gains_no_energy, gain <= 1e-12, program);
     }
     if (count != 2) return;
     Call alone = call;
-    alone.options = options;
+    alone.options = rigid ? beside_rigid : options;
     correct(alone, pair);
     out.demand(many_of_two_is_pair, same(pair.v_a, velocity[0]) && same(pair.v_b, velocity[1]),
                program);
