@@ -43,7 +43,7 @@ grit_status read_surface(const grit_penalty_surface* given, const char* name,
     GRIT_CHECK(check_switch(s.closed, {name, "closed"}, error));
     GRIT_CHECK(check_reserved(s.reserved, {name, "reserved"}, error));
     GRIT_CHECK(check_vertex_count(s.count, s.closed, {name, "count"}, error));
-    return check_base(s.position, {name, "position"}, error);
+    return check_vectors(s.position, {name, "position"}, error);
 }
 
 grit_status check_motion(const grit_penalty_surface& s, const char* name,
@@ -54,7 +54,7 @@ grit_status check_motion(const grit_penalty_surface& s, const char* name,
     if (friction || s.history.base)
         GRIT_CHECK(check_output(s.history, GRIT_PENALTY_HISTORY_SIZE, {name, "history"}, error));
     if (friction)
-        GRIT_CHECK(check_base(s.velocity, {name, "velocity"}, error, ": friction needs it"));
+        GRIT_CHECK(check_vectors(s.velocity, {name, "velocity"}, error, ": friction needs it"));
     for (std::ptrdiff_t i = 0; friction && i < s.count; ++i) {
         for (int c = 0; c < 2; ++c)
             if (const double v = component(s.velocity, i, c); !(std::fabs(v) <= 1e30))

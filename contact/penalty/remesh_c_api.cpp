@@ -18,7 +18,9 @@ grit_status check(const grit_penalty_remeshing& q, grit_error* error) {
                  "tolerance must be in [0, shortest = %g] (length), got %g", q.shortest,
                  q.tolerance);
     GRIT_CHECK(check_vertex_count(q.count, q.closed, "count", error));
-    GRIT_CHECK(check_base(q.position, "position", error));
+    GRIT_CHECK(check_vectors(q.position, "position", error));
+    if (q.history.base)
+        GRIT_CHECK(check_components(q.history, GRIT_PENALTY_HISTORY_SIZE, "history", error));
     GRIT_CHECK(check_given(q.parents, "parents", error));
     GRIT_CHECK(check_given(q.weight, "weight", error));
     GRIT_CHECK(check_output(q.new_position, 2, {"line", "new_position"}, error));

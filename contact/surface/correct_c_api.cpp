@@ -27,8 +27,9 @@ struct Given {
 template <int C> class Pair {
   public:
     Pair(const Given& given, Arena& memory)
-        : o(given.options), arena(memory), a(read_skin<C>(memory, given.surface[0])),
-          b(read_skin<C>(memory, given.surface[1])),
+        : o(given.options), arena(memory),
+          a(read_skin<C>(memory, given.surface[0], given.options.spacing)),
+          b(read_skin<C>(memory, given.surface[1], given.options.spacing)),
           pressures(memory, a, o.spacing, o.end_spacings), system(memory, a, b, pressures) {}
 
     // Its rows; false where the workspace is too small.

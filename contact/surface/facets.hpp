@@ -73,7 +73,12 @@ Vector<double, C> at_vertex(const grit_surface& s, const grit_view& velocity, st
     return sum;
 }
 
-template <int C> Skin<C> read_skin(Arena& arena, const grit_surface& s) {
+// What is thinner than this share of the spacing is nothing: its normal would be that of the last bits of its vertices,
+// and it would press as any other facet does.
+constexpr double least_height = 1e-6;
+
+// spacing: of facets that are given none.
+template <int C> Skin<C> read_skin(Arena& arena, const grit_surface& s, double spacing) {
     Skin<C> skin{&s, arena.take<Facet<C>>(s.facets), arena.take<Vector<double, C>>(s.vertices)};
     if (arena.is_overrun()) return skin;
     for (std::ptrdiff_t f = 0; f < s.facets; ++f) {
@@ -82,7 +87,9 @@ template <int C> Skin<C> read_skin(Arena& arena, const grit_surface& s) {
         const auto area = facet.area_vector();
         const double length = norm(area);
         facet.size = C == 2 ? length : 0.5 * length;
-        if (!(length > 0.0)) {  // nothing meets it
+        const double thin = least_height * (s.spacing ? s.spacing[f] : spacing);
+        if (!(length > (C == 2 ? thin : thin * facet.longest_edge()))) {  // nothing meets it
+            facet.size = 0.0;
             facet.n = {};
             continue;
         }

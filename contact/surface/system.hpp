@@ -580,7 +580,7 @@ template <int C> class System {
         return (node >= first_node[1]) == (body == 1);
     }
     // No water passes. Returns by how much velocities have changed: of the body, as the same impulse on it would change
-    // them, for flow may be as slow as it likes.
+    // them, for flow may be as slow as it likes; of the flow where the body is held.
     double correct_water(Row<C>& row) {
         double largest = 0.0;
         for (int body = 0; body < 2; ++body) {
@@ -588,13 +588,15 @@ template <int C> class System {
             const double change = seepage(row, body, &Node::seepage) / row.water_effective[body];
             row.water_impulse[body] += change;
             if (change != 0.0) push_water(row, body, change);
-            largest = std::max(largest, std::fabs(change) * row.effective[0]);
+            const double yields =
+                row.effective[0] > 0.0 ? row.effective[0] : row.water_effective[body];
+            largest = std::max(largest, std::fabs(change) * yields);
         }
         return largest;
     }
     // Returns by how much a velocity has changed.
     double correct(Row<C>& row, double mu) {
-        if (!(row.effective[0] > 0.0)) return 0.0;
+        if (!(row.effective[0] > 0.0)) return correct_water(row);
         const double w = approach(row, 0, &Node::v) - row.bound - row.compliance * row.impulse[0];
         const double wanted =
             std::max(row.impulse[0] + w / (row.effective[0] + row.compliance), 0.0);

@@ -62,7 +62,8 @@ GRIT_API grit_status grit_surface_options_init(grit_surface_options* options, si
  * the way from the first vertex to the second, or triangles (3), whose vertices go round counter-clockwise as seen from outside. Neighbours
  * that share vertices and turn by less than 30 degrees are one smooth stretch: pressure is continuous
  * there, and jumps where the surface turns by more. Facets of A that are longer than the spacing are
- * allowed, but their pressure is known at their vertices alone.
+ * allowed, but their pressure is known at their vertices alone. Those thinner than a millionth of the
+ * spacing meet nothing, as their normal may be roundoff.
  * Zero-initialise, set struct_size, then what is needed. */
 typedef struct grit_surface {
     size_t struct_size;
@@ -146,7 +147,7 @@ typedef struct grit_surface_totals {
     ptrdiff_t points;    /* of integration in contact */
     ptrdiff_t pressures; /* that are > 0 */
     ptrdiff_t sweeps;
-    /* In the workspace, until it is used again; null on failure. */
+    /* In the workspace, until it is used again, be it by a call that fails and leaves these as they were. */
     const grit_surface_row* row;
     const grit_surface_term* term;
     ptrdiff_t rows;

@@ -730,6 +730,41 @@ void shuffle(GridBody& body, std::mt19937_64& random) {
 }
 
 // What is its own mirror image about the diagonal of the first two directions stays so, whatever the order of its parts.
+// A step in a flat face that is thinner than any spacing bears nothing to the side.
+TEST(SurfaceContact, DoesNotFeelFacetsThatAreAsThinAsRoundoff) {
+    for (const int components : {2, 3})
+        for (const double thin : {0.0, 1e-12, 1e-9, 1e-7}) {
+            const double level = 3.3, x[4] = {0.5, 3.1, 3.1 + thin, 6.4};
+            GridBody a, b;
+            std::mt19937_64 random(3);
+            a.components = b.components = components;
+            const std::ptrdiff_t rows = components == 2 ? 1 : 2;
+            for (std::ptrdiff_t row = 0; row < rows; ++row)
+                for (int i = 0; i < 4; ++i) {
+                    const double height = i < 2 ? level : level - thin;
+                    const double across = row == 0 ? 0.5 : 6.4;
+                    if (components == 2) a.add_vertex({x[i], height, 0.0});
+                    else a.add_vertex({x[i], across, height});
+                }
+            for (std::ptrdiff_t i = 0; i < 3; ++i)
+                if (components == 2) a.facet.insert(a.facet.end(), {i + 1, i});
+                else a.facet.insert(a.facet.end(), {i, i + 1, i + 5, i, i + 5, i + 4});
+            add_face(b, true, 0.2, 6.1, 4, [=](double, double) { return level; });
+            for (GridBody* body : {&a, &b}) body->fill(random, 0.0, 1.0);
+            for (std::size_t i = 0; i < b.v.size(); ++i) {
+                const auto c = static_cast<int>(i) % components;
+                b.v[i] = c == 0 ? -1.0 : c == components - 1 ? -0.1 : 0.0;
+            }
+            SurfaceCall call(components);
+            ASSERT_EQ(call(a, b), GRIT_OK) << call.error.message;
+            EXPECT_GT(call.totals.normal_impulse, 0.0);
+            for (std::size_t i = 0; i < b.v.size(); i += static_cast<std::size_t>(components)) {
+                EXPECT_NEAR(b.v[i], -1.0, 1e-9) << thin;
+                EXPECT_NEAR(a.v[i], 0.0, 1e-9) << thin;
+            }
+        }
+}
+
 TEST(SurfaceContact, InSpaceIsTheSameOnBothSidesOfAMirror) {
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
         std::mt19937_64 random(seed);

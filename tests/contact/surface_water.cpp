@@ -244,6 +244,22 @@ TEST(SurfaceOfWetBody, HoldsItsWaterApartFromItsGrains) {
     EXPECT_EQ(m.b.seepage, before.b.seepage);
 }
 
+TEST(SurfaceOfWetBody, LetsNoWaterThroughWhereAllGrainsAreHeld) {
+    for (const int components : {2, 3}) {
+        WetMeeting m(components, 5, 1.0);
+        for (WetBody* body : {&m.a, &m.b})
+            std::fill(body->fixed.begin(), body->fixed.end(), (1 << components) - 1);
+        m.b.water_fixed.assign(m.b.fixed.size(), 0);
+        SurfaceCall call(components);
+        ASSERT_EQ(call(m.a, m.b), GRIT_OK) << call.error.message;
+        ASSERT_GT(call.totals.rows, 2);
+        for (std::ptrdiff_t k = 0; k < call.totals.rows; ++k) {
+            EXPECT_EQ(call.totals.row[k].impulse[0], 0.0);
+            EXPECT_NEAR(flow(call.totals, k, m.b), 0.0, 1e-12);
+        }
+    }
+}
+
 TEST(SurfaceOfWetBody, NamesWhatIsWrongWithItsWater) {
     const auto says = [](auto spoil, const char* text) {
         WetMeeting m(2, 3, 1.0);
