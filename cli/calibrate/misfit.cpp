@@ -56,7 +56,8 @@ void add(std::vector<Sum>& sums, const calibration::Experiment& test,
         if (failed) continue;
         const double difference = computed.values[static_cast<Eigen::Index>(i)] - reading.value;
         one.squares += difference * difference;
-        const double share = difference / largest[static_cast<std::size_t>(reading.channel)];
+        const double most = largest[static_cast<std::size_t>(reading.channel)];
+        const double share = most > 0.0 ? difference / most : difference == 0.0 ? 0.0 : INFINITY;
         one.relative_squares += share * share;
         ++one.count;
         const double over_error = difference / reading.error;

@@ -150,6 +150,23 @@ Shown shown(const std::string& name, const std::string& unit) {
             stress ? -1.0 : 100.0};
 }
 
+std::string misfit_sentence(const CalibrationCase& file, const CalibrationResult& result) {
+    const calibration::Laplace& laplace = result.laplace;
+    if (!laplace.overdetermined)
+        return fmt::format("Misfit: {:.3g} independent readings do not tell {} parameters and "
+                           "their own errors.",
+                           result.independent, file.space.size());
+    std::string out =
+        fmt::format("Misfit: &chi;&sup2; over the degrees of freedom is {:.3g}. ", laplace.misfit);
+    if (!(laplace.misfit > 1.0))
+        return out + "Residuals are as large as the stated errors or smaller.";
+    out += fmt::format("Residuals are {:.3g} times the stated errors: the law, or the tests, are "
+                       "not as exact as stated",
+                       std::sqrt(laplace.misfit));
+    return out + (laplace.inflation > 1.0 ? ", and intervals are as much wider."
+                                          : "; intervals are as the errors are stated.");
+}
+
 std::string chart_of(const Experiment& test, const Band& band, int channel) {
     const bool by_strain = test.driver.find("strain") != std::string::npos;
     const calibration::Channel& read = test.channels[static_cast<std::size_t>(channel)];
@@ -236,14 +253,7 @@ void write_report_page(element::AtomicFile& page, const CalibrationCase& file,
         page.write("</ul>\n");
     }
     page.write("<h2>Parameters</h2>\n" + parameter_table(file, result) + sampling(result));
-    page.write(fmt::format(
-        "<p>Misfit: &chi;&sup2; over the degrees of freedom is {:.3g}. {}</p>\n",
-        result.laplace.misfit,
-        result.laplace.inflation > 1.0
-            ? fmt::format("Residuals are {:.3g} times the stated errors: the law, or the "
-                          "tests, are not as exact as stated, and intervals are as much wider.",
-                          result.laplace.inflation)
-            : std::string("Residuals are as large as the stated errors or smaller.")));
+    page.write("<p>" + misfit_sentence(file, result) + "</p>\n");
     page.write(fmt::format(
         "<p>{} of {} starts end at this best fit. The sand stands in <code>{}</code>: "
         "<code>grit element --sand FILE</code> and <code>grit mpm --sand FILE</code> "

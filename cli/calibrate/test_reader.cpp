@@ -374,6 +374,19 @@ double first_pressure(const TestTable& test, const Rows& rows) {
     return first_of(test, rows, "p", "pressure_kPa");
 }
 
+// A seat of the piston apart, what starts isotropic has no deviator.
+void refuse_a_start_in_shear(const TestTable& test, const Rows& rows, double pressure) {
+    constexpr double most = 0.2;
+    const auto column = test.find("axial_deviator");
+    if (!column || !(pressure > 0.0)) return;
+    const double q = rows.values.front()[*column];
+    if (!(std::abs(q) > most * pressure)) return;
+    test.sheet.fail(rows.of_sheet.front(),
+                    fmt::format("the test starts here with a deviator of {:g} kPa at a pressure of "
+                                "{:g} kPa: begin where there is none, or say in start the stresses",
+                                q, pressure));
+}
+
 // own: what is said of this test of the sheet alone.
 void read_start_of_test(const TestTable& test, const Rows& rows, std::optional<TomlTable> own,
                         Experiment& out) {
@@ -392,6 +405,7 @@ void read_start_of_test(const TestTable& test, const Rows& rows, std::optional<T
         out.at_rest = true;
     } else {
         start.stress = -first_pressure(test, rows) * element::unit_tensor();
+        refuse_a_start_in_shear(test, rows, -start.stress[0]);
     }
     if (!(start.stress[0] < 0.0))
         test.sheet.fail(rows.of_sheet.front(),

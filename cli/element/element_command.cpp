@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <fstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -43,11 +44,17 @@ std::vector<std::string> values_in(const std::string& text) {
     return out;
 }
 
-std::vector<Variant> variants_of(const std::vector<std::string>& varied) {
+std::vector<Variant> variants_of(const std::vector<std::string>& varied,
+                                 const std::vector<CaseSetting>& set) {
     std::vector<Variant> out(1);
     for (const std::string& each : varied) {
         const std::size_t equals = each.find('=');
         const std::string key = each.substr(0, equals);
+        for (const std::vector<CaseSetting>& others : {set, out.front().settings})
+            for (const CaseSetting& other : others)
+                if (other.text.substr(0, other.text.find('=')) == key)
+                    throw BadInput(fmt::format("--vary {}: {} {} says otherwise", each,
+                                               other.option, other.text));
         const std::vector<std::string> values = equals == std::string::npos
                                                     ? std::vector<std::string>{}
                                                     : values_in(each.substr(equals + 1));
@@ -88,7 +95,7 @@ std::vector<CaseFile> read_variant(const ElementRequest& request, const fs::path
 std::vector<CaseFile> read_cases(const ElementRequest& request) {
     std::vector<CaseFile> cases;
     for (const fs::path& path : request.cases)
-        for (const Variant& variant : variants_of(request.varied)) {
+        for (const Variant& variant : variants_of(request.varied, request.settings)) {
             std::vector<CaseSetting> settings = request.settings;
             settings.insert(settings.end(), variant.settings.begin(), variant.settings.end());
             for (CaseFile& file : read_variant(request, path, settings)) {
@@ -151,6 +158,22 @@ void write_comparison(const fs::path& path, const std::vector<CaseFile>& cases) 
     write_rows(path, rows, made_by_grit("comparison", title_of_comparison(cases)));
 }
 
+bool is_judged(const CaseFile& file) {
+    return !file.reference.values.empty() || file.reference.curve_tolerance ||
+           file.limits.increments || file.limits.milliseconds;
+}
+
+// Of an older run of the case that had cycles or a reference: they are none of this one's.
+void remove_older(const fs::path& path) {
+    std::string first;
+    {
+        std::ifstream file(path);
+        std::getline(file, first);
+    }
+    std::error_code stays;
+    if (first.starts_with("# Grit ")) fs::remove(path, stays);
+}
+
 Outputs outputs_of(const ElementRequest& request, const std::vector<CaseFile>& cases) {
     Outputs outputs;
     for (const CaseFile& file : cases) {
@@ -162,11 +185,18 @@ Outputs outputs_of(const ElementRequest& request, const std::vector<CaseFile>& c
         if (file.reference.curve.rows() > 0) outputs.add(reference_of(request, file), who);
     }
     if (are_compared(cases)) outputs.add(comparison_of(request), "the comparison of cases");
+    // Runs at one time in one folder may all have verdicts: the file is not kept from others.
+    Outputs with_verdicts = outputs;
+    if (std::any_of(cases.begin(), cases.end(), is_judged))
+        with_verdicts.add(references_of(request), "the verdicts on cases");
     if (!request.no_plot)
         for (const auto& [picture, who] : pictures_of(cases))
             for (const char* ending : {".svg", ".png"})
                 outputs.add(request.out / (picture + ending), who);
-    for (const CaseFile& file : cases) outputs.spare(file.inputs);
+    for (const CaseFile& file : cases) {
+        outputs.spare(file.inputs);
+        with_verdicts.spare(file.inputs);
+    }
     return outputs;
 }
 
@@ -217,7 +247,9 @@ ExitCode run_element_tests(const ElementRequest& request) {
         const CaseResult& result = results.back();
         if (!result.cycles.columns.empty())
             write_table(cycles_of(request, file), comments_of_cycles(file), result.cycles);
+        else remove_older(cycles_of(request, file));
         if (file.reference.curve.rows() > 0) write_reference(reference_of(request, file), file);
+        else remove_older(reference_of(request, file));
         report(request, file, result);
         complete = complete && result.failure.empty();
     }

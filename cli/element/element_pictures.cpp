@@ -101,6 +101,7 @@ bool draw_cases(const std::filesystem::path& folder, const std::vector<CaseFile>
                 const std::vector<CaseResult>& results, bool quiet) {
     PictureMaker maker(folder, quiet);
     std::vector<Curve> all;
+    std::vector<std::string> names;  // of these
     std::map<std::filesystem::path, std::vector<std::size_t>> samples;
     for (std::size_t i = 0; i < cases.size(); ++i) {
         if (!cases[i].sample.empty()) {
@@ -111,10 +112,13 @@ bool draw_cases(const std::filesystem::path& folder, const std::vector<CaseFile>
             cases[i].title + (cases[i].variant.empty() ? "" : ", " + cases[i].variant);
         maker.draw(cases[i].name,
                    picture_of_curves(cases[i].picture, title, curves_of(cases[i], results[i])));
-        if (cases.size() > 1)
+        if (cases.size() > 1) {
             all.push_back(computed(cases[i], results[i], static_cast<int>(all.size())));
+            names.push_back(cases[i].name);
+        }
     }
     if (are_compared(cases)) {
+        tell_apart(all, names);
         bool labelled = false;
         for (const CaseFile& file : cases)
             if (has_reference(file)) {

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/mpm/command.hpp"
 
+#include <filesystem>
+#include <regex>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include <adapters/mpm/case/case_words.hpp>
 #include <fmt/format.h>
@@ -50,6 +54,38 @@ void put_aside(const std::filesystem::path& checkpoint, const Case& plan) {
          "this "
          "run begins anew\n",
          plan.name, old.string());
+}
+
+// Frames, pictures and failures, by what their names have beside the case's.
+bool is_shown_by_a_run(const std::string& rest) {
+    static const std::regex frame("_[0-9]{6}_.*\\.vtu"), picture("_(.*)\\.(png|svg)");
+    std::smatch match;
+    if (std::regex_match(rest, match, picture)) {
+        for (const bool axisymmetric : {true, false})
+            for (const MpmField& field : mpm_fields(axisymmetric))
+                if (match[1] == field.name) return true;
+        return false;
+    }
+    return rest == ".svg" || rest == ".png" || rest == ".pvd" || rest == "_failure.toml" ||
+           std::regex_match(rest, frame);
+}
+
+// What an older run of this name has left would stand beside this one's results as if it were theirs. A picture of
+// another case, whose name ends as a field's, stays.
+void remove_older_results(const MpmRunOptions& options) {
+    const std::filesystem::path folder = options.history.parent_path();
+    const std::string stem = options.history.stem().string();
+    std::error_code none;
+    std::vector<std::filesystem::path> old;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(folder.empty() ? "." : folder, none)) {
+        const std::string name = entry.path().filename().string();
+        if (name.starts_with(stem) && is_shown_by_a_run(name.substr(stem.size())) &&
+            !(entry.path().stem() != stem &&
+              std::filesystem::exists(folder / (entry.path().stem() += ".csv"), none)))
+            old.push_back(entry.path());
+    }
+    for (const std::filesystem::path& file : old) std::filesystem::remove(file, none);
 }
 
 Runner prepare(const MpmRequest& request, const MpmCaseFile& file) {
@@ -158,7 +194,10 @@ ExitCode run_mpm(const MpmRequest& request) {
     const Outputs outputs = outputs_of(request, file, options);
     Runner runner = prepare(request, file);
     const auto lock = outputs.lock();
-    if (!request.restart) put_aside(options.checkpoint, plan);
+    if (!request.restart) {
+        put_aside(options.checkpoint, plan);
+        remove_older_results(options);
+    }
     const RunGuard guard(plan.name + ": Grit");
     MpmRun run(options, runner);
     const std::string failure = run.go();

@@ -31,7 +31,7 @@ bool may_change(const std::string& key) {
     if (first == "traction") return is_over_time || key.find(".pulses.") != std::string::npos;
     if (first == "inflow") return is_over_time;
     return first == "body" && key.find(".rigid.") != std::string::npos &&
-           (is_over_time || last.starts_with("velocity_") || last.starts_with("spin_"));
+           (is_over_time || last.starts_with("velocity_") || last.starts_with("angular_velocity_"));
 }
 
 // "KEY = VALUE" of both; empty: one has not got it.

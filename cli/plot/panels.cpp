@@ -74,7 +74,7 @@ Series series_of(const Curve& curve, const std::string& kind, const Axis& x, con
     out.y = *ys;
     for (double& value : out.x) value *= x.factor;
     for (double& value : out.y) value *= y.factor;
-    return out.points ? spaced(out) : thinned(out, x.log);
+    return out.points ? spaced(out, x.log) : thinned(out, x.log);
 }
 
 }  // namespace
@@ -86,6 +86,13 @@ const std::vector<std::string>& picture_names() {
         return out;
     }();
     return names;
+}
+
+void tell_apart(std::vector<Curve>& curves, const std::vector<std::string>& names) {
+    std::map<std::string, int> count;
+    for (const Curve& curve : curves) ++count[curve.label];
+    for (std::size_t i = 0; i < curves.size(); ++i)
+        if (count[curves[i].label] > 1) curves[i].label += " (" + names[i] + ")";
 }
 
 std::string picture_of(const std::string& test, bool cyclic) {

@@ -37,6 +37,9 @@ struct Curve {
     int colour = 0;  // -1: that of data
 };
 
+// A label that several of them have gets the name of each, in the same order.
+void tell_apart(std::vector<Curve>& curves, const std::vector<std::string>& names);
+
 // Without panels that show nothing or noise alone, unless none is left. Of results with a row for each cycle these count
 // on from stage to stage.
 Picture picture_of_curves(const std::string& kind, const std::string& title,

@@ -182,7 +182,7 @@ std::string x_tics(const Panel& panel, bool narrow) {
     if (!std::isnan(panel.x_from)) linear += fmt::format("set xrange [{:.8g}:*]\n", panel.x_from);
     if (!panel.log_x && !narrow) return linear + "set xtics autofreq\n";
     const auto [low, high] = extent_of(panel, &Series::x);
-    if (!(high > low)) return linear + "set xtics autofreq\n";
+    if (!has_length(low, high)) return linear + "set xtics autofreq\n";
     const double room = panel.log_x ? std::pow(high / low, 0.02) : 1.0;  // for numbers at the ends
     std::string out;
     for (const double tic :

@@ -86,6 +86,7 @@ Curve curve_of(const PlottedFile& file, const std::string& kind, bool by_kind) {
 std::vector<Curve> curves_of(const PlotRequest& request, const Files& files,
                              const std::string& kind) {
     std::vector<Curve> out;
+    std::vector<std::string> paths;
     for (const PlottedFile& file : files) {
         Curve curve = curve_of(file, kind, request.x.empty());
         curve.label = label_of(file, files);
@@ -93,7 +94,9 @@ std::vector<Curve> curves_of(const PlotRequest& request, const Files& files,
         const bool first_data = file.data && out.size() == request.runs.size();
         curve.colour = first_data ? -1 : static_cast<int>(out.size());
         out.push_back(std::move(curve));
+        paths.push_back(file.path.string());
     }
+    tell_apart(out, paths);
     return out;
 }
 

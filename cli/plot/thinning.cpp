@@ -144,8 +144,8 @@ std::vector<std::size_t> uncovered(const std::vector<Point>& line,
 
 }  // namespace
 
-Series spaced(const Series& points) {
-    const std::vector<Point> drawn = points_of(points, false);
+Series spaced(const Series& points, bool log_x) {
+    const std::vector<Point> drawn = points_of(points, log_x);
     std::vector<std::size_t> rows;
     for (std::size_t i = 0; i < drawn.size(); ++i)
         if (rows.empty() || !(distance(drawn[i], drawn[rows.back()]) < apart)) rows.push_back(i);

@@ -11,6 +11,6 @@ namespace cli {
 Series thinned(const Series& line, bool log_x = false);
 
 // Points far enough apart to leave a line visible between them.
-Series spaced(const Series& points);
+Series spaced(const Series& points, bool log_x = false);
 
 }  // namespace cli

@@ -23,7 +23,12 @@ std::vector<double> of_digits(double low, double high, const std::vector<int>& d
 
 }  // namespace
 
+bool has_length(double low, double high) {
+    return high - low > std::max(1e-7 * std::max(std::abs(low), std::abs(high)), 1e-300);
+}
+
 std::vector<double> even_tics(double low, double high) {
+    if (!has_length(low, high)) return {low};
     const double unit = std::pow(10.0, std::floor(std::log10(high - low)) - 1.0);
     std::vector<double> out;
     for (const double step :
@@ -37,7 +42,7 @@ std::vector<double> even_tics(double low, double high) {
 }
 
 int longest_number(double low, double high) {
-    if (!(high > low)) {
+    if (!has_length(low, high)) {
         const double around = std::max(0.01 * std::abs(low), 1e-8);
         return longest_number(low - around, low + around);
     }
@@ -51,7 +56,7 @@ int longest_number(double low, double high) {
 }
 
 std::vector<double> logarithmic_tics(double low, double high) {
-    if (!(high > low * (1.0 + 1e-9))) return {low};
+    if (!has_length(low, high)) return {low};
     for (const std::vector<int>& digits : {std::vector<int>{1}, {1, 2, 5}, {1, 2, 3, 5, 7}}) {
         const std::vector<double> out = of_digits(low, high, digits);
         if (out.size() >= fewest) return out;

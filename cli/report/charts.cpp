@@ -98,6 +98,7 @@ Finding run_beside(const Finding& comparison, const std::string& name) {
 
 std::vector<Panel> panels_of_comparison(const Finding& finding) {
     std::vector<Curve> runs, references;
+    std::vector<std::string> names;
     std::string kind;
     for (const ComparedRun& run : compared_runs(finding)) {
         const Finding files = run_beside(finding, run.name);
@@ -109,9 +110,11 @@ std::vector<Panel> panels_of_comparison(const Finding& finding) {
         if (kind_of_run.empty() || kind_of_run == "history") continue;
         if (kind.empty()) kind = kind_of_run;
         runs.push_back(curve);
+        names.push_back(run.name);
         if (!files.reference.empty()) references.push_back(reference(files, label));
     }
     if (runs.size() < 2) return {};
+    tell_apart(runs, names);
     runs.insert(runs.end(), references.begin(), references.end());
     return panels_and_cycles(kind, runs);
 }

@@ -78,7 +78,7 @@ fs::path Finding::*place_of(const fs::path& path, std::string& stem) {
 }
 
 void take(std::map<std::string, Finding>& found, const fs::path& folder, const fs::path& path) {
-    fs::path below = fs::relative(path, folder);
+    fs::path below = path.lexically_relative(folder);
     std::string stem = below.replace_extension().generic_string();
     fs::path Finding::*place = place_of(path, stem);
     const bool picture = path.extension() == ".svg" || path.extension() == ".png";
@@ -156,9 +156,9 @@ std::vector<StoryLine> read_story(const fs::path& path) {
         if (line.ends_with('\r')) line.pop_back();
         if (line.empty() || line.front() == '#') continue;
         const std::size_t bar = line.find(" | ");
-        if (line.starts_with("== ")) out.push_back({true, line.substr(3), ""});
+        if (line.starts_with("== ")) out.push_back({number, true, line.substr(3), ""});
         else if (bar != std::string::npos)
-            out.push_back({false, line.substr(0, bar), line.substr(bar + 3)});
+            out.push_back({number, false, line.substr(0, bar), line.substr(bar + 3)});
         else
             throw BadInput(
                 fmt::format("{}:{}: needs \"== heading\" or \"NAME | sentence\", got \"{}\"",
@@ -184,6 +184,7 @@ void give_pictures_to_runs(std::vector<Finding>& findings, const std::vector<Sto
         Finding* run = nullptr;
         for (Finding& each : findings)
             if (!each.table.empty() && picture.stem.starts_with(each.stem + "_") &&
+                picture.stem.find('/', each.stem.size()) == std::string::npos &&
                 (!run || each.stem.size() > run->stem.size()))
                 run = &each;
         if (!run) continue;

@@ -24,6 +24,7 @@ std::vector<Finding> findings_in(const std::filesystem::path& folder);
 std::string content_of(const std::filesystem::path& path);
 
 struct StoryLine {
+    int number = 0;  // in its file
     bool heading = false;
     std::string name;      // of results, * stands for anything; or the heading
     std::string sentence;  // about them

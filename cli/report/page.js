@@ -268,7 +268,7 @@ function drawPlayer(place) {
 function drawNumbers(place) {
   const all = dataOf(place);
   const rows = [];
-  if (Array.isArray(all.benchmarks)) {
+  if (Array.isArray(all?.benchmarks)) {
     rows.push(["benchmark", "time", "unit", "counters"]);
     for (const each of all.benchmarks) {
       const counters = Object.entries(each).filter(([key, value]) => typeof value === "number" &&
@@ -277,12 +277,14 @@ function drawNumbers(place) {
     }
   } else {
     rows.push(["what", "value"]);
+    let more = 0;
     const walk = (value, way) => {
-      if (rows.length > 300) return;
       if (value && typeof value === "object") for (const key of Object.keys(value)) walk(value[key], way ? `${way}.${key}` : key);
+      else if (rows.length > 300) ++more;
       else rows.push([way, typeof value === "number" ? shown.format(value) : String(value)]);
     };
     walk(all, "");
+    if (more) rows.push([`${more} more`, "in the file"]);
   }
   const table = element("table", element("div", place, { className: "table" }), {});
   rows.forEach((row, i) => {

@@ -116,7 +116,7 @@ Section read_section(const Finding& finding, const std::string& heading,
 }
 
 // As the story has them; of the others verdicts come first, and what cannot be read last.
-std::vector<Chapter> chapters_of(std::vector<Finding>& findings,
+std::vector<Chapter> chapters_of(const ReportRequest& request, std::vector<Finding>& findings,
                                  const std::vector<StoryLine>& story) {
     const std::map<std::string, std::string> headings = headings_of(findings);
     std::vector<Chapter> out(1);
@@ -125,10 +125,19 @@ std::vector<Chapter> chapters_of(std::vector<Finding>& findings,
         out.back().sections.push_back(read_section(finding, headings.at(finding.stem), sentence));
     };
     for (const StoryLine& line : story) {
-        if (line.heading) out.push_back({line.name, {}});
-        else
-            for (Finding& finding : findings)
-                if (!finding.shown && is_called(finding, line.name)) add(finding, line.sentence);
+        if (line.heading) {
+            out.push_back({line.name, {}});
+            continue;
+        }
+        bool known = false;
+        for (Finding& finding : findings) {
+            if (!is_called(finding, line.name)) continue;
+            known = true;
+            if (!finding.shown) add(finding, line.sentence);
+        }
+        if (!known)
+            warn("grit: {}:{}: no result is called {}\n", request.story.string(), line.number,
+                 line.name);
     }
     out.push_back({story.empty() ? "" : "Further results", {}});
     for (Finding& finding : findings)
@@ -196,8 +205,7 @@ class Page {
         if (!finding.sand_page.empty()) calibration_page(finding.sand_page);
         if (!table.panels.empty()) data("curves", json_of(table));
         if (!table.cells.empty()) cells(table.cells);
-        Frames frames;
-        if (!finding.frames.empty()) frames = frames_of(finding.frames, section.axis);
+        const Frames frames = frames_to_play(section);
         if (!frames.json.empty()) data("player", frames.json);
         fields(finding, frames.variables);
         if (!finding.numbers.empty() && section.problems.empty()) numbers(finding.numbers);
@@ -256,6 +264,22 @@ class Page {
 
     static bool curves_are_drawn() { return !chart_library().empty(); }
 
+    // What is wrong with them is said: there are too many to be read before.
+    Frames frames_to_play(const Section& section) {
+        const fs::path& list = section.finding->frames;
+        if (list.empty()) return {};
+        std::string problem = list.string() + ": none of its frames can be read";
+        try {
+            Frames frames = frames_of(list, section.axis);
+            if (!frames.json.empty()) return frames;
+        } catch (const BadInput& error) {
+            problem = error.what();
+        }
+        warn("grit: {}\n", problem);
+        file.write(fmt::format("<p class=\"bad\">{}</p>\n", escaped(problem)));
+        return {};
+    }
+
     // Read by the page's script, which draws it in place.
     void data(const char* what, const std::string& json) {
         file.write(fmt::format(
@@ -263,9 +287,10 @@ class Page {
     }
 
     void numbers(const fs::path& path) {
-        std::string text = content_of(path);
-        for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos; at += 3)
-            text.insert(at + 1, "\\");
+        std::string text;
+        for (const char c : content_of(path))  // no tag of the page's, and only in strings
+            if (c == '<') text += "\\u003c";
+            else text += c;
         data("numbers", text);
     }
 
@@ -353,7 +378,7 @@ ExitCode report_folder(const ReportRequest& request) {
     outputs.add(place, "the page");
     spare_pages_of_others(place);
     const auto lock = outputs.lock();
-    const std::vector<Chapter> chapters = chapters_of(findings, story);
+    const std::vector<Chapter> chapters = chapters_of(request, findings, story);
     Page page(request, place);
     page.contents(chapters);
     for (const Chapter& chapter : chapters) {

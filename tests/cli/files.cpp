@@ -41,6 +41,40 @@ TEST(Outputs, NeverOverwriteAnInput) {
     EXPECT_EQ(here.text("x.csv"), data);
 }
 
+// The table of verdicts is an output like others, though runs at one time may all write it.
+TEST(Outputs, OfVerdictsOverwriteNeitherInputsNorResults) {
+    const Workplace here;
+    const std::string judged = compression + "[reference]\norigin = \"x\"\ncurve = \"lab.csv\"\n"
+                                             "curve_tolerance = 0.1\n";
+    here.write("lab.csv", "eps11,s11\n0,-100\n-0.01,-300\n");
+    here.write_case("references", judged);
+    Answer answer = here.run("references");
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_TRUE(answer.says("references.csv would be written by")) << answer.text;
+    EXPECT_EQ(here.files("out"), Names{});
+    here.write_case("x", replaced(judged, "lab.csv", "references.csv"));
+    const std::string data = here.text("lab.csv");
+    here.write("references.csv", data);
+    answer = here.grit("element --no-plot x.toml");
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_TRUE(answer.says("would overwrite this file")) << answer.text;
+    EXPECT_EQ(here.text("references.csv"), data);
+}
+
+TEST(Outputs, LeaveNoCyclesAndNoReferenceOfAnOlderRun) {
+    const Workplace here;
+    here.write("lab.csv", "eps11,s11\n0,-100\n-0.01,-300\n");
+    here.write_case("x", cycles + "[reference]\norigin = \"x\"\ncurve = \"lab.csv\"\n");
+    EXPECT_EQ(here.run("x").status, 0);
+    EXPECT_EQ(here.files("out"), (Names{"x.csv", "x_cycles.csv", "x_reference.csv"}));
+    here.write_case("x", compression);
+    EXPECT_EQ(here.run("x").status, 0);
+    EXPECT_EQ(here.files("out"), Names{"x.csv"});
+    here.write("out/x_cycles.csv", "a,b\n1,2\n");  // nobody knows whose
+    EXPECT_EQ(here.run("x").status, 0);
+    EXPECT_EQ(here.files("out"), (Names{"x.csv", "x_cycles.csv"}));
+}
+
 TEST(Outputs, ThatCannotBeWrittenAreSaidBeforeTheRun) {
     const Workplace here;
     here.write_case("x", compression);

@@ -291,6 +291,33 @@ TEST(MaterialPointCommand, GoesOnFromACheckpointToTheHistoryOfARunThatNeverStopp
     EXPECT_FALSE(here.files("parts").contains("x.checkpoint"));
 }
 
+// A free body is so from its stage on; how fast it turns may be told anew when it goes on.
+TEST(MaterialPointCommand, GoesOnWithARigidBodyInSpaceThatBeginsLater) {
+    const Workplace here;
+    const std::string standing =
+        "[grid]\ngeometry = \"space\"\n[[grid.x]]\nto_m = 1\ncells = 5\n[[grid.y]]\nto_m = 1\n"
+        "cells = 5\n[[grid.z]]\nto_m = 1\ncells = 5\n[[body]]\nname = \"block\"\n"
+        "density_kg_per_m3 = 2000\n[[body.box]]\nx_m = [0.3, 0.7]\ny_m = [0.3, 0.7]\n"
+        "z_m = [0.3, 0.5]\n[body.rigid]\n";
+    const std::string stages = "[[stage]]\nname = \"wait\"\nuntil = { time_s = 0.01 }\n"
+                               "[[stage]]\nname = \"go\"\nuntil = { time_s = 1000 }\n";
+    for (const std::string motion :
+         {"free = [\"z\"]\nfrom_stage = \"go\"\n", "angular_velocity_z_rad_per_s = [0.5]\n"}) {
+        here.write("x.toml", standing + motion + "[numerics]\nlargest_step_s = 1e-5\n" + stages);
+        const std::string run = "mpm --no-plot --quiet --out out x.toml";
+        here.interrupted(run, "TERM");
+        const Answer answer =
+            here.interrupted(run + " --restart" +
+                                 (motion.starts_with("ang")
+                                      ? " --set body.block.rigid.angular_velocity_z_rad_per_s=[0.7]"
+                                      : ""),
+                             "TERM");
+        EXPECT_EQ(answer.status, 1);
+        EXPECT_TRUE(answer.says("interrupted (after step")) << answer.text;
+        std::filesystem::remove_all(here.path("out"));
+    }
+}
+
 TEST(MaterialPointCommand, RefusesACheckpointThatIsMissingOrOfAnotherCase) {
     const Workplace here;
     here.write("x.toml", column("1000"));
@@ -370,6 +397,21 @@ TEST(MaterialPointCommand, PutsTheCheckpointOfAnInterruptedRunAsideWhereItBegins
     EXPECT_EQ(here.files("out"), (Names{"x.checkpoint.old", "x.csv"}));
     EXPECT_TRUE(here.text("out/x.checkpoint.old") == before);
     EXPECT_EQ(here.grit(run + " --restart").status, 2);
+}
+
+TEST(MaterialPointCommand, LeavesNothingOfAnOlderRunBesideItsResults) {
+    const Workplace here;
+    here.write("x.toml", column("0.02") + "[fields]\ninterval_s = 0.01\nvariables = [\"q\"]\n");
+    ASSERT_EQ(here.grit("mpm --quiet --field-svg --out out x.toml").status, 0);
+    Names left = here.files("out");
+    for (const char* name : {"x.svg", "x.pvd", "x_q.svg", "x_q.png", "x_000002_column.vtu"})
+        EXPECT_TRUE(left.contains(name)) << name;
+    for (const char* name : {"x_p.svg", "x_p.csv", "x_tension.svg", "xx.svg", "x_1_column.vtu"})
+        here.write(std::string("out/") + name, "of another");
+    here.write("x.toml", column("0.01"));
+    ASSERT_EQ(here.grit("mpm --quiet --no-plot --out out x.toml").status, 0);
+    EXPECT_EQ(here.files("out"),
+              (Names{"x.csv", "x_1_column.vtu", "x_p.csv", "x_p.svg", "x_tension.svg", "xx.svg"}));
 }
 
 // A terminal that goes sends SIGHUP twice, timeout SIGTERM to the program and to its group.

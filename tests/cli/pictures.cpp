@@ -116,6 +116,18 @@ TEST(Study, RunsACaseForEachValueAndDrawsThemTogether) {
     EXPECT_EQ(here.result("alone").at("stress_11"), here.result("x_0.65_lausitz").at("stress_11"));
 }
 
+TEST(Study, VariesAKeyOnce) {
+    const Workplace here;
+    here.write_case("x", shearing);
+    for (const std::string other :
+         {"--vary start.void_ratio=0.55,0.65", "--set start.void_ratio=0.55"}) {
+        const Answer answer = here.run("x", other + " --vary start.void_ratio=0.6,0.7");
+        EXPECT_EQ(answer.status, 2);
+        EXPECT_TRUE(answer.says(": " + other.substr(0, other.find(',')) + " says otherwise"))
+            << answer.text;
+    }
+}
+
 TEST(Study, OfTestsThatMayBeTogetherIsOnePictureAndOthersAreTold) {
     if (!gnuplot()) return;
     const Workplace here;

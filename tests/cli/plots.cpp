@@ -257,6 +257,52 @@ TEST_F(Plot, HasANumberAtBothEndsOfALogarithmicAxis) {
     EXPECT_NE(here.text("p.svg").find(">100<"), std::string::npos) << here.text("p.svg");
 }
 
+// Values that differ in their last bits are one value, on every axis; and the pictures of tests at constant p, which
+// Newton's method leaves within a tolerance, are drawn.
+TEST_F(Plot, OfValuesThatDifferByRoundoffIsThatOfOneValue) {
+    if (!gnuplot_is_there()) return;
+    here.write("x.csv", "t [s],a [-],b [-],c [-]\n0,100,0.7,5e-324\n"
+                        "1,100.00000000000001,0.7000000000000001,1e-320\n2,100,0.7,0\n");
+    for (const char* axes : {"--x t --y a", "--x t --y b,c", "--x a --y t", "--x a --y b"})
+        EXPECT_EQ(here.grit(std::string("plot x.csv --out p ") + axes).status, 0) << axes;
+    here.write("y.csv", "stress_11 [kPa],void_ratio [-]\n-100,0.6\n-100.0000001,0.5\n");
+    EXPECT_NE(axes_of("y.csv --kind oedometer"), "");
+    here.write_case("z", stage("triaxial_constant_p", "axial_strain = -0.02"));
+    const Answer answer = here.grit("element --out out z.toml");
+    EXPECT_EQ(answer.status, 0) << answer.text;
+    EXPECT_TRUE(here.files("out").contains("z.svg"));
+}
+
+// Points of a laboratory are left out where one would cover the other, on the axis as it is drawn.
+TEST_F(Plot, HasPointsAlongTheWholeOfALogarithmicAxis) {
+    if (!gnuplot_is_there()) return;
+    std::string sheet = "stress_11 [kPa],void_ratio [-]\n";
+    for (int i = 0; i <= 10; ++i)
+        sheet += std::to_string(-(1 << i)) + "," + std::to_string(0.7 - 0.002 * i) + "\n";
+    here.write("lab.csv", sheet);
+    EXPECT_NE(axes_of("--data lab.csv --kind oedometer"), "");
+    const std::string svg = here.text("p.svg");
+    std::size_t points = 0;
+    for (std::size_t at = 0; (at = svg.find("xlink:href='#gpPt", at)) != std::string::npos; ++at)
+        ++points;
+    EXPECT_GE(points, 11U) << svg;
+}
+
+TEST_F(Plot, TellsRunsOfOneNameApart) {
+    if (!gnuplot_is_there()) return;
+    for (const char* path : {"p/r/x.csv", "q/r/x.csv"}) {
+        std::filesystem::create_directories(here.path(path).parent_path());
+        here.write(path, "t [s],a [-]\n0,1\n1,2\n");
+    }
+    EXPECT_EQ(here.grit("plot p/r/x.csv q/r/x.csv --x t --y a --out p").status, 0);
+    for (const char* label : {"p/r/x.csv", "q/r/x.csv"})
+        EXPECT_NE(here.text("p.svg").find(label), std::string::npos) << label;
+    here.write_case("y", drained);
+    here.write_case("z", drained);
+    EXPECT_EQ(here.grit("element --out out y.toml z.toml --set title=One").status, 0);
+    EXPECT_NE(here.text("out/comparison.svg").find("(z)"), std::string::npos);
+}
+
 // Fourteen runs in the order of their colours, with a key of several columns.
 TEST_F(Plot, OfManyRunsHasAColourForEachAndALowKey) {
     if (!gnuplot_is_there()) return;

@@ -43,7 +43,7 @@ foreach(name IN LISTS in_order)
 endforeach()
 foreach(part "alt=\"comparison\" src=\"data:image/png" "<pre>a &lt, b &amp, c" "<h2>Against the laboratory</h2>"
              "<h2>Further results</h2>" "<tr class=\"EXCEEDED\"><td>b</td>" "<td>&lt,/script&gt,</td>"
-             "\"name\": \"<\\/script>\"" "broken.csv"
+             "\"name\": \"\\u003c/script>\"" "broken.csv"
              "One test with --sand hostun" "One test with --sand lausitz")
   string(FIND "${page}" "${part}" at)
   if(at EQUAL -1)

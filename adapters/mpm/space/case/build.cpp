@@ -67,6 +67,11 @@ void check_told(const RigidPlan& motion, const BodyPlan& body, const Vector3& st
         if (motion.free[i] && moves)
             throw std::invalid_argument("body " + body.name + ": " + what +
                                         " is free, and a table tells it");
+        const bool turns_freely = motion.free[3] || motion.free[4] || motion.free[5];
+        if (i >= 3 && moves && turns_freely)
+            throw std::invalid_argument("body " + body.name + ": " + what +
+                                        " is told, and that about another axis free: what the one "
+                                        "would take from the other is not known");
         if (i < 3 && !motion.free[i] && start[static_cast<int>(i)] != 0.0)
             throw std::invalid_argument(
                 "body " + body.name + ": " + what + " at the start is " +
@@ -162,6 +167,7 @@ void add_bodies(const Case& plan, const Axes& axes, const std::shared_ptr<Clock>
             if (std::find(left_out.begin(), left_out.end(), i) != left_out.end()) continue;
             Body& other = simulation.body(i);
             const std::string names = other.name + " and " + body.name;
+            check_boxes_apart(plan.space->bodies[i], plan.space->bodies[b], names);
             check_apart(other.particles, body.particles, axes, names);
             check_apart(body.particles, other.particles, axes, names);
         }

@@ -261,7 +261,15 @@ Shown shown(const Region& region, const std::vector<Region>& all, const Vector3&
     if (is_whole && std::any_of(all.begin(), all.end(),
                                 [&](const Region& of) { return of.has_all(beyond, half); }))
         return {};
-    if (!is_whole && part_in(region, centre, half, few_places).share == 0.0) return {};
+    if (!is_whole) {
+        const double share = part_in(region, centre, half, few_places).share;
+        if (share == 0.0) return {};
+        // Deep in a surface that no corner tells from its outside.
+        if (share == 1.0 && std::any_of(all.begin(), all.end(), [&](const Region& of) {
+                return part_in(of, beyond, half, few_places).share == 1.0;
+            }))
+            return {};
+    }
     int seen = 0, at_side = 0, seen_at_side = 0;
     for (int i = 0; i < lines; ++i)
         for (int j = 0; j < lines; ++j) {
@@ -339,6 +347,27 @@ std::vector<OuterFace> outermost(const SpacePlan& plan, std::size_t body, const 
     for (OuterFace& of : out)
         if (any_cut) of.share *= seen / loaded;
     return out;
+}
+
+void check_boxes_apart(const SolidPlan& one, const SolidPlan& other, const std::string& names) {
+    constexpr double roundoff = 1e-9;
+    for (const SolidShape& mine : one.shapes)
+        for (const SolidShape& theirs : other.shapes) {
+            const auto* a = std::get_if<BoxShape>(&mine.of);
+            const auto* b = std::get_if<BoxShape>(&theirs.of);
+            if (!a || !b) continue;
+            bool meet = true;
+            Vector3 from, to;
+            for (int d = 0; d < 3; ++d) {
+                from[d] = std::max(a->from[d], b->from[d]);
+                to[d] = std::min(a->to[d], b->to[d]);
+                const double least = std::min(a->to[d] - a->from[d], b->to[d] - b->from[d]);
+                meet = meet && to[d] - from[d] > roundoff * least;
+            }
+            if (meet)
+                throw std::invalid_argument("bodies " + names + " share the place from " +
+                                            word_of(from) + " to " + word_of(to));
+        }
 }
 
 void check_apart(Particles& one, Particles& other, const Axes& axes, const std::string& names) {

@@ -33,6 +33,8 @@ std::vector<OuterFace> outermost(const SpacePlan& plan, std::size_t body, const 
                                  const FacePlan& face, const std::string& name);
 
 // Throws std::invalid_argument where the centre of a particle of one lies in a particle of the other. names: of both.
+// Nor may their boxes, by more than roundoff; bricks that are cut overlap.
+void check_boxes_apart(const SolidPlan& one, const SolidPlan& other, const std::string& names);
 void check_apart(Particles& one, Particles& other, const Axes& axes, const std::string& names);
 
 }  // namespace grit::mpm::space

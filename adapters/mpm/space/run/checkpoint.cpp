@@ -32,14 +32,17 @@ std::string words_of(const Simulation& s) {
             << word_of_body(body.name, body.rigid(), body.particles, column::mass) << '\n';
         if (body.rigid()) {
             out << "body " << i << ": free";
-            for (const bool is_free : body.motion->free()) out << (is_free ? " yes" : " no");
+            for (const bool is_free : body.motion->to_be_free()) out << (is_free ? " yes" : " no");
             out << '\n';
         }
         if (!body.material) continue;
         for (const std::string& word : body.material->words())
             out << "body " << i << ": " << word << '\n';
     }
-    out << "tractions: " << s.traction_count() << '\n' << "contacts: " << s.contact_count() << '\n';
+    const std::vector<double> tractions = s.traction_words();
+    out << "tractions: " << s.traction_count() << ", checksum "
+        << checksum(tractions.data(), tractions.size() * sizeof(double)) << '\n'
+        << "contacts: " << s.contact_count() << '\n';
     for (std::size_t i = 0; i < s.contact_count(); ++i)
         out << "contact " << i << ": " << word_of_contact(s.contact(i).law()) << '\n';
     out << "surface contacts: " << s.surface_contact_count() << '\n';
@@ -50,7 +53,9 @@ std::string words_of(const Simulation& s) {
             << ", friction coefficient " << law.options.friction_coefficient << ", pressures "
             << law.spacing << " cells apart" << word_of_surface(law.options) << ", mesh of "
             << law.mesh_a.facets() << " triangles, checksum "
-            << checksum(mesh.data(), mesh.size() * sizeof(double)) << '\n';
+            << checksum(mesh.data(), mesh.size() * sizeof(double)) << " and "
+            << checksum(law.mesh_a.facet.data(), law.mesh_a.facet.size() * sizeof(std::ptrdiff_t))
+            << '\n';
     }
     return out.str();
 }

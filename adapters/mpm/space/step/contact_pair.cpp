@@ -56,46 +56,75 @@ class Domains {
     std::vector<std::ptrdiff_t> offset{0}, node;
 };
 
-// The velocity of a rigid body with its impulses from nodes, linear in it: six equations.
+using Row = Eigen::Matrix<double, 6, 1>;
+using Square = Eigen::Matrix<double, 6, 6>;
+
+Row row_of(const Twist& u) {
+    Row out;
+    out << u.along[0], u.along[1], u.along[2], u.about[0], u.about[1], u.about[2];
+    return out;
+}
+Twist twist_of(const Row& u) { return {{u[0], u[1], u[2]}, {u[3], u[4], u[5]}}; }
+
+// The six equations of a rigid body that its contact moves, R = M (u - trial) + sum P, where the impulses P that nodes take
+// belong to u itself.
 class FreeMeeting {
   public:
     FreeMeeting(const RigidMotion& of, bool in_fixed_point)
-        : rigid(of), fixed_point(in_fixed_point) {}
-    // A node at x of mass m that the body presses along n by the share f of w . n; friction: infinite where it sticks.
-    void add(const Vector3& x, const Vector3& n, const Vector3& w, double m, double f,
-             double friction) {
+        : rigid(of), fixed_point(in_fixed_point), trial(row_of(of.velocity())) {
+        const Matrix6 all = rigid.mass_matrix();
+        for (std::size_t i = 0; i < 6; ++i)
+            for (std::size_t j = 0; j < 6; ++j)
+                mass(static_cast<int>(i), static_cast<int>(j)) = all[i][j];
+    }
+    // How an impulse changes with the velocity: as it does, or without the turning of what slips and what a normal impulse
+    // adds to its friction, which leaves a symmetric matrix.
+    enum class Slope { tangent, secant };
+
+    // Of a velocity of the body; then each node that touches; then what all processes have added.
+    void begin(const Row& u) {
+        velocity = u;
+        sums = {};
+    }
+    // A node at x of mass m that the body moves towards by w along its normal n, pressed by the share f of w . n.
+    void add(const Vector3& x, const Vector3& n, const Vector3& w, const Vector3& impulse, double m,
+             double f, double friction, Slope slope) {
         const Vector3 across = w - dot(w, n) * n;
-        const double slip = norm(across);
+        const Vector3 rubs = impulse - dot(impulse, n) * n;
+        const double slip = norm(across), most = m * slip;
+        const double share = most > 0.0 ? std::min(norm(rubs) / most, 1.0) : 1.0;
+        const bool slides = share < 1.0;
         const Row along = row(x, n);
-        const double sliding = std::isfinite(friction) && slip > 0.0 ? friction / slip : 0.0;
-        add(m * f * (along + row(x, sliding * across)), along, dot(n, w));
-        if (std::isfinite(friction)) return;
+        Row way = Row::Zero();
+        if (slides && slope == Slope::tangent) way = row(x, (1.0 / slip) * across);
+        add(m * f * (along + friction * way), along);
         for (int k = 0; k < 3; ++k) {
             Vector3 t = -n[k] * n;  // I - n n, row by row
             t[k] += 1.0;
             Vector3 e{0.0, 0.0, 0.0};
             e[k] = 1.0;
-            add(m * row(x, e), row(x, t), dot(t, w));
+            add(m * share * row(x, e), row(x, t));
         }
+        if (slides && slope == Slope::tangent) add(-m * share * way, way);
+        const Row of = row(x, impulse);
+        for (std::size_t i = 0; i < 6; ++i) sums[36 + i].add(of[static_cast<int>(i)], fixed_point);
     }
-    // With what all processes have added.
-    Twist solve(Exchange& exchange) {
+    void finish(Exchange& exchange) {
         exchange.sum(sums, fixed_point);
-        const Matrix6 mass = rigid.mass_matrix();
-        Eigen::Matrix<double, 6, 6> matrix;
-        Row right;
         for (std::size_t i = 0; i < 6; ++i) {
             for (std::size_t j = 0; j < 6; ++j)
-                matrix(static_cast<int>(i), static_cast<int>(j)) =
-                    mass[i][j] + sums[6 * i + j].value();
-            right[static_cast<int>(i)] = sums[36 + i].value();
+                slopes(static_cast<int>(i), static_cast<int>(j)) = sums[6 * i + j].value();
+            residual[static_cast<int>(i)] = sums[36 + i].value();
         }
-        const Row u = matrix.partialPivLu().solve(right);
-        return {{u[0], u[1], u[2]}, {u[3], u[4], u[5]}};
+        residual += mass * (velocity - trial);
     }
+    // Twice the energy of what the impulses leave beside the velocity, and that of what they did.
+    double off() const { return residual.dot(mass.partialPivLu().solve(residual)); }
+    double moved() const { return (velocity - trial).dot(mass * (velocity - trial)); }
+    Row step() const { return -(mass + slopes).partialPivLu().solve(residual); }
+    const Row& start() const { return trial; }
 
   private:
-    using Row = Eigen::Matrix<double, 6, 1>;
     // What the velocities that are free give along n at x.
     Row row(const Vector3& x, const Vector3& n) const {
         const Vector3 about = baseline::cross(x - rigid.centre(), n);
@@ -105,18 +134,17 @@ class FreeMeeting {
             if (!rigid.free()[static_cast<std::size_t>(i)]) out[i] = 0.0;
         return out;
     }
-    void add(const Row& impulse, const Row& of, double w) {
+    void add(const Row& impulse, const Row& of) {
         Total* matrix = sums.data();
-        Total* vector = matrix + 36;
-        for (int i = 0; i < 6; ++i) {
+        for (int i = 0; i < 6; ++i)
             for (int j = 0; j < 6; ++j) (matrix++)->add(impulse[i] * of[j], fixed_point);
-            (vector++)->add(-w * impulse[i], fixed_point);
-        }
     }
 
     const RigidMotion& rigid;
     bool fixed_point;
-    std::array<Total, 42> sums;  // a matrix, and the right-hand side behind it
+    Square mass, slopes;
+    Row trial, velocity, residual;
+    std::array<Total, 42> sums;  // a matrix, and the impulses behind it
 };
 
 }  // namespace
@@ -518,54 +546,82 @@ grit_contact_nodes ContactPair::nodes_of() {
     return q;
 }
 
-// A rigid body that contact moves has the velocity which the impulses that belong to it leave: with those of the nodes
-// that are found to touch, M du = -sum m f_p (n . w) n with w of u + du, and with friction, sticking or along the way of
-// sliding; until the same nodes touch alike.
-void ContactPair::meet_freely(const Model& model, const grit_contact_options& options) {
+// A rigid body that contact moves has the velocity which the impulses that belong to it leave, found by Newton's method
+// with steps that bring it nearer, along the symmetric slopes where the others do not. What rubs so that none is found
+// rubs not at all in this step: then there is one, and neither gives energy.
+grit_contact_options ContactPair::meet_freely(const Model& model,
+                                              const grit_contact_options& options) {
     const bool is_a = options.rigid == GRIT_CONTACT_A_RIGID;
     const RigidMotion& rigid = *model.parts[is_a ? pair_law.a : pair_law.b].body.motion;
     found = rigid.velocity();
-    if (!rigid.any_free()) return;
+    if (!rigid.any_free()) return options;
+    grit_contact_options law = options;
+    if (meet_freely(rigid, is_a, law)) return law;
+    law.friction_coefficient = law.adhesion = 0.0;
+    meet_freely(rigid, is_a, law);
+    return law;
+}
+
+// Whether a velocity is found.
+bool ContactPair::meet_freely(const RigidMotion& rigid, bool is_a,
+                              const grit_contact_options& law) {
     std::vector<double>&own = is_a ? motion_a : motion_b, &other = is_a ? motion_b : motion_a;
     const std::vector<double>& mass = is_a ? mass_b : mass_a;
-    const std::vector<double> own_start = own, other_start = other;
-    const Twist trial = found;
-    std::vector<int> states, before;
-    constexpr int most = 8;
-    for (int round = 0; round < most; ++round) {
-        correct_nodes(options, nullptr);
-        other = other_start;
-        states.clear();
-        for (const grit_contact_report& report : reports) states.push_back(report.state);
-        double differs = round == 0 || states != before ? 1.0 : 0.0;
-        exchange.max(&differs, 1);
-        if (!(differs > 0.0)) break;
-        before = states;
-        FreeMeeting meeting(rigid, fixed_point);
-        for (std::size_t i = 0; i < counted; ++i) {
-            if (states[i] != GRIT_CONTACT_STICK && states[i] != GRIT_CONTACT_SLIP) continue;
-            const Vector3 n = is_a ? at(normal, i) : -1.0 * at(normal, i);
-            Vector3 w;
-            for (std::size_t k = 0; k < 3; ++k)
-                w[static_cast<int>(k)] =
-                    own_start[motion::size * i + k] - other_start[motion::size * i + k];
-            meeting.add(at(position, i), n, w, mass[i], reports[i].penalty_factor,
-                        states[i] == GRIT_CONTACT_STICK ? INFINITY : options.friction_coefficient);
-        }
-        const Twist change = meeting.solve(exchange);
-        found = {trial.along + change.along, trial.about + change.about};
+    const std::vector<double> other_start = other;
+    FreeMeeting meeting(rigid, fixed_point);
+    const double sign = is_a ? 1.0 : -1.0;
+    const auto look = [&](const Row& u, FreeMeeting::Slope slope) {
+        found = twist_of(u);
         for (std::size_t i = 0; i < active.size(); ++i) {
             const Vector3 v =
                 found.along + baseline::cross(found.about, at(position, i) - rigid.centre());
             std::copy_n(v.c, 3, &own[motion::size * i]);
         }
+        correct_nodes(law, nullptr);
+        other = other_start;
+        meeting.begin(u);
+        for (std::size_t i = 0; i < counted; ++i) {
+            const grit_contact_report& r = reports[i];
+            if (r.state != GRIT_CONTACT_STICK && r.state != GRIT_CONTACT_SLIP) continue;
+            Vector3 w;
+            for (std::size_t k = 0; k < 3; ++k)
+                w[static_cast<int>(k)] =
+                    own[motion::size * i + k] - other_start[motion::size * i + k];
+            meeting.add(at(position, i), sign * at(normal, i), w,
+                        sign * Vector3{r.impulse[0], r.impulse[1], r.impulse[2]}, mass[i],
+                        r.penalty_factor, law.friction_coefficient, slope);
+        }
+        meeting.finish(exchange);
+    };
+    constexpr int most_steps = 40, most_halvings = 8;
+    constexpr double enough = 1e-20, near_enough = 1e-12;  // of the energy of what contact did
+    Row u = meeting.start();
+    look(u, FreeMeeting::Slope::tangent);
+    for (int step = 0; step < most_steps; ++step) {
+        const double off = meeting.off();
+        if (!(off > enough * meeting.moved())) return true;
+        bool nearer = false;
+        for (const auto slope : {FreeMeeting::Slope::tangent, FreeMeeting::Slope::secant}) {
+            if (slope == FreeMeeting::Slope::secant) look(u, slope);
+            const Row way = meeting.step();
+            double part = 1.0;
+            for (int k = 0; k < most_halvings && !nearer; ++k, part *= 0.5) {
+                look(u + part * way, FreeMeeting::Slope::tangent);
+                nearer = meeting.off() < (1.0 - 0.1 * part) * off;
+                if (nearer) u += part * way;
+            }
+            if (nearer) break;
+        }
+        if (!nearer) look(u, FreeMeeting::Slope::tangent);
+        if (!nearer) break;
     }
+    return meeting.off() <= near_enough * meeting.moved();
 }
 
 void ContactPair::apply(const Model& model) {
     const bool geo = pair_law.options.law == GRIT_CONTACT_GEO;
-    const grit_contact_options options = options_of(model);
-    if (options.rigid != GRIT_CONTACT_NONE_RIGID) meet_freely(model, options);
+    grit_contact_options options = options_of(model);
+    if (options.rigid != GRIT_CONTACT_NONE_RIGID) options = meet_freely(model, options);
     grit_contact_sums sums{};
     correct_nodes(options, &sums);
     exchange.sum(sums.word, GRIT_CONTACT_SUMS_WORDS);

@@ -82,7 +82,8 @@ class ContactPair {
     grit_contact_nodes nodes_of();
     void correct_nodes(const grit_contact_options& options, grit_contact_sums* sums);
     void apply(const Model& model);
-    void meet_freely(const Model& model, const grit_contact_options& options);
+    grit_contact_options meet_freely(const Model& model, const grit_contact_options& options);
+    bool meet_freely(const RigidMotion& rigid, bool is_a, const grit_contact_options& law);
     void write_back(Model& model) const;
     void remember();
 

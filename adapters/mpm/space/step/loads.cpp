@@ -22,6 +22,15 @@ void Loads::set(std::vector<Traction> of_this_process) {
     faces.assign(tractions.size(), {});
 }
 
+std::vector<double> Loads::words() const {
+    std::vector<double> out;
+    for (const Traction& t : tractions)
+        out.insert(out.end(),
+                   {static_cast<double>(t.body), static_cast<double>(t.particle),
+                    static_cast<double>(t.face.direction), t.face.upper ? 1.0 : 0.0, t.share});
+    return out;
+}
+
 Loads::FaceForces Loads::forces_of(const Traction& traction) {
     Part& part = model.parts[traction.body];
     const ParticleView q = part.body.particles.view();
@@ -74,13 +83,14 @@ void Loads::find() {
                                      3);
 }
 
-// Of the bits of a double, 46 are left to the largest force, six to sums of many: no order changes them.
+// Of the bits of a double, 40 are left to the largest force, twelve to sums of many, four for each particle of a cell's face:
+// no order changes them.
 double Loads::find_quantum() const {
     double largest = 0.0;
     for (const FaceForces& face : faces)
         for (int k = 0; k < 3; ++k) largest = std::max(largest, std::fabs(face.each[k]));
     model.exchange.max(&largest, 1);
-    return largest > 0.0 ? std::ldexp(1.0, std::ilogb(largest) - 46) : 0.0;
+    return largest > 0.0 ? std::ldexp(1.0, std::ilogb(largest) - 40) : 0.0;
 }
 
 void Loads::find_work() {

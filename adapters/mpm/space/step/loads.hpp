@@ -45,6 +45,8 @@ class Loads {
     // Of all tractions on a body in the last step, on all processes [N].
     Vector3 force(std::size_t body) const;
     std::size_t count() const { return tractions.size(); }
+    // Where they act, but for the stress over time.
+    std::vector<double> words() const;
 
     template <class Self, class Archive> static void visit(Self& loads, Archive& archive) {
         archive.own(loads.faces.data(), loads.faces.size());

@@ -91,7 +91,7 @@ RigidMotion::RigidMotion(const RigidCourse& of, const ParticleView& q, std::ptrd
     for (std::size_t i = 0; i < 9; ++i)
         inertia_at_start[i / 3][static_cast<int>(i % 3)] = inertias[i].value();
     is_free = has_begun(0.0) ? plan.free : std::array<bool, 6>{};
-    before = now = as_told(0.0, has_begun(0.0) ? plan.start : Twist{});
+    before = now = as_told(0.0, has_begun(0.0) ? plan.start : Twist{}, is_free);
     spin_momentum = times(inertia(), now.about);
 }
 
@@ -105,14 +105,14 @@ bool RigidMotion::any_free() const {
     return std::any_of(plan.free.begin(), plan.free.end(), [](bool x) { return x; });
 }
 
-Twist RigidMotion::as_told(double t, const Twist& of_free) const {
+Twist RigidMotion::as_told(double t, const Twist& given, const std::array<bool, 6>& free) const {
     const Vector3 none{0.0, 0.0, 0.0};
     const Vector3 velocity = plan.velocity ? plan.velocity(t) : none;
     const Vector3 spin = plan.spin ? plan.spin(t) : none;
-    Twist out = of_free;
+    Twist out = given;
     for (int k = 0; k < 3; ++k) {
-        if (!is_free[static_cast<std::size_t>(k)]) out.along[k] = velocity[k];
-        if (!is_free[static_cast<std::size_t>(k) + 3]) out.about[k] = spin[k];
+        if (!free[static_cast<std::size_t>(k)]) out.along[k] = velocity[k];
+        if (!free[static_cast<std::size_t>(k) + 3]) out.about[k] = spin[k];
     }
     return out;
 }
@@ -150,12 +150,14 @@ void RigidMotion::find_spin() {
 bool RigidMotion::has_begun(double t) const { return !plan.has_begun || plan.has_begun(t); }
 
 void RigidMotion::begin(double t, double dt, const Vector3& gravity, const Twist& load) {
+    brought = 0.0;
     if (is_free != plan.free && has_begun(t)) {
         is_free = plan.free;
-        now = as_told(t, plan.start);
+        now = as_told(t, plan.start, is_free);
         spin_momentum = times(inertia(), now.about);
+        brought = kinetic_energy();
     }
-    before = now = as_told(t, now);
+    before = now = as_told(t, now, is_free);
     spin_momentum_before = spin_momentum;
     acted = dt * total * norm(gravity) + norm(load.along);
     for (int k = 0; k < 3; ++k) {
@@ -237,7 +239,7 @@ double RigidMotion::unbalanced_share() const {
 
 double RigidMotion::speed(double t) const {
     const bool begins = is_free != plan.free && has_begun(t);
-    const Twist u = begins ? plan.start : as_told(t, now);
+    const Twist u = begins ? as_told(t, plan.start, plan.free) : as_told(t, now, is_free);
     return norm(u.along) + norm(u.about) * reach;
 }
 

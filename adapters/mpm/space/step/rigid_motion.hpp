@@ -58,6 +58,8 @@ class RigidMotion {
     void check_centre() const;
 
     bool any_free() const;
+    // Once it has begun.
+    const std::array<bool, 6>& to_be_free() const { return plan.free; }
     // To the velocities of the end of a step of dt that ends at t: prescribed ones as they are then, free ones as weight
     // and loads (force and moment about the centre, over dt) leave them.
     void begin(double t, double dt, const Vector3& gravity, const Twist& load_impulse);
@@ -83,6 +85,8 @@ class RigidMotion {
     const Vector3& centre() const { return middle; }
     double mass() const { return total; }
     double kinetic_energy() const;
+    // What of it a body that begins in this step brings along with what it starts with.
+    double energy_of_start() const { return brought; }
     // What changes its free velocities in this step, as a share of all that acts on it: 1 where it falls, 0 at rest.
     double unbalanced_share() const;
     // No point of it is faster [m/s]: as prescribed at t, as free now.
@@ -103,7 +107,7 @@ class RigidMotion {
     using Matrix3 = std::array<Vector3, 3>;  // rows
     bool has_begun(double t) const;
     // What is free as given, the others as they are told at t.
-    Twist as_told(double t, const Twist& of_free) const;
+    Twist as_told(double t, const Twist& given, const std::array<bool, 6>& free) const;
     Vector3 at(const Twist& u, const Vector3& x) const;
     Matrix3 inertia() const;
     void find_spin();
@@ -118,7 +122,8 @@ class RigidMotion {
     Twist now, before;
     // About the centre; of what is free alone it is kept [kg m2/s].
     Vector3 spin_momentum{0.0, 0.0, 0.0}, spin_momentum_before{0.0, 0.0, 0.0};
-    double acted = 0.0;  // sum of the impulses of this step [N s]
+    double brought = 0.0;  // [J]
+    double acted = 0.0;    // sum of the impulses of this step [N s]
 };
 
 }  // namespace grit::mpm::space

@@ -89,6 +89,7 @@ void Simulation::begin_rigid(std::size_t body) {
         load = sum.of_all(model.exchange);
     }
     motion.begin(model.t + model.dt, model.dt, model.gravity, load);
+    energies.external_work += motion.energy_of_start();
     // What moves it as it is told works against its loads.
     for (int k = 0; k < 3; ++k) {
         const auto i = static_cast<std::size_t>(k);

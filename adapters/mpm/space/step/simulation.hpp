@@ -73,6 +73,7 @@ class Simulation {
     const SurfacePair& surface_contact(std::size_t i) const { return surfaces[i]; }
     std::size_t surface_contact_count() const { return surfaces.size(); }
     std::size_t traction_count() const { return loads.count(); }
+    std::vector<double> traction_words() const { return loads.words(); }
     // Of all tractions on a body in the last step, on all processes [N].
     Vector3 traction_force(std::size_t body) const { return loads.force(body); }
     // Along z, of local damping on a body in the last step, on all processes [N s].
