@@ -107,6 +107,36 @@ TEST(ClosedSurface, HasWhatATorusHas) {
 }
 
 // Rays through edges and corners of the surface count them once.
+// The ends of a cylinder are fans of slivers, each of them as long as its radius and each in the middle.
+TEST(ClosedSurface, OfManySliversTakesNoMoreThanItsShareOfMemory) {
+    constexpr int sectors = 6000;
+    const auto rim = [](int i, double z) -> Vector3 {
+        const double u = 2.0 * pi * (i % sectors) / sectors;
+        return {std::cos(u), std::sin(u), z};
+    };
+    Triangles all;
+    for (int i = 0; i < sectors; ++i) {
+        all.push_back({Vector3{0.0, 0.0, 1.0}, rim(i, 1.0), rim(i + 1, 1.0)});
+        all.push_back({Vector3{0.0, 0.0, 0.0}, rim(i + 1, 0.0), rim(i, 0.0)});
+        all.push_back({rim(i, 0.0), rim(i + 1, 0.0), rim(i + 1, 1.0)});
+        all.push_back({rim(i, 0.0), rim(i + 1, 1.0), rim(i, 1.0)});
+    }
+    const ClosedSurface surface(all);
+    EXPECT_LE(surface.listed(), 32 * surface.size());
+    std::mt19937_64 random(4);
+    std::uniform_real_distribution<double> place(-1.1, 1.1);
+    int within = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Vector3 x{place(random), place(random), 0.5 + place(random)};
+        const double r = std::hypot(x[0], x[1]);
+        if (std::fabs(r - 1.0) < 1e-6) continue;
+        const bool expected = r < 1.0 && x[2] > 0.0 && x[2] < 1.0;
+        EXPECT_EQ(surface.has(x), expected) << x[0] << ' ' << x[1] << ' ' << x[2];
+        within += expected;
+    }
+    EXPECT_GT(within, 4000);
+}
+
 TEST(ClosedSurface, IsCountedOnceWhereTrianglesMeet) {
     const ClosedSurface surface(cube());
     for (int i = 1; i < 8; ++i)

@@ -173,22 +173,52 @@ std::size_t ClosedSurface::column(const Vector3& x) const {
     return column(x[1], 1) * columns[0] + column(x[0], 0);
 }
 
-// About as many columns as triangles.
-void ClosedSurface::sort_into_columns() {
-    const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(triangles.size())));
-    columns[0] = columns[1] = std::clamp<std::size_t>(side, 1, 2000);
-    first.assign(columns[0] * columns[1] + 1, 0);
-    const auto each_column = [this](const Triangle& t, const auto& work) {
-        std::size_t from[2], to[2];
-        for (int d = 0; d < 2; ++d) {
-            const auto [low, high] = std::minmax({t[0][d], t[1][d], t[2][d]});
-            from[d] = column(low, d);
-            to[d] = column(high, d);
+// work(column) of each that a triangle's shadow reaches, row by row: all of those around a sliver would be as many as
+// there are. What rounding may do to a place is beside it.
+template <class Work> void ClosedSurface::each_column(const Triangle& t, const Work& work) const {
+    const double beside[2] = {1e-9 * (most[0] - least[0]), 1e-9 * (most[1] - least[1])};
+    const auto [low, high] = std::minmax({t[0][1], t[1][1], t[2][1]});
+    const double height = (most[1] - least[1]) / static_cast<double>(columns[1]);
+    const std::size_t last = column(high + beside[1], 1);
+    for (std::size_t j = column(low - beside[1], 1); j <= last; ++j) {
+        const double floor = least[1] + static_cast<double>(j) * height - beside[1];
+        const double ceiling = floor + height + 2.0 * beside[1];
+        double from = most[0], to = least[0];
+        const auto reach = [&](double x) {
+            from = std::min(from, x);
+            to = std::max(to, x);
+        };
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Vector3 &p = t[i], &q = t[(i + 1) % 3];
+            if (p[1] >= floor && p[1] <= ceiling) reach(p[0]);
+            for (const double y : {floor, ceiling})
+                if ((p[1] < y) != (q[1] < y))
+                    reach(p[0] + (y - p[1]) / (q[1] - p[1]) * (q[0] - p[0]));
         }
-        for (std::size_t j = from[1]; j <= to[1]; ++j)
-            for (std::size_t i = from[0]; i <= to[0]; ++i) work(j * columns[0] + i);
-    };
-    for (const Triangle& t : triangles) each_column(t, [this](std::size_t c) { ++first[c + 1]; });
+        if (!(from <= to)) continue;
+        const std::size_t end = column(to + beside[0], 0);
+        for (std::size_t i = column(from - beside[0], 0); i <= end; ++i) work(j * columns[0] + i);
+    }
+}
+
+// About as many columns as triangles, fewer where these are so long that they would be listed too often.
+void ClosedSurface::sort_into_columns() {
+    constexpr std::size_t most_listed = 32;  // times a triangle, on average
+    auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(triangles.size())));
+    side = std::clamp<std::size_t>(side, 1, 2000);
+    for (;; side = (side + 1) / 2) {
+        columns[0] = columns[1] = side;
+        first.assign(side * side + 1, 0);
+        std::size_t listed = 0;
+        for (const Triangle& t : triangles) {
+            each_column(t, [&](std::size_t c) {
+                ++first[c + 1];
+                ++listed;
+            });
+            if (side > 1 && listed > most_listed * triangles.size()) break;
+        }
+        if (side == 1 || listed <= most_listed * triangles.size()) break;
+    }
     for (std::size_t c = 1; c < first.size(); ++c) first[c] += first[c - 1];
     order.resize(first.back());
     std::vector<std::size_t> next = first;

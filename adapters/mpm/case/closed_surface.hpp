@@ -27,6 +27,8 @@ class ClosedSurface {
     // Of shells that overlap, what they share counts for each.
     double volume() const { return enclosed; }
     std::size_t size() const { return triangles.size(); }
+    // How often its triangles stand in lists, which is what it takes of memory.
+    std::size_t listed() const { return order.size(); }
     // Counter-clockwise as seen from outside.
     const std::vector<Triangle>& outward() const { return triangles; }
 
@@ -34,6 +36,7 @@ class ClosedSurface {
     void check_edges() const;
     void turn_outward();
     void sort_into_columns();
+    template <class Work> void each_column(const Triangle& t, const Work& work) const;
     std::size_t column(double x, int d) const;
     std::size_t column(const Vector3& x) const;
 

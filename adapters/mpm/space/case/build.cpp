@@ -91,6 +91,11 @@ void check_free_at_sides(const Case& plan, std::size_t number, const Body& body,
         const int d = side / 2;
         const AxisPlan& axis = plan.space->axis[d];
         const double at = side % 2 == 0 ? axis.from : axis.to();
+        // Particles that a shape cuts are in the middle of what they have, away from the side; hosts may have no shapes.
+        const double near = 1e-5 * (axis.to() - axis.from);
+        if (number < plan.space->bodies.size() &&
+            comes_to(plan.space->bodies[number], d, at, side % 2 == 0, near))
+            lies_at_it[side] = 1.0;
         for (std::ptrdiff_t p = 0; p < q.size() && lies_at_it[side] == 0.0; ++p)
             lies_at_it[side] = std::fabs(std::fabs(q(column::x + d, p) - at) -
                                          q(column::l_x + d, p)) <= 1e-6 * q(column::l_x + d, p);

@@ -349,6 +349,13 @@ std::vector<OuterFace> outermost(const SpacePlan& plan, std::size_t body, const 
     return out;
 }
 
+bool comes_to(const SolidPlan& body, int along, double place, bool from_above, double distance) {
+    return std::any_of(body.shapes.begin(), body.shapes.end(), [&](const SolidShape& shape) {
+        const Bounds b = bounds_of(shape);
+        return from_above ? b.from[along] <= place + distance : b.to[along] >= place - distance;
+    });
+}
+
 void check_boxes_apart(const SolidPlan& one, const SolidPlan& other, const std::string& names) {
     constexpr double roundoff = 1e-9;
     for (const SolidShape& mine : one.shapes)

@@ -32,8 +32,11 @@ struct OuterFace {
 std::vector<OuterFace> outermost(const SpacePlan& plan, std::size_t body, const Axes& axes,
                                  const FacePlan& face, const std::string& name);
 
-// Throws std::invalid_argument where the centre of a particle of one lies in a particle of the other. names: of both.
-// Nor may their boxes, by more than roundoff; bricks that are cut overlap.
+// Whether a shape of a body comes as near to a place along x, y or z, from above or from below.
+bool comes_to(const SolidPlan& body, int along, double place, bool from_above, double distance);
+
+// Throw std::invalid_argument where boxes of two bodies overlap by more than roundoff, or the centre of a particle of one
+// lies in a particle of the other. names: of both.
 void check_boxes_apart(const SolidPlan& one, const SolidPlan& other, const std::string& names);
 void check_apart(Particles& one, Particles& other, const Axes& axes, const std::string& names);
 
