@@ -68,9 +68,9 @@ Extent extent_of(const Panel& panel, std::vector<double> Series::*values) {
 
 // The power of ten that stands in the unit of y, and not in all its numbers.
 int power_of(const Picture& picture, const Panel& panel) {
-    constexpr double small = 0.01, large = 1e5;
+    constexpr double small = 0.01, large = 1e5, nothing = 1e-300;
     const double largest = extent_of(panel, &Series::y).largest();
-    const bool plain = !(largest > 0.0) || (largest >= small && largest < large);
+    const bool plain = !(largest > nothing) || (largest >= small && largest < large);
     if (picture.labels_above || plain || !std::isfinite(largest)) return 0;
     return 3 * static_cast<int>(std::floor(std::log10(largest) / 3.0));
 }

@@ -42,6 +42,7 @@ std::vector<double> even_tics(double low, double high) {
 }
 
 int longest_number(double low, double high) {
+    if (!std::isfinite(low) || !std::isfinite(high)) return 0;
     if (!has_length(low, high)) {
         const double around = std::max(0.01 * std::abs(low), 1e-8);
         return longest_number(low - around, low + around);
