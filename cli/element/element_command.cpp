@@ -185,18 +185,15 @@ Outputs outputs_of(const ElementRequest& request, const std::vector<CaseFile>& c
         if (file.reference.curve.rows() > 0) outputs.add(reference_of(request, file), who);
     }
     if (are_compared(cases)) outputs.add(comparison_of(request), "the comparison of cases");
-    // Runs at one time in one folder may all have verdicts: the file is not kept from others.
-    Outputs with_verdicts = outputs;
-    if (std::any_of(cases.begin(), cases.end(), is_judged))
-        with_verdicts.add(references_of(request), "the verdicts on cases");
     if (!request.no_plot)
         for (const auto& [picture, who] : pictures_of(cases))
             for (const char* ending : {".svg", ".png"})
                 outputs.add(request.out / (picture + ending), who);
-    for (const CaseFile& file : cases) {
-        outputs.spare(file.inputs);
-        with_verdicts.spare(file.inputs);
-    }
+    // Runs at one time in one folder may all have verdicts: the file is not kept from others.
+    Outputs with_verdicts = outputs;
+    if (std::any_of(cases.begin(), cases.end(), is_judged))
+        with_verdicts.add(references_of(request), "the verdicts on cases");
+    for (const CaseFile& file : cases) with_verdicts.spare(file.inputs);
     return outputs;
 }
 

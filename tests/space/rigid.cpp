@@ -2,6 +2,7 @@
 // Rigid bodies in space that turn, and those that weight, loads and contact move.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -201,6 +202,19 @@ TEST(SpaceRigid, KeepsMomentumInACollisionAndTheBalanceOfEnergy) {
         }
 }
 
+// An elastic block on the whole bottom of a cube of 1 m, 0.4 m high, between sides that hold it across.
+void add_slab(Simulation& s, std::array<int, 3> particles, double density, double modulus,
+              double poissons_ratio, grit::mpm::space::Hold bottom) {
+    s.add_body(make_brick(
+        {{0.0, 0.0, 0.0}, {1.0, 1.0, 0.4}, {particles[0], particles[1], particles[2]}, density},
+        std::make_unique<LinearElastic>(modulus, poissons_ratio)));
+    for (const int d : {0, 1}) {
+        s.fix_below(d, 0.0);
+        s.fix_above(d, 1.0);
+    }
+    s.fix_below(2, 0.0, bottom);
+}
+
 // Bodies lighter and thinner than the nodes under them: with the impulses of another velocity than their own they were
 // thrown out with up to a thousand times their energy.
 TEST(SpaceRigid, RubsWithoutMakingEnergyHoweverLightItIs) {
@@ -220,13 +234,7 @@ TEST(SpaceRigid, RubsWithoutMakingEnergyHoweverLightItIs) {
         add_brick(thrown.particles, {middle - of.half, middle + of.half, {4, 4, 4}, of.density});
         thrown.make_rigid({.free = all_free, .start = {{1.0, 0.3, -1.0}, {0.0, 0.0, 0.0}}});
         s.add_body(std::move(thrown));
-        s.add_body(make_brick({{0.0, 0.0, 0.0}, {1.0, 1.0, 0.4}, {10, 10, 4}, 2000.0},
-                              std::make_unique<LinearElastic>(5e6, 0.3)));
-        for (const int d : {0, 1}) {
-            s.fix_below(d, 0.0);
-            s.fix_above(d, 1.0);
-        }
-        s.fix_below(2, 0.0);
+        add_slab(s, {10, 10, 4}, 2000.0, 5e6, 0.3, grit::mpm::space::Hold::across);
         s.add_contact(nodal_law(GRIT_CONTACT_GEO, of.mu, 0, 1));
         const double start = s.energy().kinetic;
         double largest = 0.0, pressed = 0.0;
@@ -274,13 +282,7 @@ TEST(SpaceRigid, RestsWithItsWeight) {
     add_brick(rigid.particles, {{0.3, 0.3, 0.405}, {0.7, 0.7, 0.605}, {8, 8, 4}, 2000.0});
     rigid.make_rigid({.free = all_free});
     s.add_body(std::move(rigid));
-    s.add_body(make_brick({{0.0, 0.0, 0.0}, {1.0, 1.0, 0.4}, {20, 20, 8}, 1500.0},
-                          std::make_unique<LinearElastic>(2e6, 0.2)));
-    for (const int d : {0, 1}) {
-        s.fix_below(d, 0.0);
-        s.fix_above(d, 1.0);
-    }
-    s.fix_below(2, 0.0, grit::mpm::space::Hold::all);
+    add_slab(s, {20, 20, 8}, 1500.0, 2e6, 0.2, grit::mpm::space::Hold::all);
     s.add_contact(nodal_law(GRIT_CONTACT_GEO, 0.3, 0, 1));
     const double weight = 0.4 * 0.4 * 0.2 * 2000.0 * 9.81;
     double sum = 0.0, time = 0.0;
