@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// torture sand|derivatives|undrained|contact|distances|normals|penalty|surface|mpm [--count N] [--seed S] [--only BLOCK] [--hours H] [--threads N] [--journal FILE]: random trials, what
-// they found, and for each rule that was broken a program that breaks it again. Ends with 1 if there is one.
+// torture sand|derivatives|undrained|contact|distances|normals|penalty|surface|mpm [--count N] [--seed S] [--only BLOCK] [--part SHARE] [--hours H] [--threads N] [--journal FILE]:
+// random trials, what they found, and for each rule that was broken a program that breaks it again. Ends with 1 if there is one.
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <stdexcept>
@@ -46,10 +48,15 @@ int main(int argc, char** argv) {
                                   "File with a line per block, to go on from"));
     app.add_option("--hours", campaign.hours, "Begin no block after them")
         ->check(CLI::PositiveNumber);
+    double part = 1.0;
+    app.add_option("--part", part, "Blocks of this share of their cases, the first")
+        ->check(CLI::Range(1e-9, 1.0));
     app.add_option("--threads", campaign.threads, "Change no result")->check(CLI::Range(1, 1024));
     CLI11_PARSE(app, argc, argv);
     try {
-        return run(kinds.at(name)(), campaign) ? 0 : 1;
+        Kind kind = kinds.at(name)();
+        kind.block = std::max(1L, std::lround(part * static_cast<double>(kind.block)));
+        return run(kind, campaign) ? 0 : 1;
     } catch (const std::runtime_error& error) {
         std::fprintf(stderr, "torture: %s\n", error.what());
         return 2;

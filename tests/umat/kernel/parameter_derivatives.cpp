@@ -16,72 +16,72 @@ namespace grit::kernel_test {
 namespace {
 
 // When the shadow returns to its plain number, so that it is the derivative of the same points: where a step has ended, or
-// with every operation.
+// with every operation. No parameter of a template: the kernels take a minute to compile for each.
 enum class Settles { by_step, by_operation };
+Settles settles = Settles::by_step;
 
-template <Settles when> struct ShadowedBy {
+struct Shadowed {
     using Shadow = std::complex<long double>;
     double v = 0.0;
     Shadow x = 0.0L;
 
-    ShadowedBy() = default;
-    ShadowedBy(double plain) : v(plain), x(plain) {}
-    ShadowedBy(double plain, const Shadow& shadow) : v(plain), x(shadow) {
-        if constexpr (when == Settles::by_operation) settle(*this);
+    Shadowed() = default;
+    Shadowed(double plain) : v(plain), x(plain) {}
+    Shadowed(double plain, const Shadow& shadow) : v(plain), x(shadow) {
+        if (settles == Settles::by_operation) settle(*this);
     }
 
-    friend void settle(ShadowedBy& a) { a.x.real(a.v); }
-    friend ShadowedBy operator+(const ShadowedBy& a, const ShadowedBy& b) {
+    friend void settle(Shadowed& a) { a.x.real(a.v); }
+    friend Shadowed operator+(const Shadowed& a, const Shadowed& b) {
         return {a.v + b.v, a.x + b.x};
     }
-    friend ShadowedBy operator-(const ShadowedBy& a, const ShadowedBy& b) {
+    friend Shadowed operator-(const Shadowed& a, const Shadowed& b) {
         return {a.v - b.v, a.x - b.x};
     }
-    friend ShadowedBy operator*(const ShadowedBy& a, const ShadowedBy& b) {
+    friend Shadowed operator*(const Shadowed& a, const Shadowed& b) {
         return {a.v * b.v, a.x * b.x};
     }
-    friend ShadowedBy operator/(const ShadowedBy& a, const ShadowedBy& b) {
+    friend Shadowed operator/(const Shadowed& a, const Shadowed& b) {
         return {a.v / b.v, a.x / b.x};
     }
-    friend ShadowedBy operator-(const ShadowedBy& a) { return {-a.v, -a.x}; }
-    friend bool operator<(const ShadowedBy& a, const ShadowedBy& b) { return a.v < b.v; }
-    friend bool operator>(const ShadowedBy& a, const ShadowedBy& b) { return a.v > b.v; }
-    friend bool operator>=(const ShadowedBy& a, const ShadowedBy& b) { return a.v >= b.v; }
-    friend double value(const ShadowedBy& a) { return a.v; }
-    friend ShadowedBy select(bool mask, const ShadowedBy& yes, const ShadowedBy& no) {
+    friend Shadowed operator-(const Shadowed& a) { return {-a.v, -a.x}; }
+    friend bool operator<(const Shadowed& a, const Shadowed& b) { return a.v < b.v; }
+    friend bool operator>(const Shadowed& a, const Shadowed& b) { return a.v > b.v; }
+    friend bool operator>=(const Shadowed& a, const Shadowed& b) { return a.v >= b.v; }
+    friend double value(const Shadowed& a) { return a.v; }
+    friend Shadowed select(bool mask, const Shadowed& yes, const Shadowed& no) {
         return mask ? yes : no;
     }
-    friend ShadowedBy fma(const ShadowedBy& a, const ShadowedBy& b, const ShadowedBy& c) {
+    friend Shadowed fma(const Shadowed& a, const Shadowed& b, const Shadowed& c) {
         return {kernel_test::fma(a.v, b.v, c.v), a.x * b.x + c.x};
     }
-    friend ShadowedBy sqrt(const ShadowedBy& a) { return {kernel_test::sqrt(a.v), std::sqrt(a.x)}; }
-    friend ShadowedBy fabs(const ShadowedBy& a) { return a.v < 0.0 ? -a : a; }
-    friend ShadowedBy exp(const ShadowedBy& a) { return {kernel_test::exp(a.v), std::exp(a.x)}; }
-    friend ShadowedBy log(const ShadowedBy& a) { return {kernel_test::log(a.v), std::log(a.x)}; }
+    friend Shadowed sqrt(const Shadowed& a) { return {kernel_test::sqrt(a.v), std::sqrt(a.x)}; }
+    friend Shadowed fabs(const Shadowed& a) { return a.v < 0.0 ? -a : a; }
+    friend Shadowed exp(const Shadowed& a) { return {kernel_test::exp(a.v), std::exp(a.x)}; }
+    friend Shadowed log(const Shadowed& a) { return {kernel_test::log(a.v), std::log(a.x)}; }
 };
 
-template <Settles when> constexpr bool is_sensitive<ShadowedBy<when>> = true;
+template <> constexpr bool is_sensitive<Shadowed> = true;
 
-template <Settles when>
-ShadowedBy<when> power(const SensitiveExponent<ShadowedBy<when>>& q, const ShadowedBy<when>& x) {
+Shadowed power(const SensitiveExponent<Shadowed>& q, const Shadowed& x) {
     return {power(Exponent{q.value.v, q.quarters}, x.v), std::exp(q.value.x * std::log(x.x))};
 }
 
-template <Settles when> void settle(Tensor<ShadowedBy<when>>& A) {
+void settle(Tensor<Shadowed>& A) {
     for (auto& component : A.c) settle(component);
 }
-template <Settles when> void settle(Marched<ShadowedBy<when>>& y) {
+void settle(Marched<Shadowed>& y) {
     settle(y.T);
     settle(y.compression.x);
     settle(y.compression.expansion);
 }
-template <Settles when> void settle(Mobilisation<ShadowedBy<when>>& h) {
+void settle(Mobilisation<Shadowed>& h) {
     for (auto* x : {&h.rho, &h.c, &h.across, &h.J, &h.J_growth, &h.rho_beta}) settle(*x);
 }
-template <Settles when> void settle(Waypoint<ShadowedBy<when>>& w) {
+void settle(Waypoint<Shadowed>& w) {
     for (auto* x : {&w.ds, &w.e, &w.along, &w.across, &w.flow}) settle(*x);
 }
-template <Settles when> void settle(StateOf<ShadowedBy<when>>& x) {
+void settle(StateOf<Shadowed>& x) {
     settle(x.T);
     settle(x.h);
     settle(x.e);
@@ -89,8 +89,8 @@ template <Settles when> void settle(StateOf<ShadowedBy<when>>& x) {
 }
 
 // The kernels call it where they take over what a step has made.
-template <template <class> class Of, Settles when>
-void assign(bool where, Of<ShadowedBy<when>>& to, const Of<ShadowedBy<when>>& x) {
+template <template <class> class Of>
+void assign(bool where, Of<Shadowed>& to, const Of<Shadowed>& x) {
     if (!where) return;
     to = x;
     settle(to);
@@ -105,7 +105,7 @@ namespace kernel = grit::kernel_test;
 using namespace tests;
 using kernel::Sensitive;
 using kernel::Settles;
-using kernel::ShadowedBy;
+using kernel::Shadowed;
 using Shadow = std::complex<long double>;
 
 constexpr int of_e = GRIT_SAND_PARAMETER_COUNT;  // the initial void ratio
@@ -115,15 +115,14 @@ constexpr int directions = of_e + 1;
 constexpr long double step = 1e-1000L;
 
 // The constants of a material as grit_sand_prepare has them, in long double: (H4), (H8).
-template <class Number>
-kernel::SensitiveMaterial<Number> shadowed(const grit::Material& m, int direction) {
+kernel::SensitiveMaterial<Shadowed> shadowed(const grit::Material& m, int direction) {
     using kernel::SensitiveExponent;
     const auto variable = [&](double x, int own) {
-        return Number(x, Shadow(x, own == direction ? step : 0.0L));
+        return Shadowed(x, Shadow(x, own == direction ? step : 0.0L));
     };
     const Shadow phi_c = variable(m.phi_c, 0).x, h_s = variable(m.h_s, 1).x,
                  alpha = variable(m.alpha, 6).x, beta = variable(m.beta, 7).x;
-    kernel::SensitiveMaterial<Number> r;
+    kernel::SensitiveMaterial<Shadowed> r;
     r.at = &m;
     r.n = variable(m.n, 2);
     r.e_d0 = variable(m.e_d0, 3);
@@ -149,7 +148,7 @@ kernel::SensitiveMaterial<Number> shadowed(const grit::Material& m, int directio
     r.inverse_R = {m.inverse_R, 1.0L / r.R.x};
     r.p_floor = {m.p_floor, static_cast<long double>(grit::floor_per_hardness) * h_s};
     const auto exponent = [](const grit::Exponent& plain, const Shadow& x) {
-        return SensitiveExponent<Number>{{plain.value, x}, plain.quarters};
+        return SensitiveExponent<Shadowed>{{plain.value, x}, plain.quarters};
     };
     r.alpha_power = exponent(m.alpha_power, alpha);
     r.beta_power = exponent(m.beta_power, beta);
@@ -241,12 +240,11 @@ Course<Sensitive> differentiated(const Path& path) {
     return course;
 }
 
-template <Settles when> Course<ShadowedBy<when>> shadowed(const Path& path, int direction) {
-    using Number = ShadowedBy<when>;
-    const auto m = shadowed<Number>(path.material(), direction);
-    auto y = start_of<Number>(path);
+Course<Shadowed> shadowed(const Path& path, int direction) {
+    const auto m = shadowed(path.material(), direction);
+    auto y = start_of<Shadowed>(path);
     if (direction == of_e) y.e.x.imag(step);
-    Course<Number> course;
+    Course<Shadowed> course;
     for (const Vec& dE : path.increments) {
         if (!advance(m, path.control(), dE, y)) return {};
         course.push_back(y);
@@ -260,7 +258,7 @@ template <Settles when> Course<ShadowedBy<when>> shadowed(const Path& path, int 
 struct Error {
     long double square = 0.0L, size = 0.0L;
 
-    template <class Number> void add(const Sensitive& x, const Number& y, int direction) {
+    void add(const Sensitive& x, const Shadowed& y, int direction) {
         const long double exact = y.x.imag() / step, off = exact - x.d[direction];
         square += off * off;
         size += exact * exact;
@@ -272,9 +270,8 @@ struct Error {
     }
 };
 
-template <class Number>
 double error_of(const Path& path, int direction, const kernel::StateOf<Sensitive>& x,
-                const kernel::StateOf<Number>& y) {
+                const kernel::StateOf<Shadowed>& y) {
     double theta = path.start.e;
     if (direction < of_e) grit_sand_parameter_get(&path.sand.p, direction, &theta);
     Error T, h, e;
@@ -294,9 +291,9 @@ double error_of(const Path& path, int direction, const kernel::StateOf<Sensitive
 }
 
 // After any increment.
-template <Settles when>
-double largest_error(const Path& path, int direction, const Course<Sensitive>& x) {
-    const auto y = shadowed<when>(path, direction);
+double largest_error(const Path& path, int direction, const Course<Sensitive>& x, Settles when) {
+    kernel::settles = when;
+    const auto y = shadowed(path, direction);
     EXPECT_EQ(x.size(), y.size());
     double worst = 0.0;
     for (std::size_t i = 0; i < y.size(); ++i)
@@ -320,11 +317,11 @@ TEST(Sensitive, AreTheComplexStepInLongDoubleOfThePathsOfRandomSands) {
         }
         double worst = 0.0;
         for (const int k : {i % directions, (i + 8) % directions}) {
-            const double error = largest_error<Settles::by_step>(path, k, x);
+            const double error = largest_error(path, k, x, Settles::by_step);
             worst = std::max(worst, error);
             if (error <= 1e-10) continue;
             ++beyond;
-            const double own = largest_error<Settles::by_operation>(path, k, x);
+            const double own = largest_error(path, k, x, Settles::by_operation);
             std::cout << "path " << i << ", direction " << k << ": " << error
                       << ", of its own numbers " << own << "\n";
             EXPECT_LE(own, 1e-10) << "path " << i << ", direction " << k;
