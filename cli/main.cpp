@@ -56,19 +56,19 @@ int follow(int argc, char** argv) {
     cli::add_guide_commands(app, asked);
     std::vector<std::string> words(argv + 1, argv + std::max(argc, 1));
     if (!words.empty() && words.front() == "help") {  // as other programs have it
-        std::rotate(words.begin(), words.begin() + 1, words.end());
-        words.back() = "--help";
+        words.erase(words.begin());
+        if (cli::misspelt(app, words).empty()) words.emplace_back("--help");
     }
     if (words == std::vector<std::string>{"version"}) words = {"--version"};
-    std::reverse(words.begin(), words.end());  // as the parser takes them
     try {
-        app.parse(words);
+        // As the parser takes them.
+        app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
         return asked();
     } catch (const CLI::ParseError& error) {
         std::ostringstream help, complaint;
         const int status = app.exit(error, help, complaint);
         cli::say("{}", help.str());
-        const std::string unknown = status == 0 ? "" : cli::misspelt(app, argc, argv);
+        const std::string unknown = status == 0 ? "" : cli::misspelt(app, words);
         if (unknown.empty()) cli::warn("{}", complaint.str());
         else cli::warn("{}\nRun with --help for more information.\n", unknown);
         return status == 0 ? cli::ok : cli::bad_input;

@@ -32,6 +32,8 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs ${PROJECT_SOURCE_DIR}/examples DEST
         PATTERN docs/site EXCLUDE PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/verification/cases ${PROJECT_SOURCE_DIR}/verification/data
                   ${PROJECT_SOURCE_DIR}/verification/mpm ${PROJECT_SOURCE_DIR}/verification/calibration
+                  ${PROJECT_SOURCE_DIR}/verification/pile ${PROJECT_SOURCE_DIR}/verification/space
+                  ${PROJECT_SOURCE_DIR}/verification/saturated
         DESTINATION ${GRIT_DOC_DIR}/verification COMPONENT documentation
         FILES_MATCHING PATTERN *.toml PATTERN *.csv PATTERN *.md PATTERN *.stl)
 install(FILES ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${GRIT_DOC_DIR} COMPONENT documentation)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "element/check.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "element/errors.hpp"
@@ -146,6 +147,22 @@ void check_program(const Program& program) {
     const double n = increments_of_all(program);
     require(n <= static_cast<double>(run_limit),
             text("a run has at most %ld increments, got %.3g", run_limit, n));
+}
+
+std::optional<bool> pore_pressure_after(const Program& program, bool before) {
+    std::optional<bool> now = before;
+    for (const Step& step : program) {
+        const auto* repetition = std::get_if<Repetition>(&step.kind);
+        const auto* linear = std::get_if<Linear>(&step.kind);
+        // Its second time begins as the first one ends.
+        for (int time = 0; repetition && time < std::min(repetition->times, 2) && now; ++time)
+            now = pore_pressure_after(repetition->steps, *now);
+        if (repetition && now) continue;
+        const bool rests = linear && linear->rows.stress.isZero(0.0) && linear->change.isZero(0.0);
+        if (repetition || (*now && !step.undrained && !step.drains && !rests)) return std::nullopt;
+        now = step.undrained || (*now && !step.drains);
+    }
+    return now;
 }
 
 void check_settings(const Settings& s) {

@@ -79,11 +79,23 @@ std::string shape_text(const std::vector<py::ssize_t>& shape) {
     return text + (shape.size() == 1 ? ",)" : ")");
 }
 
-const double* of_size(const char* name, const Numbers& a, py::ssize_t size) {
-    const auto shape = shape_of(a);
+Numbers several(const char* name, const py::object& object) {
+    refuse_masked(name, object);
+    const py::array given = py::array::ensure(object);
+    if (!given || std::string("fiu").find(given.dtype().kind()) == std::string::npos) {
+        PyErr_Clear();
+        refuse("%s must be real numbers, got %s", name,
+               given ? std::string(py::str(given.dtype())).c_str() : type_name(object).c_str());
+    }
+    return Numbers(given);
+}
+
+Numbers few(const char* name, const py::object& object, py::ssize_t size) {
+    Numbers out = several(name, object);
+    const auto shape = shape_of(out);
     if (shape.size() != 1 || shape[0] != size)
         refuse("%s must be (%td,), got %s", name, size, shape_text(shape).c_str());
-    return a.data();
+    return out;
 }
 
 Arrays::Arrays(const char* name, const py::object& first) {
@@ -209,6 +221,12 @@ const ptrdiff_t* Arrays::read_index(const py::object& object) {
     return index.data();
 }
 
+py::array Arrays::array(const std::string& name) const {
+    for (const Held& each : held)
+        if (name == each.name) return each.array;
+    return {};
+}
+
 void Arrays::check_overlap(const Arrays* other) const {
     const py::object shares = py::module_::import("numpy").attr("shares_memory");
     std::vector<const Held*> all;
@@ -233,6 +251,11 @@ WholeNumbers whole_numbers(const char* name, const py::object& object) {
         refuse("%s must be an array of integers, got %s", name,
                std::string(py::str(array.dtype())).c_str());
     const py::array_t<std::int64_t, py::array::c_style | py::array::forcecast> list(array);
+    if (kind == 'u' && array.itemsize() == 8)
+        for (py::ssize_t i = 0; i < list.size(); ++i)
+            if (list.data()[i] < 0)
+                refuse("%s must be below 2^63, got %llu", name,
+                       static_cast<unsigned long long>(list.data()[i]));
     return {shape_of(array), {list.data(), list.data() + list.size()}};
 }
 

@@ -42,6 +42,9 @@ class Arrays {
     // How many points are taken: n, or as many as the index has.
     py::ssize_t taken() const { return m; }
 
+    // One that is held.
+    py::array array(const std::string& name) const;
+
     // Call when all are known, with the other arrays of the call, if any.
     void check_overlap(const Arrays* other = nullptr) const;
 
@@ -73,9 +76,10 @@ std::vector<int> labels(const char* name, const py::object& object, py::ssize_t 
 // n + 1 numbers that begin and end parts of a list of so many entries.
 std::vector<ptrdiff_t> offsets(const char* name, const py::object& object, py::ssize_t entries);
 
-// A few numbers of one point, copied where they are no doubles.
+// A few numbers of one point, (size,): real ones of any type, or a list of them, copied where they are no doubles.
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
-const double* of_size(const char* name, const Numbers& a, py::ssize_t size);
+Numbers several(const char* name, const py::object& object);  // of any number of them
+Numbers few(const char* name, const py::object& object, py::ssize_t size);
 
 // "(3, 6)"
 std::string shape_text(const std::vector<py::ssize_t>& shape);

@@ -12,7 +12,8 @@ namespace {
 
 constexpr const char* correct_doc =
     R"(Take the approach velocity of bodies A and B away at n grid nodes, in place: Geo-contact, or
-frictional contact. One impulse per node: momentum is kept, energy never grows.
+frictional contact. One impulse per node: momentum is kept, kinetic energy never grows but by
+what a contact_stiffness holds in an overlap, half of that times its square.
 
     mass_a, mass_b      (n,)          nodal masses [mass]; a node of one body only is left alone
     normal              (n, c)        unit normal from A to B [-], c = 2 or 3

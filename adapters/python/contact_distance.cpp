@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -52,6 +54,12 @@ int body_of(const char* name, const std::string& body) {
 
 class Surfaces {
   public:
+    // Nothing where Python makes an instance without __init__.
+    static void* operator new(std::size_t size) {
+        return std::memset(::operator new(size), 0, size);
+    }
+    static void* operator new(std::size_t, void* place) { return place; }
+
     Surfaces(const py::object& position, const py::object& normal, bool centres)
         : nodes("position", position, {2, 3}, false), view{} {
         const int c = nodes.components();
@@ -70,6 +78,7 @@ class Surfaces {
 
     void add(const std::string& body, const py::object& position, const py::object& node,
              const py::object& offset, const py::object& side) {
+        const grit_contact_surfaces all = viewed();
         Arrays arrays("position", position, {view.components}, false);
         grit_contact_domains domains{};
         domains.struct_size = sizeof domains;
@@ -99,7 +108,6 @@ class Surfaces {
         }
         const py::array_t<double> surface_before(surface.attr("copy")());
         const py::object centre_before = centre.is_none() ? centre : centre.attr("copy")();
-        const grit_contact_surfaces all = viewed();
         grit_error error{};
         grit_status status = GRIT_OK;
         {
@@ -114,8 +122,17 @@ class Surfaces {
 
     void merge(const Surfaces& from) {
         const grit_contact_surfaces into = viewed(), other = from.viewed();
+        const py::object equal = py::module_::import("numpy").attr("array_equal");
+        for (const char* name : {"position", "normal"})
+            if (!equal(nodes.array(name), from.nodes.array(name)).cast<bool>())
+                refuse("other has surfaces of nodes with another %s", name);
         grit_error error{};
         check(grit_contact_surfaces_merge(&into, &other, &error), error);
+    }
+
+    py::object shown(const py::object& array) const {
+        viewed();
+        return array.is_none() ? array : array.attr("view")();
     }
 
     py::array distance(const std::string& stiffer, const std::string& measure) const {
@@ -144,6 +161,7 @@ class Surfaces {
     }
 
     grit_contact_surfaces viewed() const {
+        if (view.struct_size == 0) refuse("these ContactSurfaces were never made: call the class");
         grit_contact_surfaces all = view;
         const auto seen = [](const py::object& array) {
             auto own = py::reinterpret_borrow<py::array_t<double>>(array);
@@ -156,9 +174,9 @@ class Surfaces {
 
     py::array finished(grit_contact_distances& wanted, grit_mutable_view& out) const {
         wanted.struct_size = sizeof wanted;
+        const grit_contact_surfaces all = viewed();
         py::array_t<double> numbers(nodes.points());
         out = grit_mutable_view_of(numbers.mutable_data(), 1, 1);
-        const grit_contact_surfaces all = viewed();
         grit_error error{};
         check(grit_contact_surfaces_finish(&all, nodes.points(), &wanted, &error), error);
         return numbers;
@@ -188,8 +206,11 @@ void add_contact_distance(py::module_& module) {
              "Gap (n,) from the surface of A to that of B along the normal [length], negative: "
              "overlap; +inf unless\n"
              "both bodies reached the node.")
-        .def_readonly("surface", &Surfaces::surface)
-        .def_readonly("centre", &Surfaces::centre);
+        // Views, which nobody can give another size.
+        .def_property_readonly("surface",
+                               [](const Surfaces& self) { return self.shown(self.surface); })
+        .def_property_readonly("centre",
+                               [](const Surfaces& self) { return self.shown(self.centre); });
 }
 
 }  // namespace grit_python

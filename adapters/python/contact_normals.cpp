@@ -44,7 +44,7 @@ of length, a_p half of the particle's share of the weight of its body.
     fixed               (n,)        integers, bits 1, 2, 4: components that symmetry keeps at zero
 
 Returns normals (n, c), zero where one body alone is there or the clouds do not differ. Raises BadCall or BadState if any
-shape, dtype or value is bad, NotConverged at the limit of iterations.)";
+shape, dtype or value is bad, NotConverged at the limit of iterations: its attribute normal has all others, zero where none was found.)";
 
 py::array_t<double> zeros(py::ssize_t n, py::ssize_t c) {
     py::array_t<double> out({n, c});
@@ -131,6 +131,7 @@ py::array by_regression(const py::object& position, const py::object& body,
         status = grit_contact_normals_by_regression(n, &clouds, workspace.data(), workspace.size(),
                                                     nullptr, &error);
     }
+    if (status == GRIT_NOT_CONVERGED) raise(error, "normal", normal);
     check(status, error);
     return normal;
 }

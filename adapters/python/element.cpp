@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Single-element tests through the library grit_element.
+#include <chrono>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +13,7 @@
 #include "adapters/python/arrays.hpp"
 #include "adapters/python/errors.hpp"
 #include "adapters/python/parts.hpp"
+#include "element/check.hpp"
 #include "element/errors.hpp"
 #include "element/grit_law.hpp"
 #include "element/laboratory.hpp"
@@ -40,7 +43,7 @@ Returns a dict of arrays with a row for the start and one per increment: stage, 
 pore_pressure (m,) excess, compression + [stress]; with parameters also the exact derivatives strain_slope,
 stress_slope, total_stress_slope (m, 6, k), state_slope (m, 8, k), void_ratio_slope, pore_pressure_slope (m, k),
 of the steps taken. Raises BadCall if the test makes no sense, and
-NotConverged, whose attribute history is as far as it came.)";
+NotConverged, whose attribute history is as far as it came; so has KeyboardInterrupt.)";
 
 template <class Get>
 py::array rows(const std::vector<element::Record>& records, int width, Get get) {
@@ -111,24 +114,90 @@ void add_slopes(py::dict& out, const std::vector<element::Record>& records) {
         one([](const Record& r) -> element::MatrixX { return r.slopes.pore_pressure; });
 }
 
-element::Vector6 vector_of(const char* name, const Numbers& given) {
-    return Eigen::Map<const element::Vector6>(of_size(name, given, 6));
+element::Vector6 vector_of(const char* name, const py::object& given) {
+    return Eigen::Map<const element::Vector6>(few(name, given, 6).data());
+}
+
+// What the functions of grit.stage return, and how it was made.
+struct Stage {
+    element::Step step;
+    const char* name;
+    py::tuple arguments;
+};
+
+Stage staged(const char* name, element::Step step, const py::tuple& first, int increments,
+             double first_share) {
+    step.increments = increments;
+    step.first_share = first_share;
+    return {std::move(step), name, first + py::make_tuple(increments, first_share)};
+}
+
+// Its function and arguments, which make it again wherever it is sent.
+py::tuple reduce_stage(const Stage& stage, int) {
+    return py::make_tuple(py::module_::import("grit").attr("_stage"),
+                          py::make_tuple(stage.name, stage.arguments));
+}
+
+// __new__ of a class without a constructor, which would leave memory as it is.
+PyObject* make_none(PyTypeObject*, PyObject*, PyObject*) {
+    PyErr_SetString(PyExc_TypeError, "a Stage is made by the functions of grit.stage");
+    return nullptr;
 }
 
 // A list of stages, or one alone.
 std::vector<element::Step> steps_of(const py::object& stages) {
-    if (py::isinstance<element::Step>(stages)) return {stages.cast<element::Step>()};
+    std::vector<element::Step> out;
     try {
-        return stages.cast<std::vector<element::Step>>();
+        if (py::isinstance<Stage>(stages)) out = {stages.cast<const Stage&>().step};
+        else
+            for (const py::handle each : stages) out.push_back(each.cast<const Stage&>().step);
+    } catch (const py::error_already_set&) {
+        refuse("stages must be a list of what the functions of grit.stage return, got %s",
+               py::repr(stages).cast<std::string>().substr(0, 200).c_str());
     } catch (const py::cast_error&) {
         refuse("stages must be a list of what the functions of grit.stage return, got %s",
                py::repr(stages).cast<std::string>().substr(0, 200).c_str());
     }
+    bool pore_pressure = false;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const auto after = element::pore_pressure_after({out[i]}, pore_pressure);
+        if (!after)
+            refuse("stage %zu begins with the pore pressure of an undrained stage: let it out by "
+                   "stage.drain() before",
+                   i + 1);
+        pore_pressure = *after;
+    }
+    return out;
 }
 
-py::dict element_test(const Sand& sand, const py::object& stages, const Numbers& stress,
-                      double void_ratio, const std::optional<Numbers>& direction, double rho,
-                      double tolerance, std::optional<bool> intergranular_strain,
+// Asks the interpreter for signals now and then, as it cannot while the library runs.
+class Interruption {
+  public:
+    bool came() {
+        const auto now = Clock::now();
+        if (now < next) return false;
+        next = now + std::chrono::milliseconds(100);
+        const py::gil_scoped_acquire interpreter;
+        if (PyErr_CheckSignals() == 0) return false;
+        raised.emplace();
+        return true;
+    }
+    // What a handler has raised, with what was reached.
+    void raise_with(const py::object& history) const {
+        if (!raised) return;
+        raised->value().attr("history") = history;
+        throw py::error_already_set(*raised);
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point next = Clock::now();
+    std::optional<py::error_already_set> raised;
+};
+
+py::dict element_test(const Sand& sand, const py::object& stages, const py::object& stress,
+                      double void_ratio, const py::object& direction, double rho, double tolerance,
+                      std::optional<bool> intergranular_strain,
                       const std::vector<std::string>& names,
                       const std::optional<element::Matrix6X>& stress_slope,
                       const std::optional<Eigen::RowVectorXd>& void_ratio_slope) {
@@ -145,9 +214,14 @@ py::dict element_test(const Sand& sand, const py::object& stages, const Numbers&
         start.intergranular_strain =
             *intergranular_strain ? IntergranularStrain::mobilised : IntergranularStrain::off;
     options.intergranular_strain = start.intergranular_strain != IntergranularStrain::off;
-    if (direction) start.direction = vector_of("direction", *direction);
+    if (!direction.is_none()) start.direction = vector_of("direction", direction);
     else if (options.intergranular_strain) start.intergranular_strain = IntergranularStrain::zero;
+    if (names.empty() && (stress_slope || void_ratio_slope))
+        refuse("stress_slope and void_ratio_slope are of parameters: name these");
     element::History history;
+    Interruption interruption;
+    element::Listeners listeners;
+    listeners.increment = [&](const element::Progress&) { return !interruption.came(); };
     try {
         const element::GritLaw law(parameters, options);
         element::Sample sample;
@@ -161,12 +235,13 @@ py::dict element_test(const Sand& sand, const py::object& stages, const Numbers&
                                        void_ratio_slope.value_or(Eigen::RowVectorXd())});
         const std::vector<element::Step> steps = steps_of(stages);
         const py::gil_scoped_release others_may_run;
-        history = element::simulate(law, sample, steps);
+        history = element::simulate(law, sample, steps, {}, listeners);
     } catch (const element::BadCase& bad) {
         refuse("%s", bad.what());
     }
     py::dict out = arrays_of(history.records);
     if (!names.empty()) add_slopes(out, history.records);
+    interruption.raise_with(out);
     if (history.failure) {
         grit_error error{};
         error.status = GRIT_NOT_CONVERGED;
@@ -184,11 +259,8 @@ void add_stage(py::module_& stage, const char* name, element::Step (*make)(doubl
     using py::arg;
     stage.def(
         name,
-        [make](double value, int increments, double first_share) {
-            element::Step step = make(value);
-            step.increments = increments;
-            step.first_share = first_share;
-            return step;
+        [make, name](double value, int increments, double first_share) {
+            return staged(name, make(value), py::make_tuple(value), increments, first_share);
         },
         arg(argument), arg("increments") = 100, arg("first_share") = 0.0, doc);
 }
@@ -205,8 +277,11 @@ void add_element(py::module_& module) {
         "its plane. increments: of even size, or growing geometrically from first_share of the "
         "path, "
         "which resolves the first strain after a reversal.");
-    py::class_<Step>(stage, "Stage", "What is done to a sample, for grit.element_test.")
-        .def("__reduce_ex__", &reduce);
+    py::class_<Stage> type(stage, "Stage", "What is done to a sample, for grit.element_test.");
+    type.def("__reduce_ex__", &reduce_stage).def("__repr__", [](const Stage& self) {
+        return py::str("grit.stage.{}{}").format(self.name, self.arguments);
+    });
+    reinterpret_cast<PyTypeObject*>(type.ptr())->tp_new = &make_none;
     add_stage(stage, "isotropic_stress", &isotropic_stress, "change",
               "All three stresses [stress].");
     add_stage(stage, "isotropic_strain", &isotropic_strain, "volumetric_strain",
@@ -230,9 +305,17 @@ void add_element(py::module_& module) {
               "Stress 22 constant, strain 11 and 33 zero.");
     add_stage(stage, "simple_shear_constant_volume", &simple_shear_constant_volume, "gamma",
               "All strains but 12 zero.");
+    stage.def(
+        "drain",
+        [](int increments, double first_share) {
+            return staged("drain", drainage(), py::tuple(), increments, first_share);
+        },
+        arg("increments") = 100, arg("first_share") = 0.0,
+        "Total stress constant, the pore pressure of undrained stages to zero.");
     module.def(
         "element_test", &element_test, arg("sand"), arg("stages"), arg("stress"), arg("void_ratio"),
-        py::arg_v("direction", Numbers(std::vector<py::ssize_t>{6}, Start{}.direction.data()),
+        py::arg_v("direction",
+                  py::array_t<double>(std::vector<py::ssize_t>{6}, Start{}.direction.data()),
                   "[-1, -1, -1, 0, 0, 0]"),
         arg("rho") = Start{}.rho, arg("tolerance") = GritLawOptions{}.tolerance,
         arg("intergranular_strain") = py::none(), arg("parameters") = std::vector<std::string>(),

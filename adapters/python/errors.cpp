@@ -23,16 +23,17 @@ const std::array<Kind, 6> kinds{{
     {"Error", &PyExc_Exception,
      "What Grit reports: the message names value, limit and unit. Attributes: status (GRIT_...), "
      "point "
-     "(index of the first failed point or node, -1 if none is meant)."},
+     "(the first failed point or node, of an index what stands there, not where; -1 if none is "
+     "meant)."},
     {"BadCall", &PyExc_ValueError,
      "Fix the call: shape, dtype, option, or input that is not finite."},
     {"BadParameter", &PyExc_ValueError,
      "Fix the material: a parameter is missing or out of range."},
     {"BadState", &PyExc_ValueError, "Fix the state of that point."},
     {"NotConverged", &PyExc_ArithmeticError,
-     "Retry with smaller increments. Attribute reports: step_reduction says how much, and which "
-     "points "
-     "are done; or, of element_test, history: what was reached."},
+     "Retry with smaller increments. Of updates, attribute reports: step_reduction says how much, "
+     "and which points are done. Of element_test, history: what was reached. Of "
+     "contact_normals_by_regression, normal: those of the others."},
     {"InternalError", &PyExc_RuntimeError, "Report a bug."},
 }};
 

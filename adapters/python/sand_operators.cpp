@@ -9,29 +9,29 @@
 namespace grit_python {
 namespace {
 
-py::tuple stiffness(const Sand& sand, const Numbers& stress, double void_ratio) {
+py::tuple stiffness(const Sand& sand, const py::object& stress, double void_ratio) {
     Numbers L({6, 6}), N(6);
-    check(grit_sand_stiffness(&sand.prepared, of_size("stress", stress, 6), void_ratio,
+    check(grit_sand_stiffness(&sand.prepared, few("stress", stress, 6).data(), void_ratio,
                               L.mutable_data(), N.mutable_data()),
           "stiffness: stress and void_ratio > 0 must be finite");
     return py::make_tuple(L, N);
 }
 
-py::tuple rate(const Sand& sand, const Numbers& stress, const Numbers& state, const Numbers& D,
-               bool intergranular_strain) {
+py::tuple rate(const Sand& sand, const py::object& stress, const py::object& state,
+               const py::object& D, bool intergranular_strain) {
     Numbers stress_rate(6), state_rate(GRIT_SAND_STATE_SIZE);
-    check(grit_sand_rate(&sand.prepared, !intergranular_strain, of_size("stress", stress, 6),
-                         of_size("state", state, GRIT_SAND_STATE_SIZE), of_size("D", D, 6),
+    check(grit_sand_rate(&sand.prepared, !intergranular_strain, few("stress", stress, 6).data(),
+                         few("state", state, GRIT_SAND_STATE_SIZE).data(), few("D", D, 6).data(),
                          stress_rate.mutable_data(), state_rate.mutable_data()),
           "rate: stress, state and D must be finite, e > 0, |h| at most 1.01 R");
     return py::make_tuple(stress_rate, state_rate);
 }
 
-py::dict invariants(const Sand& sand, const Numbers& stress, const Numbers& state) {
+py::dict invariants(const Sand& sand, const py::object& stress, const py::object& state) {
     grit_sand_invariants v{};
     v.struct_size = sizeof v;
-    check(grit_sand_invariants_of(&sand.prepared, of_size("stress", stress, 6),
-                                  of_size("state", state, GRIT_SAND_STATE_SIZE), &v),
+    check(grit_sand_invariants_of(&sand.prepared, few("stress", stress, 6).data(),
+                                  few("state", state, GRIT_SAND_STATE_SIZE).data(), &v),
           "invariants: stress and state must be finite, e > 0");
     py::dict out;
     out["p"] = v.p;
@@ -57,11 +57,11 @@ double void_ratio_at_pressure(const Sand& sand, double e_0, double p) {
     return e;
 }
 
-double wave_modulus(const Sand& sand, const Numbers& stress, double void_ratio,
+double wave_modulus(const Sand& sand, const py::object& stress, double void_ratio,
                     bool intergranular_strain) {
     double modulus = 0.0;
     check(grit_sand_wave_modulus(&sand.prepared, !intergranular_strain,
-                                 of_size("stress", stress, 6), void_ratio, &modulus),
+                                 few("stress", stress, 6).data(), void_ratio, &modulus),
           "wave_modulus: stress and void_ratio > 0 must be finite");
     return modulus;
 }
@@ -90,9 +90,11 @@ Numbers new_state(const Sand& sand, double void_ratio, const py::object& directi
     if (!(void_ratio > 0.0 && void_ratio < 1e300))
         refuse("void_ratio must be > 0, got %g", void_ratio);
     state.mutable_at(GRIT_SAND_VOID_RATIO) = void_ratio;
+    if (direction.is_none() && rho != 1.0)
+        refuse("rho is of a direction: give one, got rho = %g", rho);
     if (!direction.is_none())
-        check(grit_sand_mobilise(&sand.prepared, of_size("direction", direction.cast<Numbers>(), 6),
-                                 rho, state.mutable_data()),
+        check(grit_sand_mobilise(&sand.prepared, few("direction", direction, 6).data(), rho,
+                                 state.mutable_data()),
               "state: direction must be finite and not zero, rho in [0, 1], for a sand with "
               "intergranular strain");
     return state;
@@ -109,7 +111,8 @@ void add_sand_operators(py::class_<Sand>& sand) {
     sand.def(
         "stiffness", &stiffness, arg("stress"), arg("void_ratio"),
         "L (6, 6) and N (6,) [stress]: stress rate = L D + N |D| in Voigt components, at a stress "
-        "(6,), tension +, and a void ratio [-].");
+        "(6,), tension +, and a void ratio [-]. |D| is the tensor's: |D|^2 = D11^2 + D22^2 + D33^2 "
+        "+ (D12^2 + D13^2 + D23^2)/2 with shears that are twice the tensor's.");
     sand.def("rate", &rate, arg("stress"), arg("state"), arg("D"),
              arg("intergranular_strain") = true,
              "Rates of stress (6,) and state (8,) for the strain rate D (6,), extension +.");

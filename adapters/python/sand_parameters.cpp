@@ -5,6 +5,9 @@
 #include <string>
 #include <vector>
 
+#include <grit/radian_layout.h>
+
+#include "adapters/python/arrays.hpp"
 #include "adapters/python/errors.hpp"
 #include "adapters/python/parts.hpp"
 #include "element/nearest.hpp"
@@ -19,7 +22,7 @@ constexpr const char* sand_doc = R"(A sand, prepared: immutable, may be used fro
     Sand("lausitz", stress_scale=1000)  the same in Pa
     Sand(critical_friction_angle=..., granulate_hardness=..., ...)
 
-Parameters by name, a name before them gives the values to start from: critical_friction_angle
+Parameters by name or symbol, a name before them gives the values to start from: critical_friction_angle
 phi_c [rad], granulate_hardness h_s [stress], stiffness_exponent n, densest_void_ratio e_d0,
 critical_void_ratio e_c0, loosest_void_ratio e_i0, pyknotropy_exponent alpha, stiffness_void_exponent
 beta, pressure_shift p_t [stress]; and all of the intergranular strain or none: reversal_stiffness m_R,
@@ -34,12 +37,28 @@ std::vector<std::string> names_of_parameters() {
     return out;
 }
 
+// By its name or symbol; -1: there is none.
+int parameter_of(const std::string& name) {
+    for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i) {
+        const grit_sand_parameter_info* const info = grit_sand_parameter_describe(i);
+        if (name == info->name || name == info->symbol) return i;
+    }
+    return -1;
+}
+
 template <class Value> Value cast_of(const char* name, const char* what, const py::handle& given) {
     try {
         return given.cast<Value>();
     } catch (const py::cast_error&) {
         refuse("%s must be %s, got %s", name, what, Py_TYPE(given.ptr())->tp_name);
     }
+}
+
+Sand prepared(const grit_sand_parameters& parameters) {
+    Sand out;
+    grit_error error{};
+    check(grit_sand_prepare(&parameters, &out.prepared, &error), error);
+    return out;
 }
 
 Sand make(const py::object& name, double stress_scale, const py::kwargs& given) {
@@ -61,10 +80,8 @@ Sand make(const py::object& name, double stress_scale, const py::kwargs& given) 
     }
     for (const auto& [key, value] : given) {
         const std::string wanted = py::str(key);
-        int at = 0;
-        while (at < GRIT_SAND_PARAMETER_COUNT && wanted != grit_sand_parameter_describe(at)->name)
-            ++at;
-        if (at == GRIT_SAND_PARAMETER_COUNT) {
+        const int at = parameter_of(wanted);
+        if (at < 0) {
             const std::string best = element::nearest(wanted, names_of_parameters());
             refuse("a sand has no parameter \"%s\"%s%s", wanted.c_str(),
                    best.empty() ? ": help(grit.Sand) tells them" : "; nearest: ", best.c_str());
@@ -73,10 +90,23 @@ Sand make(const py::object& name, double stress_scale, const py::kwargs& given) 
                                       cast_of<double>(wanted.c_str(), "a number", value)),
               wanted.c_str());
     }
-    Sand out;
-    grit_error error{};
-    check(grit_sand_prepare(&parameters, &out.prepared, &error), error);
-    return out;
+    return prepared(parameters);
+}
+
+// Of the PROPS of a host: what they have beyond the parameters is of its material, not of the sand.
+Sand of_props(const py::object& props, const std::string& layout) {
+    if (layout != "classic" && layout != "radian")
+        refuse("layout must be \"classic\" or \"radian\", got \"%s\"", layout.c_str());
+    const Numbers given = several("props", props);
+    if (given.size() < GRIT_CLASSIC_WATER_STIFFNESS)
+        refuse("props must have %d numbers at least, got %td", GRIT_CLASSIC_WATER_STIFFNESS,
+               given.size());
+    double own[GRIT_CLASSIC_NPROPS] = {}, classic[GRIT_CLASSIC_NPROPS];
+    std::copy_n(given.data(), std::min<py::ssize_t>(given.size(), GRIT_CLASSIC_NPROPS), own);
+    if (layout == "radian") grit_radian_to_classic(own, classic);
+    grit_sand_parameters parameters{};
+    grit_classic_parameters(layout == "radian" ? classic : own, &parameters);
+    return prepared(parameters);
 }
 
 py::dict parameters_of(const Sand& sand) {
@@ -124,11 +154,9 @@ Sand restored(const py::dict& parameters) {
 
 int direction_of(const std::string& name) {
     if (name == "void_ratio") return -1;
-    for (int i = 0; i < GRIT_SAND_PARAMETER_COUNT; ++i) {
-        const grit_sand_parameter_info* const info = grit_sand_parameter_describe(i);
-        if (name == info->name || name == info->symbol) return i;
-    }
-    refuse("parameters: %s is none of this sand", name.c_str());
+    const int at = parameter_of(name);
+    if (at < 0) refuse("parameters: %s is none of this sand", name.c_str());
+    return at;
 }
 
 py::class_<Sand> add_sand_type(py::module_& module) {
@@ -139,6 +167,10 @@ py::class_<Sand> add_sand_type(py::module_& module) {
     sand.def(py::pickle(&parameters_of, &restored));
     sand.def("__reduce_ex__", &reduce);
     sand.def("__repr__", &repr_of);
+    sand.def_static("from_props", &of_props, arg("props"), arg("layout") = "classic",
+                    "The sand of a UMAT's PROPS, 14 numbers or more (docs/umat.md), in its unit of "
+                    "stress. layout: \"classic\", "
+                    "phi_c in degrees and p_t second, or \"radian\".");
     sand.def_property_readonly("parameters", &parameters_of,
                                "Parameters by name: angle [rad], stresses in the unit given.");
     module.def(

@@ -57,7 +57,13 @@ class BuildWithCMake(build_ext):
 
 
 class TaggedWheel(bdist_wheel):
-    """The tag says which C library the module needs: the highest version among the symbols that it asks for."""
+    """The tag says which C library the module needs: the highest version among the symbols that it asks for. What is
+    compiled in has its licences beside it."""
+
+    def egg2dist(self, egginfo_path, distinfo_path):
+        super().egg2dist(egginfo_path, distinfo_path)
+        for licence in ("LICENSE", "packages/third_party.txt"):
+            shutil.copy2(root / licence, distinfo_path)
 
     def get_tag(self):
         python, abi, platform = super().get_tag()

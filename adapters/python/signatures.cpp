@@ -53,7 +53,10 @@ void tell(PyCFunctionObject& function) {
 
 void tell_all(const py::dict& names) {
     for (const auto& [name, value] : names) {
-        const py::handle function = py::detail::get_function(value);
+        const bool is_static = PyObject_TypeCheck(value.ptr(), &PyStaticMethod_Type);
+        const py::object held = is_static ? py::object(value.attr("__func__"))
+                                          : py::reinterpret_borrow<py::object>(value);
+        const py::handle function = py::detail::get_function(held);
         if (function && PyCFunction_Check(function.ptr()))
             tell(*reinterpret_cast<PyCFunctionObject*>(function.ptr()));
         else if (PyType_Check(value.ptr()) && !PyExceptionClass_Check(value.ptr()))

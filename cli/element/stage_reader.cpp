@@ -37,18 +37,13 @@ void check_steps(const TomlTable& table, const Program& program) {
 // An undrained stage leaves a pore pressure behind. Under stress control it would stay in the sample for
 // good; where strain or stress is held, the valve stays as it was.
 void watch_the_water(const TomlTable& table, CaseStage& stage, StageContext& context) {
-    Step& first = stage.program.front();
-    if (stage.test == "drain") {
-        context.pore_pressure = false;
-    } else if (first.undrained) {
-        context.pore_pressure = true;
-    } else if (stage.test == "creep") {
-        first.undrained = context.pore_pressure;
-    } else if (context.pore_pressure && stage.test != "rest") {
+    if (stage.test == "creep") stage.program.front().undrained = context.pore_pressure;
+    const auto after = element::pore_pressure_after(stage.program, context.pore_pressure);
+    if (!after)
         table.fail("test", fmt::format("{}: \"{}\" begins with the pore pressure of an undrained "
                                        "stage: let it out by a stage with test = \"drain\" before",
                                        table.full("test"), stage.test));
-    }
+    context.pore_pressure = *after;
 }
 
 CaseStage read_single(TomlTable& table, StageContext& context) {

@@ -30,7 +30,8 @@ OptionWords option_words(const CLI::Option& option) {
     if (out.names.empty()) out.names.push_back(option.get_name(true, false));
     out.description = option.get_description();
     out.takes_value = option.get_items_expected_max() > 0;
-    out.repeats = option.get_items_expected_max() > 1;
+    out.repeats = option.get_items_expected_max() > 1 ||
+                  option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
     out.required = option.get_required();
     out.choices = choices_of(option);
     return out;

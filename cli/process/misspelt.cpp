@@ -2,7 +2,6 @@
 #include "cli/process/misspelt.hpp"
 
 #include <algorithm>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -32,11 +31,10 @@ std::vector<std::string> options_of(const CLI::App& app) {
 
 }  // namespace
 
-std::string misspelt(const CLI::App& app, int argc, const char* const* argv) {
+std::string misspelt(const CLI::App& app, const std::vector<std::string>& words) {
     const CLI::App* at = &app;
     std::string command = app.get_name();
-    for (int i = 1; i < argc; ++i) {
-        const std::string word = argv[i];
+    for (const std::string& word : words) {
         if (word == "--") break;
         if (word.size() == 2 && word[0] == '-' && word != "-h") {
             std::string alike;

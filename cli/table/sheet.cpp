@@ -62,19 +62,6 @@ std::string read_whole(const std::filesystem::path& path) {
     return is_utf8(text) ? text : from_latin_1(text);
 }
 
-// Cells of a line; within quotation marks separators count as letters.
-Row cut_at(const std::string& line, char separator) {
-    Row out = {""};
-    bool quoted = false;
-    for (const char each : line) {
-        if (each == '"') quoted = !quoted;
-        else if (each == separator && !quoted) out.emplace_back();
-        else out.back() += each;
-    }
-    for (std::string& cell : out) cell = trimmed(cell);
-    return out;
-}
-
 // A line break within quotation marks does not end a row, which stands where it begins.
 std::vector<Row> lines_of(const std::filesystem::path& path, char separator) {
     std::vector<Row> out;
@@ -94,7 +81,8 @@ std::vector<Row> lines_of(const std::filesystem::path& path, char separator) {
         from = end + 1;
         const std::size_t place = out.size();
         out.resize(place + lines);
-        if (!line.starts_with('#') && !trimmed(line).empty()) out[place] = cut_at(line, separator);
+        if (!line.starts_with('#') && !trimmed(line).empty())
+            out[place] = grit::csv::cells_of(line, separator);
     }
     return out;
 }

@@ -30,13 +30,12 @@ bool of_incremental_driver(const std::string& header) {
 
 // Of a sheet whose cells are parted by semicolons or tabs, where a comma may be the decimal one.
 std::vector<std::string> parted_cells(const std::string& line, char mark, bool numbers) {
-    std::vector<std::string> out;
-    std::istringstream cells(line + mark);
-    for (std::string cell; std::getline(cells, cell, mark);) {
-        cell = grit::csv::trimmed(cell);
+    std::vector<std::string> out = grit::csv::cells_of(line, mark);
+    if (!numbers) return out;
+    for (std::string& cell : out) {
         std::string pointed = cell;
         std::replace(pointed.begin(), pointed.end(), ',', '.');
-        out.push_back(numbers && element::number_of(pointed) ? pointed : cell);
+        if (element::number_of(pointed)) cell = pointed;
     }
     return out;
 }

@@ -39,7 +39,7 @@ grit_status describe_node(const grit_contact_nodes& q, const grit_contact_option
                           std::ptrdiff_t i, grit_error* error) {
     const std::ptrdiff_t at = q.index ? q.index[i] : i;
     const auto say = [&](const char* format, auto... values) {
-        return failure(error, GRIT_BAD_STATE, i, format, at, values...);
+        return failure(error, GRIT_BAD_STATE, at, format, at, values...);
     };
     for (const auto& [name, view] : {std::pair("mass_a", q.mass_a), std::pair("mass_b", q.mass_b)})
         if (!c_api::good_mass(number(view, at)))
@@ -94,7 +94,7 @@ grit_status describe_node(const grit_contact_nodes& q, const grit_contact_option
     if (const auto s = check_optional("previous_velocity_b", q.previous_velocity_b, velocity))
         return s;
     if (const auto s = check_optional("position", q.position, "length")) return s;
-    return failure(error, GRIT_INTERNAL, i, "node %td: unknown fault", at);
+    return failure(error, GRIT_INTERNAL, at, "node %td: unknown fault", at);
 }
 
 }  // namespace grit

@@ -69,17 +69,17 @@ grit_status check_workspace(const grit_contact_clouds& q, std::ptrdiff_t n, std:
 grit_status describe(const RegressionRequest& request, const RegressionOutcome& found,
                      grit_error* error) {
     const grit_contact_clouds& q = *request.clouds;
-    const std::ptrdiff_t i = found.place, node = q.index ? q.index[i] : i;
+    const std::ptrdiff_t node = q.index ? q.index[found.place] : found.place;
     const std::ptrdiff_t p = q.particle && found.entry >= 0 ? q.particle[found.entry] : found.entry;
     const auto say = [&](const char* format, auto... values) {
-        return failure(error, status_of_regression(found.fault), i, format, node, values...);
+        return failure(error, status_of_regression(found.fault), node, format, node, values...);
     };
     switch (found.fault) {
         case RegressionFault::list_decreasing:
-            return refuse_range(q.offset[node], q.offset[node + 1], i, {"node", node, "offset"},
+            return refuse_range(q.offset[node], q.offset[node + 1], node, {"node", node, "offset"},
                                 error);
         case RegressionFault::particle_out_of_range:
-            return refuse_index(p, q.particles, i, {"node", node, "particle id"}, error);
+            return refuse_index(p, q.particles, node, {"node", node, "particle id"}, error);
         case RegressionFault::body_unknown:
             return say("node %td: body of particle %td must be 0 (A) or 1 (B), got %d", p,
                        integer_at(q.body, q.body_stride, p));
@@ -100,14 +100,14 @@ grit_status describe(const RegressionRequest& request, const RegressionOutcome& 
             return say("node %td: particle %td is more than %g lengths of %g from another: units?",
                        p, largest_cloud, q.length);
         case RegressionFault::fixed_out_of_range:
-            return refuse_mask(mask_at(q.fixed, q.fixed_stride, node), q.components, i,
+            return refuse_mask(mask_at(q.fixed, q.fixed_stride, node), q.components, node,
                                {"node", node, "fixed"}, error);
         case RegressionFault::not_converged:
             return say("node %td: not converged after %d evaluations (iteration_limit)",
                        request.iteration_limit);
         case RegressionFault::none: break;
     }
-    return failure(error, GRIT_INTERNAL, i, "node %td: unknown fault", i);
+    return failure(error, GRIT_INTERNAL, node, "node %td: unknown fault", node);
 }
 
 }  // namespace

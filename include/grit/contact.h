@@ -146,8 +146,8 @@ GRIT_API grit_status grit_contact_sums_read(const grit_contact_sums* sums,
                                             grit_contact_totals* totals);
 
 /* Remove the approach velocity of bodies A and B at n nodes, with one impulse per node, (C1)-(C6).
- *   Each node alone: momentum is kept, energy never grows, friction obeys Coulomb after the penalty: J_t <=
- *   mu max(0, J_n - pore_impulse) + adhesion.
+ *   Each node alone: momentum is kept, kinetic energy never grows without contact_stiffness, friction obeys Coulomb after the
+ *   penalty: J_t <= mu max(0, J_n - pore_impulse) + adhesion.
  *   With contact_stiffness, C = m_r f_p / ((1 - f_p) tau), K = epsilon A_c and delta = max(0, -gap):
  *   J_n = dt [(C + K dt) w_n + K delta] / [1 + (C + K dt) dt / m_r] where that is > 0, (C9): spring and
  *   dashpot, implicit; energy is that of velocities and of K delta^2 / 2 then.

@@ -29,7 +29,9 @@ enum { GRIT_MESSAGE_SIZE = 256 };
 typedef struct grit_error {
     grit_status status;
     int reserved;
-    ptrdiff_t point;                 /* index of the first failed point, -1 if no point is meant */
+    ptrdiff_t
+        point; /* the first failed point or node, of an index list what stands there, not where;
+                                      * -1 if none is meant */
     char message[GRIT_MESSAGE_SIZE]; /* names value, limit and unit; always terminated */
 } grit_error;
 

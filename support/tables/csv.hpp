@@ -2,6 +2,7 @@
 // Comma-separated tables: comments (#) and empty lines, a header "name [unit],...", rows of as many cells.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -33,14 +34,18 @@ inline std::string trimmed(const std::string& text) {
     return text.substr(first, text.find_last_not_of(blank) - first + 1);
 }
 
-inline std::vector<std::string> cells_of(const std::string& line) {
-    std::vector<std::string> out;
-    for (std::size_t from = 0;;) {
-        const std::size_t comma = line.find(',', from);
-        out.push_back(trimmed(line.substr(from, comma - from)));
-        if (comma == std::string::npos) return out;
-        from = comma + 1;
+// Between quotation marks, where each is closed, what parts cells is a letter.
+inline std::vector<std::string> cells_of(const std::string& line, char mark = ',') {
+    const bool marked = std::count(line.begin(), line.end(), '"') % 2 == 0;  // or an inch
+    std::vector<std::string> out = {""};
+    bool quoted = false;
+    for (const char each : line) {
+        if (each == '"' && marked) quoted = !quoted;
+        else if (each == mark && !quoted) out.emplace_back();
+        else out.back() += each;
     }
+    for (std::string& cell : out) cell = trimmed(cell);
+    return out;
 }
 
 // cut(line, rows so far): the cells of a line, or none where it is to be passed over.

@@ -16,6 +16,7 @@ void expect_answer(const std::string& arguments, const std::string& words) {
 TEST(Misspelt, CommandsHaveTheirNearestName) {
     expect_answer("elment x.toml", "grit: there is no command \"elment\"; nearest: element\n");
     expect_answer("sand shwo lausitz", "grit sand: there is no command \"shwo\"; nearest: show\n");
+    expect_answer("help elment", "grit: there is no command \"elment\"; nearest: element\n");
     expect_answer("12345", "grit: there is no command \"12345\"; known here: ");
 }
 

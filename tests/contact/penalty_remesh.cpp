@@ -121,6 +121,13 @@ TEST(PenaltyRemesh, ReturnsALineThatFitsAsItIs) {
 }
 
 // The tip of a pile among crowded vertices: its corners stay to the bit.
+// Beyond the end of the chord its end is the nearest.
+TEST(PenaltyRemesh, KeepsASpikeThatStandsOutBeyondItsChord) {
+    Remesh remesh({{0.0, 0.0}, {0.285, 0.005}, {0.26, 0.0}, {1.0, 0.0}});
+    remesh.q.tolerance = 0.02;
+    EXPECT_EQ(remesh(), remesh.x);
+}
+
 TEST(PenaltyRemesh, KeepsSharpCorners) {
     Remesh remesh(chain({{0.0, 0.0}, {1.0, 0.0}, {1.0, 2.0}}, {40, 80}));
     const auto x = remesh();

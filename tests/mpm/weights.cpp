@@ -105,4 +105,28 @@ TEST_P(Weight, SumsToOneAndItsGradientsToThoseOfALinearField) {
     }
 }
 
+// What a node that is hardly reached bears: with S the mean of a hat over [x - l, x + l] and G that of its slope, 1/h at the
+// most, G^2 l <= S/h. Were S but a few bits less, a free body would burst.
+TEST(Ugimp, LeavesANodeTheMassThatItsForceNeedsHoweverLittleItIsReached) {
+    std::mt19937 generator(3);
+    int reached = 0;
+    for (int sample = 0; sample < 4000; ++sample) {
+        OneParticle q = OneParticle::random(generator, false);
+        q[column::F_rr] = q[column::F_zz] = 1.0;
+        q[column::F_rz] = q[column::F_zr] = 0.0;
+        if (sample % 4 == 0) q[column::l_r] *= 1e-4;  // seen as an eighth of its cell
+        const double side = sample % 2 ? 1.0 : -1.0, l = std::max(q[column::l_r], 0.01);
+        double& x = q[column::r] = q.r[3 + sample % 3] - side * l;
+        for (int ulps = sample % 9 - 4; ulps != 0; ulps -= ulps > 0 ? 1 : -1)
+            x = std::nextafter(x, ulps > 0 ? 1.0 : 0.0);
+        const auto G = q.force_weights(Shape::ugimp, false, column::S_rr, record::f_r);
+        for (std::size_t n = 0; n < G.size(); ++n) {
+            const double S = q.nodes[n][record::m] / q[column::mass];
+            reached += S > 0.0 && S < 1e-12;
+            EXPECT_LE(G[n] * G[n] * l, (1.0 + 1e-9) * S / 0.08) << sample << " node " << n;
+        }
+    }
+    EXPECT_GT(reached, 100);
+}
+
 }  // namespace

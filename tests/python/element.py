@@ -2,6 +2,7 @@
 import inspect
 import os
 import pathlib
+import signal
 import subprocess
 import tempfile
 import unittest
@@ -103,6 +104,10 @@ class ElementTest(unittest.TestCase):
         for arguments, message in (
                 (([stage.oedometer(-0.01)], [-100.0] * 3, 0.6), "stress must be (6,), got (3,)"),
                 (([stage.oedometer(-0.01)], isotropic, 0.6, [[1.0] * 6]), "direction must be (6,), got (1, 6)"),
+                (([stage.oedometer(-0.01)], [1j] * 6, 0.6), "stress must be real numbers, got complex128"),
+                (([stage.oedometer(-0.01)], ["1"] * 6, 0.6), "stress must be real numbers, got <U1"),
+                (([stage.oedometer(-0.01)], np.ma.masked_array(isotropic, [1] * 6), 0.6),
+                 "stress must have no mask, got a MaskedArray: an index tells which points are taken"),
                 (([1], isotropic, 0.6), "stages must be a list of what the functions of grit.stage return, got [1]")):
             with self.assertRaises(grit.BadCall) as caught:
                 grit.element_test(sand, *arguments)
@@ -116,6 +121,38 @@ class ElementTest(unittest.TestCase):
             run(stage.triaxial_drained(-0.2, increments=0))
         with self.assertRaises(grit.BadCall):
             run(stage.triaxial_drained(np.nan))
+        with self.assertRaises(grit.BadCall):
+            run(stage.triaxial_drained(-0.1), void_ratio_slope=[1.0])
+        with self.assertRaises(grit.BadCall):
+            sand.state(0.6, rho=0.5)
+
+    def test_lets_no_pore_pressure_stay_in_a_drained_stage(self):
+        sheared, more = stage.triaxial_undrained(-0.01), stage.triaxial_drained(-0.01)
+        for stages, number in (([sheared, more], 2), ([sheared, stage.oedometer(-0.01)], 2), ([more, sheared, sheared, more], 4)):
+            with self.assertRaises(grit.BadCall) as caught:
+                run(*stages)
+            self.assertEqual(str(caught.exception), f"stage {number} begins with the pore pressure of an undrained stage: "
+                                                    "let it out by stage.drain() before")
+        test = run(sheared, stage.drain(20), more)
+        drained = test["stage"] == 2
+        self.assertGreater(test["pore_pressure"][~drained][100], 1)
+        self.assertLess(abs(test["pore_pressure"][drained][-1]), 1e-9)
+        np.testing.assert_allclose(test["total_stress"][drained, 1], -100, rtol=1e-8)
+        np.testing.assert_allclose(test["stress"][test["stage"] == 3, 1], -100, rtol=1e-8)
+
+    def test_ends_with_what_it_has_when_it_is_interrupted(self):
+        def interrupt(*_):
+            raise KeyboardInterrupt
+        before = signal.signal(signal.SIGALRM, interrupt)
+        try:
+            signal.setitimer(signal.ITIMER_REAL, 0.3)
+            with self.assertRaises(KeyboardInterrupt) as caught:
+                run(stage.triaxial_drained(-0.2, increments=1_000_000))
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0)
+            signal.signal(signal.SIGALRM, before)
+        rows = len(caught.exception.history["stress"])
+        self.assertTrue(2 < rows < 1_000_000)
 
     def test_hands_over_what_was_reached_when_it_cannot_go_on(self):
         with self.assertRaises(grit.NotConverged) as caught:

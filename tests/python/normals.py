@@ -26,6 +26,16 @@ class Normals(unittest.TestCase):
         np.testing.assert_array_equal(normal, [[0, 0], [0, 1]])
         np.testing.assert_array_equal(grit.contact_normals("a", gradient_a=g, scale=np.full(2, 50.0), threshold=0.5), np.zeros((2, 2)))
 
+    def test_by_regression_that_one_node_misses_are_there_for_the_others(self):
+        x = np.array([[-0.1, 0], [0.1, 0.03], [0.2, -0.4], [-0.3, 0.2], [0.0, 0.3], [-0.2, -0.2]])
+        body = np.array([0, 1, 1, 0, 1, 0])
+        offset, particle = np.array([0, 3, 9]), np.array([0, 3, 5, 0, 1, 2, 3, 4, 5])  # the first node has A alone
+        with self.assertRaises(grit.NotConverged) as caught:
+            grit.contact_normals_by_regression(x, body, offset, particle, length=1.0, iteration_limit=2)
+        self.assertEqual(caught.exception.point, 1)
+        self.assertEqual(caught.exception.normal.shape, (2, 2))
+        np.testing.assert_array_equal(caught.exception.normal, 0)
+
     def test_by_regression_stand_on_the_line_between_two_clouds(self):
         along, across = np.array([0.6, 0.8]), np.array([-0.8, 0.6])
         x = np.array([d * across + t * along for d in (-0.3, -0.1, 0.1, 0.3) for t in (-0.4, 0.4)])
@@ -91,6 +101,19 @@ class Surfaces(unittest.TestCase):
         self.surfaces.add("a", np.array([[0.0, 0.1]]), np.array([[0, -1]]))
         np.testing.assert_allclose(self.surfaces.distance("a"), [-0.1, np.inf, np.inf])
         np.testing.assert_allclose(self.surfaces.distance("a", measure="edge"), [0.1, np.inf, np.inf])
+
+    def test_of_other_nodes_are_not_merged(self):
+        one = grit.ContactSurfaces(self.nodes, self.normal)
+        for other, what in ((grit.ContactSurfaces(self.nodes + 1, self.normal), "position"),
+                            (grit.ContactSurfaces(self.nodes, -self.normal), "normal"),
+                            (grit.ContactSurfaces(np.zeros((len(self.nodes), 3)), np.zeros((len(self.nodes), 3))), "position")):
+            with self.assertRaisesRegex(grit.BadCall, f"surfaces of nodes with another {what}"):
+                one.merge(other)
+
+    def test_have_minima_whose_size_nobody_changes(self):
+        for numbers in self.surfaces.surface, self.surfaces.centre:
+            with self.assertRaises(ValueError):
+                numbers.resize((1, 2))
 
     def test_of_threads_are_merged(self):
         self.add_both(self.surfaces)

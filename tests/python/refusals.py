@@ -82,6 +82,12 @@ class Refusals(unittest.TestCase):
         z[4, grit.VOID_RATIO] = -0.1
         self.refused("point 4: void ratio must be in (0, 1e+09], got -0.1", grit.BadState, state=z)
 
+    def test_the_point_of_an_index_is_named(self):
+        bad = strain()
+        bad[3, 4] = np.nan
+        error = self.refused("point 3: strain_increment 13 must be finite, got nan", strain_increment=bad, index=np.array([4, 3]))
+        self.assertEqual(error.point, 3)
+
     def test_an_index_that_leaves_the_arrays(self):
         self.refused("index[1] must be in [0, 5), got 5", index=np.array([0, 5]))
         self.refused("index[0] must be in [0, 5), got -1", index=np.array([-1]))

@@ -17,7 +17,7 @@ def browser(work, what, **logs):
     driver = shutil.which("chromedriver")
     if not webdriver or not driver:
         print(f"{what} not tested: no Chromium or Selenium, script/test --all installs chromium-driver and python3-selenium")
-        sys.exit(0)
+        sys.exit(77)
     options = webdriver.ChromeOptions()
     for each in ("--headless=new", "--no-sandbox", "--disable-gpu", "--window-size=1300,1000", f"--user-data-dir={work}/profile"):
         options.add_argument(each)

@@ -47,6 +47,29 @@ TEST(SpaceBody, ThatIsFreeKeepsMassMomentumAndItsMoment) {
     }
 }
 
+// Roundoff of its velocity is all that strains it.
+TEST(SpaceBody, ThatIsFreeFliesOnInUgimpHoweverThinItsParticlesAre) {
+    for (const double low : {0.27, 0.3})
+        for (const double thickness : {0.07, 0.02, 6e-4, 1e-6}) {
+            SCOPED_TRACE(thickness);
+            Simulation simulation(cube_of_cells(1.2, 12), {.shape = Shape::ugimp, .cfl = 0.4});
+            simulation.add_body(
+                make_brick({{0.21, 0.33, low}, {0.71, 0.73, low + thickness}, {10, 8, 1}},
+                           std::make_unique<LinearElastic>(1e6, 0.3)));
+            const ParticleView q = simulation.body(0).particles.view();
+            for (std::ptrdiff_t p = 0; p < simulation.body(0).particles.size(); ++p) {
+                q[column::v_x][p] = 0.3;
+                q[column::v_z][p] = -0.7;
+            }
+            for (int i = 0; i < 80; ++i) simulation.step();
+            for (std::ptrdiff_t p = 0; p < simulation.body(0).particles.size(); ++p) {
+                EXPECT_NEAR(q[column::v_x][p], 0.3, 1e-9);
+                EXPECT_NEAR(q[column::v_y][p], 0.0, 1e-9);
+                EXPECT_NEAR(q[column::v_z][p], -0.7, 1e-9);
+            }
+        }
+}
+
 TEST(SpaceBody, ThatVibratesKeepsItsEnergyBalance) {
     Simulation simulation(cube_of_cells(1.2, 12),
                           {.cfl = 0.2, .pic_rate = 20.0, .local_damping = 0.1});

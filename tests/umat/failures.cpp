@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "support/batch.hpp"
+#include "support/random_sand.hpp"
+#include "support/states.hpp"
 
 namespace {
 
@@ -198,6 +200,32 @@ TEST(Failure, OfALargeIncrementAdvisesAStepThatIsAccepted) {
     EXPECT_EQ(batch.update(sand, options_with()), GRIT_NOT_CONVERGED);
     batch.strain[0][1] *= batch.reports[0].step_reduction;
     EXPECT_EQ(batch.update(sand, options_with()), GRIT_OK) << batch.error.message;
+}
+
+// Where a point fails, most calls know it long before their evaluations are spent: steps that have become too short.
+TEST(Failure, IsSeenBeforeTheEvaluationsAreSpent) {
+    Random random(5);
+    int failed = 0, spent = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Sand any = random_sand(random);
+        State x = random_state(any, random);
+        x.h = random_memory(any, random);
+        Batch batch;
+        batch.points = {point_of(x)};
+        batch.strain = {voigt_strain(random.log_uniform(1e-6, 0.3) * random.direction())};
+        batch.reports.resize(1);
+        batch.tangents.resize(1);
+        batch.substeps = {0.0};
+        grit_sand_options options = options_with(random.log_uniform(1e-9, 1e-2));
+        options.evaluation_limit = 20000;
+        batch.update(any, options);
+        const grit_sand_report& r = batch.reports[0];
+        if (r.status != GRIT_NOT_CONVERGED || r.evaluations == 0) continue;
+        ++failed;
+        spent += r.evaluations > 10000;
+    }
+    EXPECT_GT(failed, 40);
+    EXPECT_LT(spent, failed / 4);
 }
 
 TEST(Failure, ReportsTheFirstOfSeveral) {

@@ -79,6 +79,17 @@ TEST(Invariants, TellTheLodeAngleToRoundoffWhereTwoPrincipalStressesCoincide) {
             }
 }
 
+// A principal stress that pulls: no circle through the origin bounds it.
+TEST(Invariants, HaveARightAngleOfFrictionBeyondAllCones) {
+    const Sand& sand = four_sands()[0];
+    State x;
+    x.e = 0.7;
+    for (const double pull : {1e-9, 1.0, 2.0, 50.0}) {
+        x.T = principal(-100.0, -30.0, pull);
+        EXPECT_EQ(invariants_of(sand, x).mobilised_friction_angle, std::asin(1.0)) << pull;
+    }
+}
+
 // Members behind the caller's struct_size are left alone.
 TEST(Invariants, ReachAsFarAsTheCallersStruct) {
     const Sand& sand = four_sands()[0];

@@ -25,6 +25,21 @@ TEST(StressRate, IsThatOfVonWolffersdorff) {
     });
 }
 
+// tan psi above 1 too, where no sand of a catalogue comes to rest.
+TEST(StressRate, IsThatOfVonWolffersdorffAtAnySteepness) {
+    Random random(9);
+    for (const Sand& sand : four_sands())
+        for (int i = 0; i < 200; ++i) {
+            State x;
+            x.T = stress_with(random.log_uniform(1.0, 1e3), random.uniform(0.5, 0.8),
+                              deviator(random.direction()).normalized());
+            x.e = 0.7;
+            const Vec D = random.direction();
+            const Vec expected = paper::basic_rate<double>(sand.p, x.T, x.e, D);
+            EXPECT_LE((basic_rate(sand, x, D).T - expected).norm(), 1e-12 * expected.norm());
+        }
+}
+
 TEST(StressRate, IsThatOfNiemunisAndHerle) {
     at_random_states(2, [](const Sand& sand, const State& x, const Vec& D) {
         const Rate r = rate(sand, x, D);

@@ -153,12 +153,12 @@ class Undrained {
         const std::ptrdiff_t at = place(bad.point);
         const double start = component(views.pore_pressure, at, 0);
         if (!is_finite(start))
-            return failure(error, GRIT_BAD_STATE, bad.point,
-                           "point %td: pore_pressure must be finite, got %g", bad.point, start);
-        return failure(error, GRIT_BAD_STATE, bad.point,
+            return failure(error, GRIT_BAD_STATE, at,
+                           "point %td: pore_pressure must be finite, got %g", at, start);
+        return failure(error, GRIT_BAD_STATE, at,
                        "point %td: the increment takes pore_pressure from %g to %g: units of "
                        "bulk_modulus (%g)?",
-                       bad.point, start, end_pressure(at), water.K_w);
+                       at, start, end_pressure(at), water.K_w);
     }
 
     const UpdateRequest& call;

@@ -76,8 +76,8 @@ grit_status describe(const UpdateRequest& request, const UpdateOutcome& found, g
     const grit_sand_options& o = *request.options;
     const grit_sand_points& q = *request.points;
     const grit_status status = status_of(found.fault);
-    const std::ptrdiff_t i = found.point;
-    const c_api::RawPoint raw = c_api::read_point(q, q.index ? q.index[i] : i);
+    const std::ptrdiff_t i = q.index ? q.index[found.point] : found.point;
+    const c_api::RawPoint raw = c_api::read_point(q, i);
     const auto say = [&](const char* format, auto... values) {
         return failure(error, status, i, format, i, values...);
     };

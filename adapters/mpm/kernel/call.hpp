@@ -15,7 +15,7 @@ namespace grit::mpm {
 enum class Shape {
     cpdi,            // (A1)-(A3)
     cpdi_published,  // unweighted corners, T = S / r_p: the published axisymmetric CPDI
-    ugimp,           // the undeformed, upright domain
+    ugimp,           // the undeformed, upright domain, no thinner than a quarter of a cell
     point            // linear shape functions at the particle: the original method
 };
 

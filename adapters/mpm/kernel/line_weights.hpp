@@ -6,12 +6,18 @@
 
 GRIT_KERNEL_BEGIN_OF(mpm)
 
+// A step that cells allow is short enough for a node that is reached by this share of its cell alone: G^2 / S is 1/(l h) then,
+// and without bound where particles are slivers.
+constexpr double thinnest_domain = 0.125;
+
 // Mean of the hat functions and of their slope over [x - l, x + l], at nodes first ... first + 3.
 struct LineWeights {
     int first;
     double S[4] = {}, G[4] = {};
 
-    GRIT_INLINE LineWeights(const AxisView& axis, int cell, double x, double l) {
+    GRIT_INLINE LineWeights(const AxisView& axis, int cell, double x, double half_side) {
+        const double least = thinnest_domain * (axis.node[cell + 1] - axis.node[cell]);
+        const double l = half_side > least ? half_side : least;
         first = cell > 0 ? cell - 1 : 0;
         const int last = cell + 1 < axis.cells ? cell + 1 : cell;
         for (int c = first; c <= last; ++c) {
@@ -21,10 +27,11 @@ struct LineWeights {
             const double b =
                 c + 1 < axis.cells && axis.node[c + 1] < upper ? axis.node[c + 1] : upper;
             if (!(b > a)) continue;
-            const double share = (b - a) / (2.0 * l);
-            const double middle = (0.5 * (a + b) - axis.node[c]) * axis.inverse[c];
-            S[c - first] += share * (1.0 - middle);
-            S[c - first + 1] += share * middle;
+            const double share = (b - a) / (2.0 * l), half = 0.5 * (b - a);
+            // Each from its own end: a node that is reached by roundoff alone has the mass that its slope needs, or one such
+            // particle is stiffer than any step is short.
+            S[c - first] += share * ((axis.node[c + 1] - b + half) * axis.inverse[c]);
+            S[c - first + 1] += share * ((a - axis.node[c] + half) * axis.inverse[c]);
             G[c - first] -= share * axis.inverse[c];
             G[c - first + 1] += share * axis.inverse[c];
         }

@@ -32,7 +32,8 @@ namespace words {
 inline constexpr Spelling shapes[] = {
     spelling("cpdi", Shape::cpdi, "corners weighted by their radii"),
     spelling("cpdi_published", Shape::cpdi_published, "unweighted corners"),
-    spelling("ugimp", Shape::ugimp, "the undeformed, upright domain"),
+    spelling("ugimp", Shape::ugimp,
+             "the undeformed, upright domain, no thinner than a quarter of a cell"),
     spelling("linear", Shape::point, "at the particle: the original method")};
 inline constexpr Spelling schemes[] = {
     spelling("usl", Scheme::usl, "stress last"),

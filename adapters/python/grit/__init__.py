@@ -65,6 +65,12 @@ from grit._grit import (
 
 sys.modules["grit.stage"] = stage  # so that "import grit.stage" finds it
 
+
+def _stage(name, arguments):
+    """A stage by the name of its function: what copies and pickles of one call."""
+    return getattr(stage, name)(*arguments)
+
+
 __all__ = [
     "BadCall", "BadParameter", "BadState", "CAVITATED", "ContactSurfaces", "Error", "H_CLAMPED", "INACTIVE",
     "InternalError", "NotConverged", "OPEN", "OUTSIDE_CONE", "PENALTY_OPEN", "PENALTY_SLIP", "PENALTY_STICK",
