@@ -25,13 +25,12 @@ enum {
 enum { GRIT_MESSAGE_SIZE = 256 };
 
 /* Caller-owned; optional in every call that takes one (null: only the status is returned).
- * Written on failure only. */
+ * Written on failure only. point: the first failed point or node, of an index list what stands there, not where;
+ * -1 if none is meant. */
 typedef struct grit_error {
     grit_status status;
     int reserved;
-    ptrdiff_t
-        point; /* the first failed point or node, of an index list what stands there, not where;
-                                      * -1 if none is meant */
+    ptrdiff_t point;
     char message[GRIT_MESSAGE_SIZE]; /* names value, limit and unit; always terminated */
 } grit_error;
 
