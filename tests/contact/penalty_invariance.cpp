@@ -100,6 +100,8 @@ TEST(PenaltyInvariance, TheFirstVertexOfAClosedLineChangesNothing) {
             turn(other.b.reports, 30 - first);
             turn(other.b.history, 30 - first);
             expect_equal(one, other, 0.0, 1e-12);
+            for (std::size_t v = 0; v < one.a.x.size(); ++v)
+                EXPECT_NEAR(one.a.reports[v].slip_rate, other.a.reports[v].slip_rate, 1e-11) << v;
         }
     }
 }
