@@ -8,8 +8,7 @@
 namespace grit::mgis {
 
 grit_status read_request(double code, Request& out, grit_error& error) {
-    const double least = code > 50.0 ? 100.0 : 0.0;
-    if (!(code - least >= -3.5 && code - least < 4.5))
+    if (!std::isfinite(code))
         return failure(error, GRIT_BAD_CALL,
                        "K[0] must be in -3 ... 4, or 100 more for the speed of sound, got %g",
                        code);

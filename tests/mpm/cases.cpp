@@ -59,27 +59,6 @@ TEST(Boxes, AreFilledExactlyWhereverTheGridLinesAre) {
     }
 }
 
-// What a box has of a cell and is less than a quarter of it, or than half of a particle, is of those beside it.
-TEST(Boxes, HaveNoSliversWhereverTheyBeginAndEnd) {
-    constexpr double h = 0.1;
-    const Axis axis = make_axis({0.0, {{1.0, 10, 1.0}}});
-    for (const int per_cell : {1, 2, 3, 4, 8})
-        for (int i = 0; i <= 50; ++i) {
-            const double from = 0.2 + 0.02 * h * i, to = 0.71 + 0.026 * h * i;
-            SCOPED_TRACE(testing::Message() << per_cell << " per cell, " << from << " to " << to);
-            BodyPlan body = elastic_box("body", from, to, 0.0, 0.1);
-            body.particles_r = per_cell;
-            Particles particles = fill(body, axis, axis, false, 0);
-            EXPECT_NEAR(volume(particles), 0.1 * (to - from), 1e-15);
-            const ParticleView q = particles.view();
-            for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
-                const double share = 2.0 * q[column::l_r][p] / h;
-                EXPECT_GE(share, std::min(0.249, 0.499 / per_cell));
-                EXPECT_LE(share, 1.501 / per_cell);
-            }
-        }
-}
-
 TEST(Boxes, MayBeFinerThanTheirBody) {
     const Axis r = make_axis({0.0, {{1.0, 5, 1.0}}}), z = make_axis({0.0, {{1.0, 5, 1.0}}});
     BodyPlan body = elastic_box("body", 0.0, 0.4, 0.0, 1.0);

@@ -20,31 +20,17 @@ struct Slab {
     double centre, half;  // [m]
 };
 
-// Of the part of an axis between two places. What a body has of a cell and is a sliver belongs to its particles in the cell
-// beside it: nodes beyond that are reached by slivers alone have no step that cells allow.
+// Of the part of an axis between two places.
 inline std::vector<Slab> cut(const Axis& axis, double from, double to, int per_cell) {
-    struct Piece {
-        double begin, end, cells;
-        bool is_sliver;
-    };
-    std::vector<Piece> pieces;
-    const double least = roundoff * axis.shortest(),
-                 sliver = (1.0 - 1e-6) * std::min(0.25, 0.5 / per_cell);
+    std::vector<Slab> out;
+    const double least = roundoff * axis.shortest();
     for (int c = 0; c < axis.cells(); ++c) {
         const double cell = axis[c + 1] - axis[c];
         const double begin = std::max(axis[c], from), end = std::min(axis[c + 1], to);
         if (!(end - begin > least)) continue;
-        const double share = (end - begin) / cell;
-        const bool is_sliver = share < sliver;
-        if (!pieces.empty() && (is_sliver || pieces.back().is_sliver))
-            pieces.back() = {pieces.back().begin, end, pieces.back().cells + share, false};
-        else pieces.push_back({begin, end, share, is_sliver});
-    }
-    std::vector<Slab> out;
-    for (const Piece& piece : pieces) {
-        const int n = std::max(1, static_cast<int>(std::lround(per_cell * piece.cells)));
-        const double half = 0.5 * (piece.end - piece.begin) / n;
-        for (int i = 0; i < n; ++i) out.push_back({piece.begin + (2 * i + 1) * half, half});
+        const int n = std::max(1, static_cast<int>(std::lround(per_cell * ((end - begin) / cell))));
+        const double half = 0.5 * (end - begin) / n;
+        for (int i = 0; i < n; ++i) out.push_back({begin + (2 * i + 1) * half, half});
     }
     return out;
 }
