@@ -31,8 +31,8 @@ TEST(StressRate, IsThatOfVonWolffersdorffAtAnySteepness) {
     for (const Sand& sand : four_sands())
         for (int i = 0; i < 200; ++i) {
             State x;
-            x.T = stress_with(random.log_uniform(1.0, 1e3), random.uniform(0.5, 0.8),
-                              deviator(random.direction()).normalized());
+            const double p = random.log_uniform(1.0, 1e3), steep = random.uniform(0.5, 0.8);
+            x.T = stress_with(p, steep, deviator(random.direction()).normalized());
             x.e = 0.7;
             const Vec D = random.direction();
             const Vec expected = paper::basic_rate<double>(sand.p, x.T, x.e, D);

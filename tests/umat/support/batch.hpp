@@ -52,7 +52,8 @@ inline Batch random_batch(const Sand& sand, std::size_t n, std::uint64_t seed,
     Random random(seed);
     for (std::size_t i = 0; i < n; ++i) {
         State x = random_state(sand, random, 100.0, 500.0);
-        Vec dE = random.log_uniform(1e-6, 3e-3) * random.direction();
+        Vec dE = random.direction();  // first, for every compiler
+        dE *= random.log_uniform(1e-6, 3e-3);
         for (const int c : {4, 5})
             if (in_plane) x.T[c] = x.h[c] = dE[c] = 0.0;
         batch.points.push_back(point_of(x));
