@@ -149,20 +149,19 @@ void check_program(const Program& program) {
             text("a run has at most %ld increments, got %.3g", run_limit, n));
 }
 
-std::optional<bool> pore_pressure_after(const Program& program, bool before) {
-    std::optional<bool> now = before;
-    for (const Step& step : program) {
-        const auto* repetition = std::get_if<Repetition>(&step.kind);
-        const auto* linear = std::get_if<Linear>(&step.kind);
+std::optional<bool> pore_pressure_after(const Step& step, bool before) {
+    if (const auto* repetition = std::get_if<Repetition>(&step.kind)) {
+        std::optional<bool> now = before;
         // Its second time begins as the first one ends.
-        for (int time = 0; repetition && time < std::min(repetition->times, 2) && now; ++time)
-            now = pore_pressure_after(repetition->steps, *now);
-        if (repetition && now) continue;
-        const bool rests = linear && linear->rows.stress.isZero(0.0) && linear->change.isZero(0.0);
-        if (repetition || (*now && !step.undrained && !step.drains && !rests)) return std::nullopt;
-        now = step.undrained || (*now && !step.drains);
+        for (int time = 0; time < std::min(repetition->times, 2); ++time)
+            for (const Step& each : repetition->steps)
+                if (now) now = pore_pressure_after(each, *now);
+        return now;
     }
-    return now;
+    const auto* linear = std::get_if<Linear>(&step.kind);
+    const bool rests = linear && linear->rows.stress.isZero(0.0) && linear->change.isZero(0.0);
+    if (before && !step.undrained && !step.drains && !rests) return std::nullopt;
+    return step.undrained || (before && !step.drains);
 }
 
 void check_settings(const Settings& s) {

@@ -82,11 +82,9 @@ std::string shape_text(const std::vector<py::ssize_t>& shape) {
 Numbers several(const char* name, const py::object& object) {
     refuse_masked(name, object);
     const py::array given = py::array::ensure(object);
-    if (!given || std::string("fiu").find(given.dtype().kind()) == std::string::npos) {
-        PyErr_Clear();
+    if (!given || std::string("fiu").find(given.dtype().kind()) == std::string::npos)
         refuse("%s must be real numbers, got %s", name,
                given ? std::string(py::str(given.dtype())).c_str() : type_name(object).c_str());
-    }
     return Numbers(given);
 }
 

@@ -160,7 +160,7 @@ std::vector<element::Step> steps_of(const py::object& stages) {
     }
     bool pore_pressure = false;
     for (std::size_t i = 0; i < out.size(); ++i) {
-        const auto after = element::pore_pressure_after({out[i]}, pore_pressure);
+        const auto after = element::pore_pressure_after(out[i], pore_pressure);
         if (!after)
             refuse("stage %zu begins with the pore pressure of an undrained stage: let it out by "
                    "stage.drain() before",

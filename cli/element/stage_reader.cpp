@@ -38,12 +38,15 @@ void check_steps(const TomlTable& table, const Program& program) {
 // good; where strain or stress is held, the valve stays as it was.
 void watch_the_water(const TomlTable& table, CaseStage& stage, StageContext& context) {
     if (stage.test == "creep") stage.program.front().undrained = context.pore_pressure;
-    const auto after = element::pore_pressure_after(stage.program, context.pore_pressure);
-    if (!after)
-        table.fail("test", fmt::format("{}: \"{}\" begins with the pore pressure of an undrained "
-                                       "stage: let it out by a stage with test = \"drain\" before",
-                                       table.full("test"), stage.test));
-    context.pore_pressure = *after;
+    for (const Step& step : stage.program) {
+        const auto after = element::pore_pressure_after(step, context.pore_pressure);
+        if (!after)
+            table.fail("test",
+                       fmt::format("{}: \"{}\" begins with the pore pressure of an undrained "
+                                   "stage: let it out by a stage with test = \"drain\" before",
+                                   table.full("test"), stage.test));
+        context.pore_pressure = *after;
+    }
 }
 
 CaseStage read_single(TomlTable& table, StageContext& context) {
