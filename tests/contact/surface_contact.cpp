@@ -674,6 +674,31 @@ TEST(SurfaceContact, MeetsASmallFacetOnALargeOne) {
     EXPECT_GT(call.totals.normal_impulse, 0.0);
 }
 
+// Small facets behind another, close to the middle of each of its sides: met beyond the side, and not within it.
+TEST(SurfaceContact, InSpaceMeetsWhatLiesBehindAFacetBeyondItsSidesAlone) {
+    constexpr double size = 1e-3, from_side = 0.004;  // legs [m]; share of the corner opposite
+    for (const double sign : {1.0, -1.0}) {
+        FreeBody floor(3, {-100, -100, 0, 100, -100, 0, 0, 100, 0}, {0, 1, 2}, 1.0);
+        std::vector<double> x{0, 0, 0, 1, 0, 0, 0, 1, 0};
+        std::vector<std::ptrdiff_t> facets{0, 2, 1};
+        for (int side = 0; side < 3; ++side) {
+            double share[3];
+            for (int k = 0; k < 3; ++k)
+                share[k] = k == side ? sign * from_side : 0.5 * (1.0 - sign * from_side);
+            const double y[2] = {share[1] - size / 3.0, share[2] - size / 3.0};
+            const auto first = static_cast<std::ptrdiff_t>(x.size() / 3);
+            x.insert(x.end(), {y[0], y[1], 0.01, y[0] + size, y[1], 0.01, y[0], y[1] + size, 0.01});
+            facets.insert(facets.end(), {first, first + 2, first + 1});
+        }
+        FreeBody layers(3, x, facets, 1.0);
+        layers.move(-1.0);
+        SurfaceCall call = call_of(3, 1.0, 0.1);
+        ASSERT_EQ(call(floor, layers), GRIT_OK) << call.error.message;
+        const double met = sign > 0.0 ? 0.5 : 0.5 + 3.0 * 0.5 * size * size;
+        EXPECT_NEAR(call.totals.area, met, 1e-9);
+    }
+}
+
 // Slivers, as surface meshes have them, carry next to nothing and disturb nothing.
 TEST(SurfaceContact, InSpaceIsNotDisturbedBySlivers) {
     double impulse[2];
