@@ -97,10 +97,10 @@ grit_flags_of_this_compiler(GRIT_AVX2_FLAGS -mmove-max=256 -mstore-max=256)
 # g++ 12 warns about its own AVX-512 header.
 grit_flags_of_this_compiler(GRIT_AVX512_FLAGS -Wno-uninitialized -Wno-maybe-uninitialized)
 
-# Warnings and sanitizers for everything that is built here.
+# Warnings and sanitizers for everything that is built here; errors only when Grit is on top.
 function(grit_warnings target)
   target_compile_features(${target} PUBLIC cxx_std_20)
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow $<$<BOOL:${GRIT_WARNINGS_AS_ERRORS}>:-Werror>)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow $<$<BOOL:${PROJECT_IS_TOP_LEVEL}>:-Werror>)
   if(GRIT_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${GRIT_SANITIZERS} -fno-sanitize=${GRIT_UNCHECKED} -fno-sanitize-recover=all)
   endif()
