@@ -73,13 +73,13 @@ int follow(int argc, char** argv) {
         else cli::warn("{}\nRun with --help for more information.\n", unknown);
         return status == 0 ? cli::ok : cli::bad_input;
     } catch (const cli::BadInput& error) {
-        cli::warn("grit: {}\n", error.what());
+        cli::warn("grit: {}\n", cli::legible(error.what()));
         return cli::bad_input;
     } catch (const std::bad_alloc&) {
         cli::warn("grit: this needs more memory than there is\n");
         return cli::failed_computation;
     } catch (const std::exception& error) {
-        cli::warn("grit: {}\n", error.what());
+        cli::warn("grit: {}\n", cli::legible(error.what()));
         return cli::failed_computation;
     }
 }

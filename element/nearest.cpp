@@ -13,6 +13,8 @@ std::string lower(std::string word) {
     return word;
 }
 
+constexpr std::size_t longest_word = 200;  // that is likened to another
+
 // Optimal string alignment distance.
 std::size_t distance(const std::string& a, const std::string& b) {
     std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), now(b.size() + 1);
@@ -36,7 +38,9 @@ std::size_t distance(const std::string& a, const std::string& b) {
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates) {
     std::string best;
     std::size_t least = 0;
+    if (word.size() > longest_word) return best;
     for (const std::string& candidate : candidates) {
+        if (candidate.size() > longest_word) continue;
         const std::size_t d = distance(lower(word), lower(candidate));
         if (2 * d > std::max(word.size(), candidate.size())) continue;
         if (best.empty() || d < least) {

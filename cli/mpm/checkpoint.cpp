@@ -42,10 +42,15 @@ Header header_of(std::string_view runner) {
     throw std::runtime_error(fmt::format("{}: {}", place.string(), why));
 }
 
+// No more than its first word where that is another's.
 std::string bytes_of(const fs::path& place) {
     errno = 0;
     std::ifstream file(place, std::ios::binary);
-    std::string out{std::istreambuf_iterator<char>(file), {}};
+    std::string out(sizeof magic_text, '\0');
+    file.read(out.data(), static_cast<std::streamsize>(out.size()));
+    out.resize(static_cast<std::size_t>(file.gcount()));
+    if (out == std::string_view(magic_text, sizeof magic_text))
+        out.append(std::istreambuf_iterator<char>(file), {});
     if (!file.is_open() || file.bad() || fs::is_directory(place))
         refuse(place, fmt::format("cannot read this checkpoint: {}",
                                   std::generic_category().message(errno ? errno : EISDIR)));

@@ -35,6 +35,26 @@ void write_words(std::FILE* stream, std::string_view text) noexcept {
     else if (stream == stderr) std::fflush(stderr);
 }
 
+std::string legible(std::string_view message) {
+    constexpr std::size_t longest = 4000, kept = 1500;  // of either end
+    std::string out;
+    for (std::size_t i = 0; i < message.size(); ++i) {
+        if (message.size() > longest && i == kept) {
+            i = message.size() - kept;
+            while (i > kept && (message[i] & 0xC0) == 0x80) --i;  // within a letter of UTF-8
+            out += fmt::format(" ... ({} bytes) ... ", i - kept);
+        }
+        const auto each = static_cast<unsigned char>(message[i]);
+        const bool long_code = each == 0xC2 && i + 1 < message.size() &&
+                               static_cast<unsigned char>(message[i + 1]) < 0xA0;
+        const bool code =
+            (each < 0x20 && each != '\n' && each != '\t') || each == 0x7F || long_code;
+        if (code) out += fmt::format("\\x{:02X}", each);
+        else out += message[i];
+    }
+    return out;
+}
+
 void flush_words() noexcept {
     errno = 0;
     if (std::fflush(stdout) != 0) keep(errno);

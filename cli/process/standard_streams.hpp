@@ -29,6 +29,9 @@ template <class... Args> void warn(fmt::format_string<Args...> text, Args&&... a
     write_words(stderr, fmt::format(text, std::forward<Args>(args)...));
 }
 
+// A message that quotes what stands in files, for a terminal: without codes that command it, the middle of a long one left out.
+std::string legible(std::string_view message);
+
 void flush_words() noexcept;  // of standard output
 
 // Why standard output did not take all that was said, empty: it did.

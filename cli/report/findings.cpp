@@ -16,6 +16,7 @@
 
 #include "cli/process/exit_code.hpp"
 #include "cli/report/found_sand.hpp"
+#include "support/tables/text_file.hpp"
 
 namespace cli {
 namespace {
@@ -140,18 +141,20 @@ std::vector<Finding> findings_in(const fs::path& folder) {
 }
 
 std::string content_of(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw BadInput(fmt::format("{} cannot be read", path.string()));
-    return {std::istreambuf_iterator<char>(file), {}};
+    try {
+        return grit::read_text_file(path, grit::longest_table);
+    } catch (const grit::TextFileError& error) {
+        throw BadInput(error.what());
+    }
 }
 
 std::vector<StoryLine> read_story(const fs::path& path) {
     std::vector<StoryLine> out;
     if (path.empty()) return out;
-    std::ifstream file(path);
-    if (!file) throw BadInput(fmt::format("{} cannot be read", path.string()));
+    const std::string text = content_of(path);
+    grit::TextLines lines(text);
     int number = 0;
-    for (std::string line; std::getline(file, line);) {
+    for (std::string line; lines.next(line);) {
         ++number;
         if (line.ends_with('\r')) line.pop_back();
         if (line.empty() || line.front() == '#') continue;

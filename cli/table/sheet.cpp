@@ -13,6 +13,7 @@ namespace cli {
 namespace {
 
 using Row = std::vector<std::string>;  // a line or row as it is written; empty: there is none
+using grit::csv::most_cells;
 using grit::csv::trimmed;
 
 bool is_utf8(const std::string& text) {
@@ -66,6 +67,7 @@ std::string read_whole(const std::filesystem::path& path) {
 std::vector<Row> lines_of(const std::filesystem::path& path, char separator) {
     std::vector<Row> out;
     const std::string text = read_whole(path);
+    std::size_t cells = 0;
     for (std::size_t from = 0; from < text.size();) {
         std::size_t end = from, lines = 1;
         bool quoted = false;
@@ -80,6 +82,12 @@ std::vector<Row> lines_of(const std::filesystem::path& path, char separator) {
         const std::string line = text.substr(from, end - from);
         from = end + 1;
         const std::size_t place = out.size();
+        cells += lines;
+        if (!line.starts_with('#') && !trimmed(line).empty())
+            cells += static_cast<std::size_t>(std::count(line.begin(), line.end(), separator));
+        if (cells > most_cells)
+            throw BadInput(
+                fmt::format("{}:{}: more than {} cells", path.string(), place + 1, most_cells));
         out.resize(place + lines);
         if (!line.starts_with('#') && !trimmed(line).empty())
             out[place] = grit::csv::cells_of(line, separator);

@@ -59,7 +59,11 @@ const std::vector<double>& Table::at(const std::string& name) const {
 std::vector<std::string> comments_above(const std::filesystem::path& path) {
     std::ifstream file(path);
     std::vector<std::string> out;
-    for (std::string line; std::getline(file, line) && line.starts_with('#');)
+    std::string text(grit::longest_line, '\0');
+    file.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(file.gcount()));
+    grit::TextLines lines(text);
+    for (std::string line; lines.next(line) && line.starts_with('#');)
         out.push_back(line.substr(std::min<std::size_t>(line.size(), 2)));
     return out;
 }

@@ -15,9 +15,12 @@
 #include "cli/process/exit_code.hpp"
 #include "element/nearest.hpp"
 #include "element/number.hpp"
+#include "support/tables/csv.hpp"
 
 namespace cli {
 namespace {
+
+using grit::csv::most_cells;
 
 constexpr zip_uint64_t largest_part =
     64U << 20;  // bytes: what unpacks to more is no sheet of a laboratory

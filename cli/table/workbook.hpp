@@ -12,9 +12,6 @@ namespace cli {
 inline constexpr char old_workbook_begin[] = "\xD0\xCF\x11\xE0";
 inline constexpr char old_workbook[] = "is a workbook of old: save it as .xlsx";
 
-inline constexpr std::size_t most_cells =
-    20'000'000;  // of a sheet, empty ones in front of others too
-
 struct WorkbookSheet {
     std::string name;
     std::vector<std::string> sheets;             // of the workbook

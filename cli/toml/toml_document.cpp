@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/toml/toml_document.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <string>
 #include <string_view>
@@ -17,14 +18,57 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int deepest = 8;  // bases of bases
+constexpr int most_key_dots =
+    16;  // in a key: tables within tables, which the parser does not bound
 
 [[noreturn]] void fail(const fs::path& path, const toml::node& node, const std::string& message) {
     throw BadInput(fmt::format("{}:{}: {}", path.string(), node.source().begin.line, message));
 }
 
+// Where a string that begins at a quotation mark ends: behind its last mark, or with the text or line if it has none.
+std::size_t end_of_string(std::string_view text, std::size_t at) {
+    const char mark = text[at];
+    const std::string three(3, mark);
+    const bool of_lines = text.compare(at, 3, three) == 0;
+    for (at += of_lines ? 3 : 1; at < text.size(); ++at) {
+        if (text[at] == '\\' && mark == '"') ++at;
+        else if (of_lines && text.compare(at, 3, three) == 0) return at + 3;
+        else if (!of_lines && text[at] == mark) return at + 1;
+        else if (!of_lines && text[at] == '\n') return at;
+    }
+    return text.size();
+}
+
+// What follows a table's tables, level by level, has a limit of levels to its stack.
+void check_depth_of_keys(std::string_view text, const fs::path& path) {
+    int line = 1, dots = 0;
+    for (std::size_t at = 0; at < text.size();) {
+        const char each = text[at];
+        if (each == '#') {
+            at = std::min(text.find('\n', at), text.size());
+        } else if (each == '"' || each == '\'') {
+            const std::size_t end = end_of_string(text, at);
+            line +=
+                static_cast<int>(std::count(text.begin() + static_cast<std::ptrdiff_t>(at),
+                                            text.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
+            at = end;
+        } else {
+            if (each == '.' && ++dots > most_key_dots)
+                throw BadInput(
+                    fmt::format("{}:{}: a key has more than {} points, the most that is read",
+                                path.string(), line, most_key_dots));
+            if (std::string_view("=,[]{}\n").find(each) != std::string_view::npos) dots = 0;
+            if (each == '\n') ++line;
+            ++at;
+        }
+    }
+}
+
 toml::table parse(const fs::path& path) {
     try {
-        return toml::parse(grit::read_text_file(path, grit::longest_case), path.string());
+        const std::string text = grit::read_text_file(path, grit::longest_case);
+        check_depth_of_keys(text, path);
+        return toml::parse(text, path.string());
     } catch (const grit::TextFileError& error) {
         throw BadInput(error.what());
     } catch (const toml::parse_error& error) {

@@ -16,6 +16,7 @@ using element::text;
 constexpr const char* blanks = " \t\r";
 constexpr const char* separators = " \t\r,";
 constexpr std::size_t longest = 1000;  // characters of a line; a binary file has longer ones
+constexpr std::size_t most_lines = 10'000'000;
 constexpr std::size_t columns = 40;
 constexpr const char* byte_order_mark = "\xEF\xBB\xBF";  // of editors on Windows
 
@@ -44,7 +45,9 @@ Lines::Lines(const std::filesystem::path& path) : name(path) {
         if (++last == 1 && line.starts_with(byte_order_mark)) line.erase(0, 3);
         if (line.find('\0') != std::string::npos || line.size() > longest)
             fail(last, "this is not a line of text");
-        if (!trimmed(line).empty()) lines.push_back({last, line});
+        if (trimmed(line).empty()) continue;
+        if (lines.size() == most_lines) fail(last, text("more than %zu lines", most_lines));
+        lines.push_back({last, line});
     }
 }
 

@@ -21,6 +21,9 @@ struct Error : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+// Of a table, empty ones too: each takes some 50 bytes or more.
+constexpr std::size_t most_cells = 20'000'000;
+
 // As they are written, the header first, and the lines they stand on.
 struct Cells {
     std::vector<std::vector<std::string>> rows;
@@ -60,6 +63,7 @@ template <class Cut> Cells read(const std::filesystem::path& path, Cut&& cut) {
         throw Error(path.string() + ": is no table, it has bytes that no text has");
     Cells out;
     int number = 0;
+    std::size_t cells = 0;
     TextLines lines(whole);
     for (std::string line; lines.next(line);) {
         if (++number == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
@@ -76,6 +80,8 @@ template <class Cut> Cells read(const std::filesystem::path& path, Cut&& cut) {
         if (!out.rows.empty() && row->size() != out.rows.front().size())
             fail(std::to_string(row->size()) + " cells where the header has " +
                  std::to_string(out.rows.front().size()));
+        cells += row->size();
+        if (cells > most_cells) fail("more than " + std::to_string(most_cells) + " cells");
         out.rows.push_back(std::move(*row));
         out.lines.push_back(number);
     }

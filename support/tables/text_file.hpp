@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whole files of text, of which none is too long to be one: what has no end (a device, a pipe) ends as an error.
+// Whole files of text, of which none is too long to be one: a device without end ends as an error.
 #pragma once
 
 #include <algorithm>

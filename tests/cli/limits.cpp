@@ -31,6 +31,59 @@ TEST(Limits, EndLinesThatNeverEnd) {
     EXPECT_TRUE(answer.says("x.csv:2: a line is longer than 1 MiB")) << answer.text;
 }
 
+// Tables within tables are as deep as the stack of what reads them.
+TEST(Limits, EndKeysThatNeverEnd) {
+    const Workplace here;
+    const auto deep = [](const std::string& part, int parts) {
+        std::string out = part;
+        for (int i = 1; i < parts; ++i) out += '.' + part;
+        return out;
+    };
+    const std::string nested = "x = { a = [{ b = '....................' }] }";
+    here.write("sound.toml", "# ..................\n" + nested + '\n');
+    EXPECT_FALSE(here.grit("element sound.toml").says("points"));
+    here.write("key.toml",
+               "title = \"\"\"\n......................\n\"\"\"\n" + deep("a", 100000) + " = 1\n");
+    here.write("quoted.toml", "title = '\"'\n" + deep("'a b'", 100000) + " = 1\n");
+    here.write("header.toml", "title = \"\\\"\"\n[" + deep("a", 200000) + "]\nb = 1\n");
+    here.write("inline.toml", "x = 1\n\ny = {" + deep("\"a\"", 100000) + " = 1 }\n");
+    for (const auto& [file, line] :
+         {std::pair("key", 4), {"quoted", 2}, {"header", 2}, {"inline", 3}}) {
+        const Answer answer = here.grit(std::string("element ") + file + ".toml");
+        EXPECT_EQ(answer.status, 2) << file;
+        EXPECT_TRUE(answer.says(file + (".toml:" + std::to_string(line)) +
+                                ": a key has more than 16 points, the most that is read"))
+            << answer.text.substr(0, 1000);
+    }
+}
+
+TEST(Limits, EndTablesOfNothingButCells) {
+    const Workplace here;
+    const std::string row = std::string(1000000, ',') + '\n';
+    std::string rows = "x" + row;
+    for (int i = 0; i < 20; ++i) rows += row;
+    here.write("x.csv", rows);
+    const Answer answer = here.grit("plot x.csv");
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_TRUE(answer.says("x.csv:20: more than 20000000 cells")) << answer.text.substr(0, 1000);
+}
+
+// What stands in a stranger's file neither commands the terminal nor fills it.
+TEST(Limits, OfMessagesAreThoseOfAScreen) {
+    const Workplace here;
+    here.write("codes.toml", "\"\\u001b[2J\\u001b[31mevil\\u009b\\u00e9\" = 1\n");
+    Answer answer = here.grit("element codes.toml");
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_TRUE(answer.says("\\x1B[2J\\x1B[31mevil\\xC2")) << answer.text;
+    EXPECT_TRUE(answer.says("\xC3\xA9"));
+    EXPECT_EQ(answer.text.find('\x1B'), std::string::npos);
+    here.write("long.toml", "k" + std::string(1'000'000, 'k') + " = 1\n");
+    answer = here.grit("element long.toml");
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_LT(answer.text.size(), 5000u);
+    EXPECT_TRUE(answer.says("bytes) ... ")) << answer.text;
+}
+
 #ifdef GRIT_MPM_CASES
 std::string box_of_elastic(int cells, int particles_per_cell) {
     const std::string n = std::to_string(cells), each = std::to_string(particles_per_cell);
@@ -56,6 +109,16 @@ TEST(Limits, RefuseMoreNodesAndParticlesThanAMachineHolds) {
                             "most 1e+08 are possible"))
         << answer.text;
     EXPECT_EQ(here.files(), (std::set<std::string>{"nodes.toml", "particles.toml"}));
+}
+
+TEST(Limits, EndCheckpointsThatNeverEnd) {
+    const Workplace here;
+    here.write("box.toml", box_of_elastic(4, 1));
+    std::filesystem::create_directory(here.path("out"));
+    std::filesystem::create_symlink("/dev/zero", here.path("out/box.checkpoint"));
+    const Answer answer = here.grit("mpm --out out --restart box.toml");
+    EXPECT_NE(answer.status, 0);
+    EXPECT_TRUE(answer.says("this is no checkpoint of grit mpm")) << answer.text;
 }
 
 TEST(Limits, EndSurfacesThatNeverEnd) {

@@ -48,4 +48,25 @@ TEST(Units, StiffnessScalesWithTheUnitOfStress) {
     }
 }
 
+// Stresses up to ten times h_s, whatever its number is.
+TEST(Units, WhatGoesTooFarDoesSoInAnyUnit) {
+    for (const Sand& sand : four_sands())
+        for (const double strain : {-1e-3, -3e-2}) {
+            const State x{-5.0 * sand.p.granulate_hardness * identity(), Vec::Zero(), 0.5};
+            const auto outcome_in = [&](double unit) {
+                State scaled = x;
+                scaled.T *= unit;
+                Point point = point_of(scaled);
+                return update(sand_named(sand.name, unit), point,
+                              voigt_strain(strain * identity()).data());
+            };
+            const Outcome kPa = outcome_in(1.0);
+            for (const double unit : {1e-12, 1e12}) {
+                const Outcome other = outcome_in(unit);
+                EXPECT_EQ(other.status, kPa.status) << sand.name << ' ' << strain << ' ' << unit;
+                EXPECT_EQ(other.report.step_reduction, kPa.report.step_reduction);
+            }
+        }
+}
+
 }  // namespace
