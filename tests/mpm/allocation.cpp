@@ -7,6 +7,7 @@
 #include <new>
 
 #include "support/box.hpp"
+#include "support/pressed_sand.hpp"
 
 namespace {
 
@@ -84,6 +85,26 @@ TEST(Step, AllocatesNothingForContactAtSurfaces) {
     while (simulation.time() < 0.3) simulation.step();
     EXPECT_EQ(allocations, before);
     EXPECT_GT(simulation.surface_contact(0).totals().impulse_on_b[1], 0.0);
+}
+
+// Sand under a block and beside a ring, dry, undrained and with water that flows by explicit steps; implicit ones have
+// vectors of their own.
+TEST(Step, AllocatesNothingForSandAndItsWater) {
+    enum class Pores { dry, undrained, flowing };
+    for (const Pores pores : {Pores::dry, Pores::undrained, Pores::flowing})
+        for (const bool at_surfaces : {false, true}) {
+            PressedSand made;
+            made.block_velocity = -0.1;
+            made.at_surfaces = at_surfaces;
+            made.settings.threads = 2;
+            if (pores != Pores::dry)
+                made.water = PressedSand::soft_water(pores == Pores::flowing, false);
+            const auto simulation = made.build();
+            while (simulation->time() < 0.04) simulation->step();
+            const long before = allocations;
+            while (simulation->time() < 0.06) simulation->step();
+            EXPECT_EQ(allocations, before) << static_cast<int>(pores) << at_surfaces;
+        }
 }
 
 }  // namespace
