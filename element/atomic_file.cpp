@@ -31,15 +31,6 @@ std::string name_beside(const std::string& name) {
     return name + '.' + token + ".part";
 }
 
-bool is_name_beside(std::string_view name, std::string_view of) {
-    constexpr std::string_view end = ".part";
-    if (name.size() != of.size() + 1 + token_length + end.size() || !name.starts_with(of) ||
-        name[of.size()] != '.' || !name.ends_with(end))
-        return false;
-    const std::string_view token = name.substr(of.size() + 1, token_length);
-    return token.find_first_not_of("0123456789abcdef") == token.npos;
-}
-
 [[noreturn]] void fail(const fs::path& place, int error) {
     throw CannotWrite(place.string() +
                       ": cannot write this file: " + std::generic_category().message(error));
@@ -51,10 +42,20 @@ void remove_incomplete_files() noexcept {
     incomplete_files.for_each([](const char* name, int) { unlink(name); });
 }
 
+std::string name_when_complete(const std::string& name) {
+    constexpr std::string_view end = ".part";
+    if (!name.ends_with(end) || name.size() <= 1 + token_length + end.size()) return {};
+    const std::size_t length = name.size() - end.size() - token_length - 1;
+    const std::string token = name.substr(length + 1, token_length);
+    const bool is_one =
+        name[length] == '.' && token.find_first_not_of("0123456789abcdef") == token.npos;
+    return is_one ? name.substr(0, length) : "";
+}
+
 void remove_left_behind(const fs::path& place) noexcept try {
     for (const fs::directory_entry& entry :
          fs::directory_iterator(fs::absolute(place).parent_path()))
-        if (is_name_beside(entry.path().filename().native(), place.filename().native()))
+        if (name_when_complete(entry.path().filename()) == place.filename())
             fs::remove(entry.path());
 } catch (const std::exception&) {
     return;  // they are in nobody's way

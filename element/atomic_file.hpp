@@ -58,6 +58,8 @@ class AtomicFile {
 
 // Files beside this one that nobody is going to complete, which its caller knows.
 void remove_left_behind(const std::filesystem::path& place) noexcept;
+// Of the name of a file that is not complete the one that it is to get, else empty.
+std::string name_when_complete(const std::string& name);
 
 // All of this program that are not complete. May be called by a signal handler.
 void remove_incomplete_files() noexcept;

@@ -20,6 +20,7 @@
 #include "cli/process/cannot_write.hpp"
 #include "cli/process/outputs.hpp"
 #include "cli/process/standard_streams.hpp"
+#include "element/atomic_file.hpp"
 
 namespace cli {
 namespace {
@@ -70,19 +71,26 @@ bool is_shown_by_a_run(const std::string& rest) {
            std::regex_match(rest, frame);
 }
 
-// What an older run of this name has left would stand beside this one's results as if it were theirs. A picture of
-// another case, whose name ends as a field's, stays.
-void remove_older_results(const MpmRunOptions& options) {
+// A picture of another case, whose name ends as a field's, is not of this one's.
+bool is_of_a_run(const MpmRunOptions& options, const std::filesystem::path& file) {
+    const std::string stem = options.history.stem().string(), name = file.string();
+    if (!name.starts_with(stem) || !is_shown_by_a_run(name.substr(stem.size()))) return false;
+    std::error_code none;
+    return file.stem() == stem ||
+           !std::filesystem::exists(options.history.parent_path() / (file.stem() += ".csv"), none);
+}
+
+// What an older run of this name has left would stand beside this one's results as if it were theirs; what a killed one
+// has begun, nobody completes.
+void remove_results(const MpmRunOptions& options, bool begun_alone) {
     const std::filesystem::path folder = options.history.parent_path();
-    const std::string stem = options.history.stem().string();
     std::error_code none;
     std::vector<std::filesystem::path> old;
     for (const auto& entry :
          std::filesystem::directory_iterator(folder.empty() ? "." : folder, none)) {
-        const std::string name = entry.path().filename().string();
-        if (name.starts_with(stem) && is_shown_by_a_run(name.substr(stem.size())) &&
-            !(entry.path().stem() != stem &&
-              std::filesystem::exists(folder / (entry.path().stem() += ".csv"), none)))
+        const std::filesystem::path name = entry.path().filename();
+        if (is_of_a_run(options, element::name_when_complete(name)) ||
+            (!begun_alone && is_of_a_run(options, name)))
             old.push_back(entry.path());
     }
     for (const std::filesystem::path& file : old) std::filesystem::remove(file, none);
@@ -194,10 +202,8 @@ ExitCode run_mpm(const MpmRequest& request) {
     const Outputs outputs = outputs_of(request, file, options);
     Runner runner = prepare(request, file);
     const auto lock = outputs.lock();
-    if (!request.restart) {
-        put_aside(options.checkpoint, plan);
-        remove_older_results(options);
-    }
+    if (!request.restart) put_aside(options.checkpoint, plan);
+    remove_results(options, request.restart);
     const RunGuard guard(plan.name + ": Grit");
     MpmRun run(options, runner);
     const std::string failure = run.go();

@@ -414,6 +414,30 @@ TEST(MaterialPointCommand, LeavesNothingOfAnOlderRunBesideItsResults) {
               (Names{"x.csv", "x_1_column.vtu", "x_p.csv", "x_p.svg", "x_tension.svg", "xx.svg"}));
 }
 
+// A killed run removes nothing; the next one does, whether it begins anew or goes on.
+TEST(MaterialPointCommand, LeavesNothingThatAKilledRunHasBegun) {
+    const Workplace here;
+    const std::string run = "mpm --quiet --no-plot --out out x.toml";
+    const auto begin = [&](const std::string& name) {
+        here.write("out/" + name + ".0123456789abcdef.part", "half");
+    };
+    here.write("x.toml", column("1000"));
+    ASSERT_EQ(here.interrupted(run, "TERM").status, 1);
+    here.write("out/x_p.csv", "of another");
+    const Names others = {"x_p.png.0123456789abcdef.part",
+                          "y_000001_column.vtu.0123456789abcdef.part"};
+    begin("x_p.png");
+    begin("y_000001_column.vtu");
+    for (const char* how : {" --restart", ""}) {
+        begin("x_000001_column.vtu");
+        begin("x_q.png");
+        here.interrupted(run + how, "TERM");
+        Names left = here.files("out");
+        for (const std::string& each : others) EXPECT_EQ(left.erase(each), 1u) << each << how;
+        for (const std::string& each : left) EXPECT_FALSE(each.ends_with(".part")) << each << how;
+    }
+}
+
 // A terminal that goes sends SIGHUP twice, timeout SIGTERM to the program and to its group.
 TEST(MaterialPointCommand, IsInterruptedOnceByTwoSignalsInNoTime) {
     for (const std::string signal : {"HUP", "TERM"}) {

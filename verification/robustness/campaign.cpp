@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robustness/campaign.hpp"
 
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -31,28 +32,74 @@ namespace {
 
 std::atomic<bool> asked_to_stop = false;
 
-// What threads are at: for a signal that ends the program, whose thread may be one that a trial has started.
+// What threads are at: a signal that ends the program may find a thread that a trial has started.
 constexpr int most_threads = 1024;
-std::array<std::atomic<long>, most_threads> blocks_begun;  // their numbers plus 1
+std::array<Pulse, most_threads> pulses;
+std::array<char, 80> command;  // that repeats a block, without its number
 
 // Nothing here takes memory or a lock.
+void say(std::string_view text) {
+    if (write(STDERR_FILENO, text.data(), text.size()) < 0) return;
+}
+
+void say_repeat(long block) {
+    std::array<char, 24> digits;
+    const auto end = std::to_chars(digits.begin(), digits.end(), block - 1).ptr;
+    say(command.data());
+    say({digits.begin(), end});
+    say("\n");
+}
+
 void name_blocks(int signal) {
-    const auto say = [](std::string_view text) {
-        if (write(STDERR_FILENO, text.data(), text.size()) < 0) return;
-    };
-    say("\ntorture: ended by a signal at block");
-    for (const auto& begun : blocks_begun) {
-        std::array<char, 24> digits;
-        if (const long number = begun) {
-            const auto end = std::to_chars(digits.begin(), digits.end(), number - 1).ptr;
-            say(" ");
-            say({digits.begin(), end});
-        }
-    }
-    say(": --only repeats one\n");
+    say("\ntorture: ended by a signal in one of these blocks:\n");
+    for (const Pulse& each : pulses)
+        if (const long block = each.block) say_repeat(block);
     std::signal(signal, SIG_DFL);
     std::raise(signal);
 }
+
+void stop_or_end(int signal) {
+    if (asked_to_stop.exchange(true)) name_blocks(signal);
+}
+
+// Seconds of the processor time of a thread, more than sanitizers make of any call.
+constexpr long longest_call = 120;
+
+void look_for_hung(int) {
+    bool hung = false;
+    for (Pulse& each : pulses) {
+        const long block = each.block;
+        if (block == 0 || each.moved.exchange(false)) continue;
+        if (!hung) say("\ntorture: a call does not return in this block:\n");
+        hung = true;
+        say_repeat(block);
+    }
+    if (!hung) return;
+    std::signal(SIGABRT, SIG_DFL);
+    std::raise(SIGABRT);
+}
+
+// Hears the clock of the process, which runs for all threads.
+class Watch {
+  public:
+    explicit Watch(int threads) {
+        struct sigaction action {};
+        action.sa_handler = look_for_hung;
+        action.sa_flags = SA_RESTART;
+        sigaction(SIGPROF, &action, nullptr);
+        every(longest_call * threads);
+    }
+    ~Watch() { every(0); }
+    Watch(const Watch&) = delete;
+    Watch& operator=(const Watch&) = delete;
+
+  private:
+    static void every(long seconds) {
+        itimerval time{};
+        time.it_value.tv_sec = time.it_interval.tv_sec = seconds;
+        setitimer(ITIMER_PROF, &time, nullptr);
+    }
+};
 
 // What blocks have cost, and by which programs.
 struct Effort {
@@ -141,9 +188,11 @@ bool run(const Kind& kind, const Campaign& campaign) {
         if (!done[i]) left.push_back(i);
     const std::size_t before = blocks - left.size();
 
+    std::snprintf(command.data(), command.size(), "torture %s --seed %lu --only ",
+                  kind.name.c_str(), campaign.seed);
     for (const int each : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL})
         std::signal(each, name_blocks);
-    for (const int each : {SIGINT, SIGTERM}) std::signal(each, [](int) { asked_to_stop = true; });
+    for (const int each : {SIGINT, SIGTERM}) std::signal(each, stop_or_end);
     const auto start = Clock::now();
     const auto seconds = [&] {
         return std::chrono::duration<double>(Clock::now() - start).count();
@@ -153,6 +202,7 @@ bool run(const Kind& kind, const Campaign& campaign) {
     std::string failure;
     double told = 0.0;
     const auto work = [&](int thread) {
+        pulse = &pulses[static_cast<std::size_t>(thread)];
         for (;;) {
             std::size_t block;
             {
@@ -162,7 +212,8 @@ bool run(const Kind& kind, const Campaign& campaign) {
                 block = left[next++];
             }
             const auto number = alone ? static_cast<std::uint64_t>(campaign.only) : block;
-            blocks_begun[static_cast<std::size_t>(thread)] = static_cast<long>(number) + 1;
+            beat();
+            pulse->block = static_cast<long>(number) + 1;
             Findings found(kind.words);
             // Neighbouring seeds and blocks have streams that share nothing.
             Random random(Random(campaign.seed).bits() ^ Random(~number).bits());
@@ -173,6 +224,7 @@ bool run(const Kind& kind, const Campaign& campaign) {
             } catch (const std::exception& error) {
                 thrown = error.what();
             }
+            pulse->block = 0;
             const std::lock_guard lock(mutex);
             if (!thrown.empty()) {
                 failure = "block " + std::to_string(number) + ": " + thrown;
@@ -197,15 +249,15 @@ bool run(const Kind& kind, const Campaign& campaign) {
                          static_cast<double>(left.size() - ended) / rate);
         }
     };
+    const int threads = std::min(campaign.threads, most_threads);
+    const Watch watch(threads);
     std::vector<std::thread> others;
     try {
-        for (int i = 1; i < std::min(campaign.threads, most_threads); ++i)
-            others.emplace_back(work, i);
+        for (int i = 1; i < threads; ++i) others.emplace_back(work, i);
     } catch (const std::system_error&) {  // no more threads: the others do it
     }
     work(0);
     for (std::thread& each : others) each.join();
-    for (auto& each : blocks_begun) each = 0;
     if (!failure.empty()) throw std::runtime_error(failure);
 
     std::printf("%s: %zu of %zu blocks of %ld cases, seed %lu, Grit %s\n", kind.name.c_str(),

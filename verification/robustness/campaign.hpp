@@ -31,7 +31,8 @@ struct Campaign {
 
 // Runs the blocks that the journal does not have and prints what all of them have found, in the end or when interrupted.
 // Says whether no rule was broken. Throws std::runtime_error if the journal is of other trials or cannot be written, and
-// if a trial throws, with the number of its block; a signal that ends the program names the blocks that it was at.
+// if a trial throws, with the number of its block; a signal that ends the program names the blocks that it was at,
+// as does the end of it by a call that does not return. SIGINT and SIGTERM end it after the blocks begun, a second one at once.
 bool run(const Kind& kind, const Campaign& campaign);
 
 }  // namespace robustness

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include <boost/numeric/odeint.hpp>
@@ -144,10 +145,7 @@ std::optional<ExactEnd> exact_update(const grit_sand_parameters& sand, const dou
                  dE = mandel(strain, 1.0L / root_2);
     const Real scale = std::sqrt(dot(T_0, T_0)), length = std::sqrt(dot(dE, dE)),
                R = basic ? 1.0L : static_cast<Real>(sand.elastic_strain_radius);
-    const auto without_memory = [&](const Tensor& h) {
-        return !basic && dot(h, h) < 1e-4L * R * R;
-    };
-    if (!(scale > 0.0L) || !(length > 0.0L) || without_memory(h_0)) return std::nullopt;
+    if (!(scale > 0.0L) || !(length > 0.0L)) return std::nullopt;
     const Tensor D = plus(zero, 1.0L / length, dE);
     Y y(13);
     for (std::size_t i = 0; i < 6; ++i) {
@@ -156,6 +154,10 @@ std::optional<ExactEnd> exact_update(const grit_sand_parameters& sand, const dou
     }
     y[12] = state[GRIT_SAND_VOID_RATIO];
     bool inside = true;
+    const auto length_of_h = [&y] {
+        return std::sqrt(std::inner_product(y.begin() + 6, y.begin() + 12, y.begin() + 6, 0.0L));
+    };
+    Real least_h = basic ? 1.0L : length_of_h();
     int rates = 0;
     const auto tensor = [](const Y& v, std::size_t first, Real size) {
         Tensor out;
@@ -172,28 +174,29 @@ std::optional<ExactEnd> exact_update(const grit_sand_parameters& sand, const dou
         }
         dv[12] = rate.e;
     };
-    const auto march = [&](Real from, Real to) {
+    // Counted from 0, where powers of |h| may rise without a slope.
+    const auto march = [&](Real strained) {
         using namespace boost::numeric::odeint;
         // Short steps, for paths that pass the hydrostatic axis, where F has the tip of a cone.
-        const Real longest = (to - from) / 100.0L;
+        const Real longest = strained / 100.0L;
         integrate_adaptive(
             make_controlled(1e-15L, 1e-15L, longest, runge_kutta_fehlberg78<Y, Real, Y, Real>()),
-            slope, y, from, to, 0.1L * longest);
+            slope, y, 0.0L, strained, 0.1L * longest);
     };
     const Real turn = -dot(h_0, D);  // until there the strain leads away from h
     try {
-        if (!basic && turn > 0.0L && turn < length) {
-            march(0.0L, turn);
-            if (without_memory(tensor(y, 6, R))) return std::nullopt;
-            march(turn, length);
-        } else {
-            march(0.0L, length);
+        const bool turns = !basic && turn > 0.0L && turn < length;
+        if (turns) {
+            march(turn);
+            least_h = std::fmin(least_h, length_of_h());
         }
+        march(turns ? length - turn : length);
     } catch (const OutOfDomain&) {
         inside = false;
     }
     if (!inside) return std::nullopt;
     ExactEnd out{};
+    out.least_h = static_cast<double>(least_h);
     for (std::size_t i = 0; i < 6; ++i) {
         out.stress[i] = static_cast<double>(y[i] * scale / (i < 3 ? 1.0L : root_2));
         out.h[i] = static_cast<double>(y[6 + i] * R * (i < 3 ? 1.0L : root_2));

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "robustness/pulse.hpp"
+
 namespace robustness {
 
 // Names of what a kind of trial counts, measures and demands; trials refer to them by number.
@@ -18,7 +20,10 @@ class Findings {
     explicit Findings(const Vocabulary& words)
         : counts(words.counts.size()), largest(words.largest.size()), broken(words.rules.size()) {}
 
-    void count(int what, long times = 1) { counts[static_cast<std::size_t>(what)] += times; }
+    void count(int what, long times = 1) {
+        beat();
+        counts[static_cast<std::size_t>(what)] += times;
+    }
     // NaN is larger than any number.
     void measure(int what, double value) {
         double& most = largest[static_cast<std::size_t>(what)];
@@ -26,6 +31,7 @@ class Findings {
     }
     // program: makes the text that repeats the case; called for the first of each rule.
     template <class Program> void demand(int rule, bool holds, const Program& program) {
+        beat();
         if (holds) return;
         Broken& one = broken[static_cast<std::size_t>(rule)];
         if (one.times++ == 0) one.program = program();

@@ -169,10 +169,11 @@ Point random_point(Random& random, const Call& call) {
         case 3: rho = 1.0; break;
         case 4: rho = random.uniform(1.0, 3.0); break;
         case 5:  // exactly at a reversal, or mobilised
-        case 6:
-            for (int c = 0; c < 6; ++c)
-                x.state[c] = (random.below(2) ? 1.0 : -1.0) * along * x.strain[c];
+        case 6: {
+            const double sign = random.below(2) ? 1.0 : -1.0;
+            for (int c = 0; c < 6; ++c) x.state[c] = sign * along * x.strain[c];
             break;
+        }
         default: rho = random.uniform();
     }
     for (int c = 0; c < 6; ++c) x.state[c] *= rho;

@@ -44,7 +44,8 @@ enum Rule {
     parts_keep_momentum,
     parts_gain_no_energy,
     holds_what_is_held,
-    asks_for_memory_once
+    asks_for_memory_once,
+    sweeps_bounded
 };
 
 const Vocabulary words = {
@@ -67,7 +68,8 @@ const Vocabulary words = {
      "momentum of two pairs is kept to 1e-12",
      "energy of two pairs does not grow by more than 1e-12 and what surfaces held",
      "a node that is held keeps its velocity in that direction",
-     "a call that lacks memory says how much, at most three times"}};
+     "a call that lacks memory says how much, at most three times",
+     "sweeps stay within their limit"}};
 
 // Nodes of a grid, and a part of its surface.
 struct Body {
@@ -540,6 +542,8 @@ void try_call(Random& random, Findings& out) {
         out.demand(untouched, call.a.same(before.a) && call.b.same(before.b), program);
         return;
     }
+    out.demand(sweeps_bounded,
+               call.totals.sweeps >= 0 && call.totals.sweeps <= call.options.sweep_limit, program);
     if (call.totals.points == 0) out.count(without_contact);
     out.count(points_in_contact, static_cast<long>(call.totals.points));
     if (call.totals.sweeps >= call.options.sweep_limit) out.count(not_settled);
