@@ -82,15 +82,15 @@ std::vector<Row> lines_of(const std::filesystem::path& path, char separator) {
         const std::string line = text.substr(from, end - from);
         from = end + 1;
         const std::size_t place = out.size();
+        const bool is_row = !line.starts_with('#') && !trimmed(line).empty();
         cells += lines;
-        if (!line.starts_with('#') && !trimmed(line).empty())
+        if (is_row)
             cells += static_cast<std::size_t>(std::count(line.begin(), line.end(), separator));
         if (cells > most_cells)
             throw BadInput(
                 fmt::format("{}:{}: more than {} cells", path.string(), place + 1, most_cells));
         out.resize(place + lines);
-        if (!line.starts_with('#') && !trimmed(line).empty())
-            out[place] = grit::csv::cells_of(line, separator);
+        if (is_row) out[place] = grit::csv::cells_of(line, separator);
     }
     return out;
 }
