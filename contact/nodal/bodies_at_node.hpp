@@ -50,7 +50,8 @@ template <int C> struct BodiesAtNode {
     // False if no normal impulses keep the bodies apart.
     bool sweep(double tolerance, int sweep_limit) {
         for (int body = 0; body < bodies; ++body) trial[body] = velocity[body];
-        const double approach = assemble(), allowed = 1e-6 * tolerance * approach;
+        const double approach = assemble();
+        const double allowed = max(1e-6 * tolerance, 1e-13) * approach;  // what is less is roundoff
         if (!(approach > 0.0)) return true;
         double given = 0.0;  // by springs
         for (int s = 0; s < sweep_limit; ++s) {
@@ -129,7 +130,7 @@ template <int C> struct BodiesAtNode {
             if (pair.law.springs) {
                 has_springs = true;
                 pair.spring = resistance(pair.law, pair.shares, pair.x, pair.r.f_p);
-                largest = max(largest, approach + pair.spring.push);
+                largest = max(largest, (approach + pair.spring.push) / (1.0 + pair.spring.yield));
                 system.M[row][row] += pair.spring.yield / pair.shares.m_r;
             } else {
                 system.M[row][row] += (1.0 - pair.r.f_p) / (pair.r.f_p * pair.shares.m_r);

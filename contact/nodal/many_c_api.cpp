@@ -144,12 +144,13 @@ extern "C" grit_status grit_contact_correct_many(const grit_contact_bodies* bodi
     const ManyRequest request{&b, ours, options, pair_count, n, reports, sums};
     const CorrectionOutcome outcome = GRIT_DISPATCH(b.instruction_set, correct_many(request));
     if (outcome.node < 0) return GRIT_OK;
+    const ptrdiff_t at = b.index ? b.index[outcome.node] : outcome.node;
     if (outcome.status == GRIT_NOT_CONVERGED)
         return failure(
-            error, outcome.status, outcome.node,
+            error, outcome.status, at,
             "node %td: no impulses keep the bodies apart: one is squeezed between two that "
             "are rigid",
-            b.index ? b.index[outcome.node] : outcome.node);
+            at);
     const int p = outcome.pair;
     return of_pair(p, describe_node(nodes_of(b, ours[p]), options[p], outcome.node, error), error);
 }

@@ -83,6 +83,15 @@ TEST(ManyBodies, OfTwoAreAPairInEverything) { are_a_pair_in_everything(0.0, 0.0)
 TEST(ManyBodies, OfTwoAreAPairWithARelaxationTime) { are_a_pair_in_everything(0.02, 0.0); }
 TEST(ManyBodies, OfTwoAreAPairWithASpring) { are_a_pair_in_everything(0.02, 1e4); }
 
+TEST(ManyBodies, HaveTheInstructionSetOfTheirCallNotOfTheirPairs) {
+    AsMany many{prepared(3), everything(3)};
+    many.options.instruction_set = 99;
+    EXPECT_EQ(many.correct(), GRIT_OK) << many.nodes.error.message;
+    many.options.instruction_set = 0;
+    many.bodies.instruction_set = 99;
+    EXPECT_EQ(many.correct(), GRIT_BAD_CALL);
+}
+
 TEST(ManyBodies, ValidateOnlyChangesNothing) {
     AsMany many{prepared(3), everything(3)};
     const std::vector<Node> before = many.nodes.node;

@@ -161,6 +161,35 @@ TEST(ManyBodies, ThatCannotGiveWaySaySo) {
     EXPECT_EQ(bodies.reports[0].status, GRIT_NOT_CONVERGED);
 }
 
+// Where none is held there are always impulses that part them, however alike what they say.
+TEST(ManyBodies, ThatNothingHoldsAreNeverSqueezed) {
+    for (const double friction : {0.0, 0.3}) {
+        BodiesAtNodes bodies(8, 500, 77, 2);
+        Random random(78);
+        for (auto& o : bodies.options) {
+            o.law = GRIT_CONTACT_FRICTIONAL;
+            o.friction_coefficient = friction;
+        }
+        for (auto& x : bodies.node)
+            for (double& m : x.m) m = random.log_uniform(1e-4, 1e4);
+        EXPECT_EQ(bodies.correct(), GRIT_OK) << bodies.error.message;
+    }
+}
+
+// Of an index list the node, not its place there.
+TEST(ManyBodies, ThatCannotGiveWayAreNamedAsTheHostNamesTheirNode) {
+    BodiesAtNodes bodies = row(3);
+    bodies.options[0].rigid = GRIT_CONTACT_A_RIGID;
+    bodies.options[1].rigid = GRIT_CONTACT_B_RIGID;
+    bodies.node.assign(4, bodies.node[0]);
+    for (std::size_t i = 0; i < 3; ++i) bodies.node[i].v[2] = {2.0, 0.0, 0.0};
+    const std::vector<std::ptrdiff_t> index = {0, 3, 1, 2};
+    bodies.call.index = index.data();
+    EXPECT_EQ(bodies.correct(), GRIT_NOT_CONVERGED);
+    EXPECT_EQ(bodies.error.point, 3);
+    EXPECT_EQ(std::string(bodies.error.message).rfind("node 3:", 0), 0U) << bodies.error.message;
+}
+
 // (C5) once more: without its own impulse a pair approaches with w, and gets f_p m_r w_n and Coulomb. How many meet.
 int meeting_as_pairs_alone(const BodiesAtNodes& bodies) {
     int meeting = 0;
@@ -232,6 +261,33 @@ TEST(ManyBodies, StopSweepingWhenAsked) {
     for (BodiesAtNodes* bodies : {&loose, &tight, &stopped}) EXPECT_EQ(bodies->correct(), GRIT_OK);
     EXPECT_NE(std::memcmp(&loose.node[0], &tight.node[0], sizeof loose.node[0]), 0);
     EXPECT_NE(std::memcmp(&stopped.node[0], &tight.node[0], sizeof loose.node[0]), 0);
+}
+
+// Of a soft spring overlap / dt is no velocity that is small against others.
+TEST(ManyBodies, OnSoftSpringsSweepUntilTheirVelocitiesSettle) {
+    const auto settled = [](double tolerance) {
+        constexpr double gap = -1e-2, area = 1.0;
+        BodiesAtNodes bodies(4, 300, 76);
+        bodies.gap = grit_view_of(&gap, 0, 1);
+        bodies.area = grit_view_of(&area, 0, 1);
+        for (auto& o : bodies.options) {
+            o.time_step = 1e-6;
+            o.contact_stiffness = 1e8;  // 1e-4 m_r/dt2
+            o.friction_coefficient = 0.6;
+        }
+        bodies.call.sweep_tolerance = tolerance;
+        bodies.call.sweep_limit = 10000;
+        EXPECT_EQ(bodies.correct(), GRIT_OK) << bodies.error.message;
+        return bodies.node;
+    };
+    const auto are = settled(1e-3), exact = settled(1e-11);
+    double largest = 0.0, sum = 0.0;
+    for (std::size_t i = 0; i < are.size(); ++i)
+        for (std::size_t b = 0; b < 4; ++b) {
+            largest = std::max(largest, norm(are[i].v[b] - exact[i].v[b]));
+            sum += norm(exact[i].v[b]);
+        }
+    EXPECT_LT(largest, 0.02 * sum / static_cast<double>(4 * are.size()));
 }
 
 TEST(ManyBodies, GiveTheSameBitsInAnyCompany) {

@@ -194,4 +194,13 @@ TEST(ContactNormal, IsTheSameForGradientsOfAnySize) {
     EXPECT_NEAR(normal(3, GRIT_CONTACT_NORMAL_OF_A, tiny).n[0], std::sqrt(0.5), 2e-16);
 }
 
+TEST(NormalFromGradients, IsThereWhateverTheirSize) {
+    for (const double size : {1e-300, 1e-6, 0.01, 0.5, 1.0, 2.0, 1e300}) {
+        Node x;
+        x.a = Vec3(size, -size, 0.0);
+        const Result r = normal(2, GRIT_CONTACT_NORMAL_OF_A, x);
+        EXPECT_NEAR(r.n.head<2>().norm(), 1.0, 1e-15) << size;
+    }
+}
+
 }  // namespace

@@ -312,6 +312,10 @@ TEST(SurfacePairs, SayHowMuchMemoryTheyNeed) {
     EXPECT_EQ(grit_surface_correct_pairs(nullptr, 2, workspace.data(), 4096, nullptr, &error),
               GRIT_BAD_CALL);
     EXPECT_EQ(grit_surface_pairs_workspace_size(nullptr, 2), 0U);
+    std::size_t of_each = 0;
+    for (const grit_surface_pair& pair : given)
+        of_each += grit_surface_workspace_size(pair.a, pair.b);
+    EXPECT_GE(grit_surface_pairs_workspace_size(given.data(), 2), of_each);
 }
 
 }  // namespace

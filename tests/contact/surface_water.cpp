@@ -260,6 +260,13 @@ TEST(SurfaceOfWetBody, LetsNoWaterThroughWhereAllGrainsAreHeld) {
     }
 }
 
+TEST(SurfaceOfWetBody, MayBeWaterAlone) {
+    WetMeeting m(2, 3, 1.0);
+    for (std::size_t i = 2; i < m.b.pores.size(); i += 3) m.b.pores[i] = 1.0;  // porosity
+    SurfaceCall call(2);
+    EXPECT_EQ(call(m.a, m.b), GRIT_OK) << call.error.message;
+}
+
 TEST(SurfaceOfWetBody, NamesWhatIsWrongWithItsWater) {
     const auto says = [](auto spoil, const char* text) {
         WetMeeting m(2, 3, 1.0);

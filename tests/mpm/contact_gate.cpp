@@ -81,6 +81,12 @@ TEST_F(GateAtANode, LetsBodiesComeUntilTheyMeet) {
     EXPECT_NEAR(after(-0.01, 1.0), 0.0, 1e-15);
 }
 
+TEST_F(GateAtANode, MeasuresTheGapWhereBothBodiesHaveANode) {
+    EXPECT_TRUE(std::isnan(pair.faces().largest_gap));
+    after(0.1, 1.0);
+    EXPECT_NEAR(pair.faces().largest_gap, 0.1, 1e-14);
+}
+
 TEST_F(GateAtANode, StaysClosedThroughAJumpOfTheGapWhilePressed) {
     after(-0.01, 1.0);
     EXPECT_NEAR(after(0.4, 1.0), 0.0, 1e-15);

@@ -38,6 +38,18 @@ TEST(UndrainedSand, CarriesWavesAtTheSpeedOfSkeletonAndWater) {
     }
 }
 
+// ... of skeleton and water together, from the first step on.
+TEST(SaturatedSand, TakesTheStepThatItsWavesAllow) {
+    for (const double k : {0.0, 1e-3}) {
+        BuiltCase built = build_case(Column{.cells = 16, .conductivity = k}.plan());
+        const double c = k > 0.0 ? std::sqrt(Column::sum()) : Column::c_u();
+        const double step = 0.4 * Column::height / 16 / c;
+        built.simulation->step();
+        EXPECT_NEAR(built.simulation->time(), step, 1e-9 * step) << k;
+        EXPECT_NEAR(built.simulation->next_step(), step, 1e-9 * step) << k;
+    }
+}
+
 TEST(FlowingWater, CarriesTwoWavesWhereNothingDragsIt) {
     for (const double c : {Column::c_1(), Column::c_2()}) {
         const double ratio =
@@ -142,6 +154,58 @@ TEST(PoreWater, DoesNotRub) {
         water.conductivity = k;
         EXPECT_NEAR(rubbing_force(water), dry, 0.04 * dry) << k;
     }
+}
+
+// Mean pore pressure of a body in its cells beside the surface at 0.5 m, where the other one may be [Pa].
+double pressure_at_the_plate(Simulation& simulation, std::size_t which) {
+    Body& body = simulation.body(which);
+    const ParticleView q = body.particles.view();
+    double sum = 0.0, count = 0.0;
+    for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p) {
+        if (q[column::z][p] < 0.375 || std::fabs(q[column::r][p] - 0.5) > 0.25) continue;
+        sum += body.water->pressure(q, p);
+        count += 1.0;
+    }
+    return sum / count;
+}
+
+// Where both are wet it is the mean of both that bears. Normals are those of the block: the plate's corners would plough.
+TEST(PoreWater, OfBothBodiesDoesNotRub) {
+    constexpr double load = 1e4, L = 1.0, width = 0.5 * L;
+    WaterPlan water;
+    water.drainage = Drainage::undrained;
+    Case plan = plate_on_a_block(water);
+    BodyPlan &plate = plan.bodies[1], &block = plan.bodies[0];
+    plate.outlines = {Outline{
+        {{0.25 * L, 0.5 * L}, {0.75 * L, 0.5 * L}, {0.75 * L, 0.625 * L}, {0.25 * L, 0.625 * L}}}};
+    plate.material = block.material;
+    plate.water = block.water;
+    plate.density = block.density;
+    plan.contacts[0].normal = GRIT_CONTACT_NORMAL_OF_B;
+    const auto traction = [&](const grit::Vector2& direction, double from, double most) {
+        plan.tractions.push_back({.body = "plate",
+                                  .edge = Edge::top,
+                                  .direction = direction,
+                                  .stress = TimeTable{{from, from + 0.1}, {0.0, most}}});
+    };
+    traction({0.0, -1.0}, 0.0, load);
+    traction({1.0, 0.0}, 0.1, 0.28 * load);
+    BuiltCase built = build_case(plan);
+    Simulation& simulation = *built.simulation;
+    double force = 0.0, borne = 0.0;
+    int count = 0;
+    while (simulation.time() < 0.23) {
+        simulation.step();
+        if (simulation.time() < 0.2) continue;
+        const ContactForces forces = contact_forces(simulation, 1);
+        force -= forces.tip[0] + forces.shaft[0];
+        borne += 0.5 * width *
+                 (pressure_at_the_plate(simulation, 0) + pressure_at_the_plate(simulation, 1));
+        ++count;
+    }
+    EXPECT_GT(borne / count, 0.3 * load * width);
+    const double expected = 0.3 * (load * width - borne / count);
+    EXPECT_NEAR(force / count, expected, 0.03 * expected);
 }
 
 TEST_P(UnderAPiston, GoesOnFromACheckpointBitForBit) {
@@ -311,6 +375,7 @@ TEST(FlowingWater, LosesToDragWhatDragTakes) {
     const Energy energy = simulation.energy();
     EXPECT_GT(energy.pic, 0.01 * energy.external_work);
     EXPECT_NEAR(energy.drag, 0.0, 0.01 * energy.pic);
+    EXPECT_NEAR(energy.transfer, energy.pic, 0.25 * energy.pic);
     EXPECT_NEAR(energy.residual(), 0.0, 1e-3 * energy.external_work);
 }
 

@@ -119,6 +119,32 @@ TEST_P(WetSurface, LetsNoWaterThrough) {
     }
 }
 
+// In a single cell, whose lower nodes hold grains and let water out, in steps of the same length.
+TEST(WetSurfaces, OfACellThatDrainsMoveAlikeUnderEitherPressure) {
+    const auto pressed = [](bool implicit) {
+        const Column column{
+            .cells = 1,
+            .conductivity = 1e-3,
+            .cfl = 0.1 * (implicit ? std::sqrt(Column::E / Column::rho_d / Column::sum()) : 1.0),
+            .drained_bottom = true,
+            .implicit = implicit};
+        BuiltCase built = build_case(under_a_piston(column, true));
+        Simulation& simulation = *built.simulation;
+        std::vector<double> out;
+        for (const double t : {0.005, 0.01, 0.015, 0.02, 0.03}) {
+            while (simulation.time() < t) simulation.step();
+            out.push_back(pore_pressures(simulation, 1)[0]);
+        }
+        const Energy energy = simulation.energy();
+        EXPECT_NEAR(energy.residual(), 0.0, 1e-6 * energy.rigid_work);
+        return out;
+    };
+    const std::vector<double> are = pressed(true), expected = pressed(false);
+    EXPECT_GT(expected[1], 5e3);
+    for (std::size_t i = 0; i < are.size(); ++i)
+        EXPECT_NEAR(are[i], expected[i], 0.015 * expected[1]) << i;
+}
+
 // Drawn back, the piston pulls at nothing: the sand is left alone and drains; pressed again, it bears again.
 TEST_P(WetSurface, LeavesAndComesBack) {
     for (const double k : {0.0, 1e-4}) {

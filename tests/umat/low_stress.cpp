@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "support/random.hpp"
+#include "support/states.hpp"
 #include "support/update.hpp"
 
 using namespace tests;
@@ -286,6 +287,26 @@ TEST(LowStress, DeviatorOutsideTheConeIsScaledBackAndFlagged) {
     grit_sand_invariants_of(sand, point.stress, point.state, &i);
     EXPECT_LT(i.tan_psi, std::sqrt(2.0));
     EXPECT_NEAR(pressure(point), 100.0, 1e-2);
+}
+
+const double deviator_at_limit = 0.999 * std::sqrt(2.0 / 3.0);  // tan psi = 0.999 sqrt 2
+
+// Before anything is done with it.
+TEST(LowStress, DeviatorOutsideTheConeGoesOnAsTheOneItIsScaledTo) {
+    Random random(98);
+    for (const Sand& sand : four_sands())
+        for (int i = 0; i < 20; ++i) {
+            const double p = 100.0 * sand.p.granulate_hardness / 1e6;
+            const Vec n = deviatoric_direction(2.0 * M_PI * random.uniform(0.0, 1.0));
+            const Vec dE = 1e-4 * random.direction();
+            const double e = void_ratios(sand, p).e_c;
+            const State there{stress_with(p, deviator_at_limit, n), Vec::Zero(), e};
+            const State far{stress_with(p, deviator_at_limit * random.uniform(1.01, 1.5), n),
+                            Vec::Zero(), e};
+            const State as_there = updated(sand, there, dE, options_with(1e-9));
+            const State as_far = updated(sand, far, dE, options_with(1e-9));
+            EXPECT_LE((as_far.T - as_there.T).norm(), 1e-7 * as_there.T.norm());
+        }
 }
 
 TEST(LowStress, ClosedStrainCyclesFromNothingNeverGiveEnergy) {

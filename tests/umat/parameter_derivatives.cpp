@@ -364,9 +364,12 @@ struct Refusal {
     Voigt strain = voigt_strain(1e-4 * principal(-1.0, 0.0, 0.0));
     grit_sand_options options = options_with();
 
+    int evaluations = 0;
+
     std::string text() {
         const Differentiated before = x;
         const Outcome out = update(sand, x, strain.data(), parameters, {}, options);
+        evaluations = out.report.evaluations;
         EXPECT_NE(out.status, GRIT_OK);
         EXPECT_TRUE(same_bits(x.point, before.point));
         EXPECT_EQ(std::memcmp(x.slopes.data(), before.slopes.data(), 28 * sizeof(double)), 0);
@@ -418,6 +421,10 @@ TEST(ParameterDerivatives, RefuseWhatMakesNoSense) {
     expect("point 0: |strain increment| must be at most", [](Refusal& r) { r.strain[0] = 0.5; });
     expect("point 0: the derivatives of the increment of 0.0001 are not finite",
            [](Refusal& r) { r.x.slopes(2, 1) = 1.7e308, r.x.slopes(1, 1) = 1.7e308; });
+    Refusal late;
+    late.x.slopes(2, 1) = late.x.slopes(1, 1) = 1.7e308;
+    late.text();
+    EXPECT_GT(late.evaluations, 1);  // the work that found it
 }
 
 TEST(ParameterDerivatives, ReadAndWriteNothingBesideTheirViews) {
@@ -459,6 +466,18 @@ TEST(ParameterDerivatives, ReadAndWriteNothingBesideTheirViews) {
     d.stress = grit_mutable_matrix_view_of(stress.data() + n, 1, columns * n, n);
     d.state = grit_mutable_matrix_view_of(state.data() + n, 1, columns * n, n);
     const grit_sand_options options = options_with();
+    grit_sand_options checked = options;
+    checked.validate_only = 1;
+    grit_sand_report reports[2];
+    for (grit_sand_report& each : reports) each.status = each.evaluations = -7;
+    const std::vector<double> before = stress;
+    ASSERT_EQ(grit_sand_update_differentiated(sand, &checked, &d, 2, &q, reports, nullptr),
+              GRIT_OK);
+    EXPECT_EQ(stress, before);
+    for (const grit_sand_report& each : reports) {
+        EXPECT_EQ(each.status, GRIT_OK);
+        EXPECT_EQ(each.evaluations, 0);
+    }
     ASSERT_EQ(grit_sand_update_differentiated(sand, &options, &d, 2, &q, nullptr, nullptr),
               GRIT_OK);
     for (const int i : {0, 2}) {

@@ -7,63 +7,43 @@
 
 #include <grit/grit.h>
 
+#include "robustness/contact_many_trials.hpp"
+#include "robustness/contact_node.hpp"
 #include "robustness/layout.hpp"
 #include "robustness/program_text.hpp"
 #include "robustness/vec.hpp"
 
 namespace robustness {
+namespace contact {
 namespace {
-
-enum Count { nodes, inactive, open, stick, slip, sprung, refused, of_many, many_not_converged };
-enum Largest {
-    momentum_error,
-    energy_gain,
-    friction_excess,
-    approach_left,
-    spring_energy_gain,
-    spring_error,
-    swap_error,
-    galilei_error,
-    turn_error,
-    many_momentum,
-    many_energy,
-    many_work
-};
-enum Rule {
-    finite,
-    untouched,
-    open_untouched,
-    same_bits,
-    known_status,
-    keeps_momentum,
-    gains_no_energy,
-    obeys_coulomb,
-    pushes_only,
-    closes_as_told,
-    spring_gains_no_energy,
-    spring_as_told,
-    does_not_see_names,
-    does_not_see_common_velocity,
-    turns_along,
-    many_keeps_momentum,
-    many_gains_no_energy,
-    rigid_stays,
-    many_takes_work,
-    many_of_two_is_pair
-};
 
 const Vocabulary words = {
     {"nodes corrected alone", "with one body", "open", "sticking", "slipping",
-     "pressed by a spring", "refused", "nodes of more bodies", "of these, squeezed"},
-    {"momentum error over momentum", "energy gained over that of the relative motion",
-     "friction above Coulomb's, over m_r |w|", "approach left beside (1 - f_p) of it, over |w|",
+     "pressed by a spring", "refused", "in another state with a common velocity",
+     "in another state when turned", "nodes of more bodies", "of these, refused",
+     "of these, squeezed", "of these, squeezed by fewer than two rigid ones",
+     "of these, pressed and settled", "of these, settled without the friction asked for",
+     "squeezed in other words only", "at another end of sweeps in other words"},
+    {"momentum error over momentum",
+     "energy gained over that of the relative motion",
+     "friction above Coulomb's, over m_r |w|",
+     "approach left beside (1 - f_p) of it, over |w|",
      "energy gained with that of a spring, over both",
      "impulse of a spring beside (C9), over its terms",
-     "difference with bodies exchanged, over velocities",
-     "difference with a common velocity, over velocities",
-     "difference when turned, over velocities", "momentum error of more bodies",
+     "difference with bodies exchanged, over (1 + mu) velocities",
+     "difference with a common velocity, over (1 + mu) velocities",
+     "difference when turned, over (1 + mu) velocities",
+     "momentum error of more bodies",
      "energy gained by more bodies, over that of relative motion",
-     "work of impulses beside rigid bodies given, over its terms"},
+     "work of impulses beside rigid bodies given, over its terms",
+     "velocity that impulses of more bodies do not explain, over all on its way",
+     "friction of more bodies above Coulomb's, over m_r times velocities",
+     "approach left by more bodies beyond a tenth of the largest, over velocities",
+     "normal impulse of more bodies beside (C7) and tolerance, over velocities",
+     "friction of more bodies beside (C7) and tolerance, over velocities",
+     "more bodies exchanged: difference over tolerance",
+     "more bodies with a common velocity: difference over tolerance",
+     "more bodies turned: difference over tolerance"},
     {"results are finite",
      "a refused node keeps its bits",
      "an open node keeps its bits",
@@ -83,24 +63,25 @@ const Vocabulary words = {
      "energy of more bodies does not grow by 1e-12",
      "a rigid body keeps its bits among many",
      "impulses beside rigid bodies give no more work than 1e-12 of its terms",
-     "two bodies among many are a pair, to the bit"}};
-
-struct Node {
-    double m_a = 0.0, m_b = 0.0, distance = 0.0, cell = 1.0, gap = 0.0, area = 0.0, pore = 0.0;
-    Vec normal{}, v_a{}, v_b{};
-    grit_contact_report report{};
-
-    double m_r() const { return m_a / (m_a + m_b) * m_b; }
-    Vec w() const { return plus(v_a, -1.0, v_b); }
-};
-
-struct Call {
-    grit_contact_options options;
-    bool gap = false, area = false, pore = false;
-};
+     "reported impulses of more bodies explain their velocities to 1e-13",
+     "a pair of more bodies that is apart has no impulse",
+     "normal impulses of more bodies press",
+     "friction of more bodies stays within Coulomb's limit to 1e-13 (1 + mu / 100)",
+     "more bodies leave no more than a tenth of the largest approach",
+     "settled normal impulses are those of pairs that the others leave, (C7)",
+     "settled friction is that of pairs that the others leave, (C7)",
+     "bodies are squeezed by two rigid ones only, with a sweep tolerance from 1e-6",
+     "bodies may have any numbers, to the bit",
+     "more bodies exchanged, without friction in any order, give the same",
+     "a common velocity of more bodies is not seen",
+     "more bodies turn along",
+     "two bodies among many are a pair, to the bit",
+     "a batch of more bodies gives the bits of single calls, whatever its strides",
+     "nothing is written between the velocities of more bodies",
+     "an error of more bodies names the first bad node",
+     "sums of more bodies are those of single calls to the bit, and of reports"}};
 
 constexpr int longest_batch = 31;
-constexpr double smallest_number = 1e-290;  // below, numbers have fewer digits
 
 Call random_call(Random& random) {
     Call call;
@@ -127,6 +108,8 @@ Call random_call(Random& random) {
     }
     return call;
 }
+
+}  // namespace
 
 Node random_node(Random& random, const Call& call) {
     Node x;
@@ -179,6 +162,8 @@ Node random_node(Random& random, const Call& call) {
     return x;
 }
 
+namespace {
+
 grit_contact_nodes views_of(const Call& call, Node& x) {
     grit_contact_nodes q{};
     q.struct_size = sizeof q;
@@ -195,10 +180,14 @@ grit_contact_nodes views_of(const Call& call, Node& x) {
     return q;
 }
 
+}  // namespace
+
 void correct(const Call& call, Node& x) {
     const grit_contact_nodes q = views_of(call, x);
     grit_contact_correct(&call.options, 1, &q, &x.report, nullptr, nullptr);
 }
+
+namespace {
 
 void correct_together(Random& random, const Call& call, std::vector<Node>& all) {
     const auto n = static_cast<std::ptrdiff_t>(all.size());
@@ -256,6 +245,8 @@ void correct_together(Random& random, const Call& call, std::vector<Node>& all) 
 
 bool same_motion(const Node& a, const Node& b) { return same(a.v_a, b.v_a) && same(a.v_b, b.v_b); }
 
+}  // namespace
+
 std::string program_of(const Call& call, const Node& x) {
     const grit_contact_options& o = call.options;
     const double scalars[] = {x.m_a, x.m_b, x.distance, x.cell, x.gap, x.area, x.pore};
@@ -293,20 +284,56 @@ std::string program_of(const Call& call, const Node& x) {
            "    for (int c = 0; c < 3; ++c) printf(\"%.17g %.17g\\n\", a[c], b[c]);\n}\n";
 }
 
-// (C9), both sides times 1 - f_p, over m_r: spring and dashpot, implicit.
+namespace {}  // namespace
+
+Vec impulse_of(const grit_contact_report& r) { return {r.impulse[0], r.impulse[1], r.impulse[2]}; }
+
+double reduced_mass(const Call& call, const Node& x) {
+    switch (call.options.rigid) {
+        case GRIT_CONTACT_A_RIGID: return x.m_b;
+        case GRIT_CONTACT_B_RIGID: return x.m_a;
+        default: return x.m_r();
+    }
+}
+
+double friction_excess_of(const Call& call, const Node& x, const grit_contact_report& r,
+                          double size) {
+    const grit_contact_options& o = call.options;
+    const Vec J = impulse_of(r), share = {J[0] / size, J[1] / size, J[2] / size};
+    const double J_n = dot(share, x.normal), J_t = norm(plus(share, -J_n, x.normal));
+    const double rubs = std::max(0.0, J_n - (call.pore ? x.pore / size : 0.0));
+    const double sticks =
+        o.adhesion > 0.0 ? r.penalty_factor * o.adhesion * x.area * o.time_step / size : 0.0;
+    const double limit = o.friction_coefficient * rubs + sticks;
+    return (J_t - limit) / (1.0 + limit);
+}
+
+double stiffness_of(const Call& call, const Node& x, double m_r) {
+    const double dt = call.options.time_step;
+    return call.options.contact_stiffness * x.area * dt / m_r * dt;
+}
+
+// (C9): both sides times 1 - f_p: spring and dashpot, implicit.
+Answer answer_of(const Call& call, const Node& x, double f, double m_r) {
+    const grit_contact_options& o = call.options;
+    if (o.contact_stiffness == 0.0) return {f, 0.0};
+    const double dt = o.time_step, part = o.relaxation_time > 0.0 ? dt / o.relaxation_time : 1.0,
+                 stiff = stiffness_of(call, x, m_r), overlap = std::max(-x.gap, 0.0);
+    const double whole = 1.0 - f + f * part + (1.0 - f) * stiff;
+    return {(f * part + (1.0 - f) * stiff) / whole, (1.0 - f) * stiff * (overlap / dt) / whole};
+}
+
+namespace {
+
 void judge_spring(const Call& call, const Node& x, const Node& y, double m_r, double J_n,
                   Findings& out) {
-    const grit_contact_options& o = call.options;
-    const double dt = o.time_step, f = y.report.penalty_factor,
-                 part = o.relaxation_time > 0.0 ? dt / o.relaxation_time : 1.0,
-                 stiff = o.contact_stiffness * x.area * dt / m_r * dt,
-                 overlap = std::max(-x.gap, 0.0), w_n = dot(x.w(), x.normal);
-    if (!(stiff < 1e100 && stiff > 1e-100)) return;
+    const double stiff = stiffness_of(call, x, m_r), dt = call.options.time_step,
+                 overlap = std::max(-x.gap, 0.0);
+    if (!measurable(stiff)) return;
     const auto program = [&] { return program_of(call, x); };
     out.count(sprung);
-    const double whole = 1.0 - f + f * part + (1.0 - f) * stiff;
-    const double pushed = (1.0 - f) * stiff * (overlap / dt) / whole,
-                 taken = (f * part + (1.0 - f) * stiff) / whole * w_n;
+    const Answer answer = answer_of(call, x, y.report.penalty_factor, m_r);
+    const double pushed = answer.pushed, taken = answer.share * dot(x.w(), x.normal);
     const double speeds = norm(x.v_a) + norm(x.v_b);
     const double error =
         std::fabs(J_n / m_r - taken - pushed) / (pushed + std::fabs(taken) + speeds);
@@ -343,14 +370,12 @@ void judge(const Call& call, const Node& x, const Node& y, Findings& out) {
         out.demand(open_untouched, same_motion(x, y), program);
         return;
     }
-    const Vec J = {r.impulse[0], r.impulse[1], r.impulse[2]};
+    const Vec J = impulse_of(r);
     out.demand(finite, all_finite(y.v_a) && all_finite(y.v_b) && all_finite(J), program);
     const bool springs = call.options.contact_stiffness > 0.0;
     const double speeds = norm(x.v_a) + norm(x.v_b);
     if (speeds < smallest_number) return;
-    const double m_r = call.options.rigid == GRIT_CONTACT_A_RIGID   ? x.m_b
-                       : call.options.rigid == GRIT_CONTACT_B_RIGID ? x.m_a
-                                                                    : x.m_r();
+    const double m_r = reduced_mass(call, x);
     // A spring pushes bodies apart that had no relative velocity, and by less than their velocities show.
     const double before = springs ? norm(x.w()) + norm(y.w()) + norm(J) / m_r : norm(x.w());
     if (call.options.rigid == GRIT_CONTACT_NONE_RIGID) {
@@ -374,17 +399,11 @@ void judge(const Call& call, const Node& x, const Node& y, Findings& out) {
     // Impulses over m_r |w|, whose squares may be too small for numbers.
     const double size = m_r * before, w_n = dot(x.w(), x.normal);
     if (!(size > smallest_number)) return;
-    const Vec share = {J[0] / size, J[1] / size, J[2] / size};
-    const double J_n = dot(share, x.normal), J_t = norm(plus(share, -J_n, x.normal));
-    out.demand(pushes_only, J_n >= -1e-14, program);
-    const double rubs = std::max(0.0, J_n - (call.pore ? x.pore / size : 0.0));
-    const grit_contact_options& o = call.options;
-    const double limit = o.friction_coefficient * rubs +
-                         (o.adhesion > 0.0 ? o.adhesion * x.area * o.time_step / size : 0.0);
-    const double excess = (J_t - limit) / (1.0 + limit);
+    out.demand(pushes_only, dot(J, x.normal) >= -1e-14 * size, program);
+    const double excess = friction_excess_of(call, x, r, size);
     // A normal is as long as it is told to be, and the limit takes the roundoff of J_n times mu.
     const double stretched = std::fabs(dot(x.normal, x.normal) - 1.0),
-                 rough = 1.0 + 0.01 * o.friction_coefficient;
+                 rough = 1.0 + 0.01 * call.options.friction_coefficient;
     out.measure(friction_excess, excess / rough - roundoff - stretched);
     out.demand(obeys_coulomb, excess <= (1e-13 + stretched) * rough + 4.0 * roundoff, program);
     if (call.options.relaxation_time == 0.0 && !springs) {
@@ -421,7 +440,14 @@ void judge_in_other_words(const Call& call, const Node& x, const Node& y, Random
     out.demand(does_not_see_names,
                exchanged.report.state == y.report.state && swapped <= 1e-14 * rough, program);
 
-    // Roundoff of a common velocity may decide between what is close: opening, sticking, slipping.
+    // Roundoff may decide between what is close: opening, sticking, slipping. Velocities do not jump there, but
+    // where adhesion begins: next to nothing presses then.
+    const double J_n = dot(impulse_of(y.report), x.normal) / reduced_mass(call, x);
+    const auto stays = [&](const Node& z, Count edge, double difference, double least) {
+        if (z.report.state != y.report.state) out.count(edge);
+        const bool jumps = call.options.adhesion > 0.0 && z.report.state <= GRIT_CONTACT_OPEN;
+        return jumps ? J_n <= least * (speeds + norm(z.v_a)) : difference <= least * rough;
+    };
     Node moving = x;
     const double speed = std::min(speeds, 10.0 * norm(x.w()));
     Vec common = random_vector(random, call.options.components);
@@ -429,170 +455,18 @@ void judge_in_other_words(const Call& call, const Node& x, const Node& y, Random
     moving.v_a = plus(moving.v_a, 1.0, common);
     moving.v_b = plus(moving.v_b, 1.0, common);
     correct(call, moving);
-    if (moving.report.state == y.report.state) {
-        const double seen =
-            apart(y, plus(moving.v_a, -1.0, common), plus(moving.v_b, -1.0, common)) /
-            (speeds + norm(common));
-        out.measure(galilei_error, seen);
-        out.demand(does_not_see_common_velocity, seen <= 1e-14 * rough, program);
-    }
+    const double seen = apart(y, plus(moving.v_a, -1.0, common), plus(moving.v_b, -1.0, common)) /
+                        (speeds + norm(common));
+    out.measure(galilei_error, seen / rough);
+    out.demand(does_not_see_common_velocity, stays(moving, moved_to_edge, seen, 1e-14), program);
 
     const double angle = random.uniform(0.0, 6.283185307179586);
     Node aside = x;
     for (Vec* each : {&aside.normal, &aside.v_a, &aside.v_b}) *each = turned(*each, angle);
     correct(call, aside);
-    if (aside.report.state != y.report.state) return;
     const double off = apart(aside, turned(y.v_a, angle), turned(y.v_b, angle)) / speeds;
-    out.measure(turn_error, off);
-    out.demand(turns_along, off <= 1e-13 * rough, program);
-}
-
-// Two to five bodies at a node, up to two of them rigid, in pairs of random normals.
-void try_many(const Call& call, Random& random, Findings& out) {
-    const int count = 2 + random.below(4), c = call.options.components;
-    std::vector<double> mass(static_cast<std::size_t>(count));
-    std::vector<Vec> velocity(mass.size()), before;
-    const double scale = random.log_uniform(1e-20, 1e20), speed = random.log_uniform(1e-9, 1e6);
-    for (std::size_t i = 0; i < mass.size(); ++i) {
-        mass[i] = scale * random.log_uniform(1e-4, 1e4);
-        velocity[i] = random_vector(random, c);
-        for (double& each : velocity[i]) each *= speed;
-    }
-    before = velocity;
-    const int rigid = random.below(4) ? 0 : 1 + random.below(2);  // the first ones
-    grit_contact_options options = call.options;
-    options.mass_tolerance = 0.0;
-    std::vector<Node> between;
-    std::vector<grit_contact_pair> pairs;
-    for (int a = 0; a < count; ++a)
-        for (int b = std::max(a + 1, rigid); b < count; ++b)
-            if (count == 2 || random.below(3)) {
-                between.push_back(random_node(random, call));
-                Node& x = between.back();
-                x.normal = unit(random_vector(random, c));
-                x.cell = 1.0;
-                x.distance = random.uniform(-0.5, 1.2);
-                x.gap = random.uniform(-1.0, 0.5);
-                x.area = random.log_uniform(1e-6, 1.0);
-                x.pore = 0.0;
-                grit_contact_pair pair{};
-                pair.struct_size = sizeof pair;
-                pair.a = a;
-                pair.b = b;
-                pairs.push_back(pair);
-            }
-    if (pairs.empty()) return;
-    grit_contact_options beside_rigid = options;
-    options.rigid = GRIT_CONTACT_NONE_RIGID;
-    beside_rigid.rigid = GRIT_CONTACT_A_RIGID;
-    for (std::size_t k = 0; k < pairs.size(); ++k) {
-        Node& x = between[k];
-        pairs[k].options = pairs[k].a < rigid ? &beside_rigid : &options;
-        pairs[k].normal = grit_view_of(x.normal.data(), 3, 1);
-        pairs[k].distance = grit_view_of(&x.distance, 1, 1);
-        pairs[k].cell_size = grit_view_of(&x.cell, 1, 1);
-        if (call.gap) pairs[k].gap = grit_view_of(&x.gap, 1, 1);
-        if (call.area) pairs[k].contact_area = grit_view_of(&x.area, 1, 1);
-        if (call.pore) pairs[k].pore_impulse = grit_view_of(&x.pore, 1, 1);
-    }
-    std::vector<grit_view> masses;
-    std::vector<grit_mutable_view> velocities;
-    for (std::size_t i = 0; i < mass.size(); ++i) {
-        masses.push_back(grit_view_of(&mass[i], 1, 1));
-        velocities.push_back(grit_mutable_view_of(velocity[i].data(), 3, 1));
-    }
-    grit_contact_bodies bodies{};
-    bodies.struct_size = sizeof bodies;
-    bodies.components = c;
-    bodies.count = count;
-    bodies.mass = masses.data();
-    bodies.velocity = velocities.data();
-    bodies.instruction_set = options.instruction_set;
-    std::vector<grit_contact_report> reports(pairs.size());
-    const grit_status status = grit_contact_correct_many(
-        &bodies, static_cast<int>(pairs.size()), pairs.data(), 1, reports.data(), nullptr, nullptr);
-    out.count(of_many);
-    Node pair = between.front();
-    pair.m_a = mass[0];
-    pair.m_b = mass[1];
-    pair.v_a = before[0];
-    pair.v_b = before[1];
-    const auto program = [&] {
-        std::string text = program_of(call, pair) + "/* bodies:";
-        for (std::size_t i = 0; i < mass.size(); ++i)
-            text += (static_cast<int>(i) < rigid ? " rigid m " : " m ") + number_text(mass[i]) +
-                    " v " + numbers(before[i].data(), 3);
-        for (std::size_t k = 0; k < pairs.size(); ++k)
-            text += " pair " + std::to_string(pairs[k].a) + '-' + std::to_string(pairs[k].b) +
-                    " n " + numbers(between[k].normal.data(), 3) + " s " +
-                    number_text(between[k].distance) + " gap " + number_text(between[k].gap) +
-                    " area " + number_text(between[k].area);
-        return text + " */\n";
-    };
-    if (status != GRIT_OK) {
-        out.count(many_not_converged);
-        bool kept = true;
-        for (std::size_t i = 0; i < mass.size(); ++i) kept = kept && same(velocity[i], before[i]);
-        out.demand(untouched, kept, program);
-        return;
-    }
-    double error = 0.0, size = 0.0, energy_before = 0.0, energy_after = 0.0;
-    Vec centre{};
-    double total = 0.0;
-    for (std::size_t i = 0; i < mass.size(); ++i) {
-        total += mass[i];
-        centre = plus(centre, mass[i], before[i]);
-    }
-    for (double& each : centre) each /= total;
-    for (std::size_t d = 0; d < 3; ++d) {
-        double sum = 0.0;
-        for (std::size_t i = 0; i < mass.size(); ++i) {
-            sum += mass[i] * (velocity[i][d] - before[i][d]);
-            size += mass[i] * (std::fabs(velocity[i][d]) + std::fabs(before[i][d]));
-        }
-        error += std::fabs(sum);
-    }
-    for (const grit_contact_report& r : reports)  // springs may press against each other
-        size += norm({r.impulse[0], r.impulse[1], r.impulse[2]});
-    for (std::size_t i = 0; i < mass.size(); ++i) {
-        const Vec old = plus(before[i], -1.0, centre), now = plus(velocity[i], -1.0, centre);
-        energy_before += 0.5 * mass[i] * dot(old, old);
-        energy_after += 0.5 * mass[i] * dot(now, now);
-    }
-    for (int i = 0; i < rigid; ++i)
-        out.demand(rigid_stays,
-                   same(velocity[static_cast<std::size_t>(i)], before[static_cast<std::size_t>(i)]),
-                   program);
-    if (rigid == 0) {
-        out.measure(many_momentum, error / size);
-        out.demand(many_keeps_momentum, error <= 1e-14 * size, program);
-    }
-    if (options.contact_stiffness == 0.0 && rigid > 0) {
-        double given = 0.0, terms = 0.0;
-        for (std::size_t k = 0; k < pairs.size(); ++k) {
-            const auto a = static_cast<std::size_t>(pairs[k].a),
-                       b = static_cast<std::size_t>(pairs[k].b);
-            for (std::size_t d = 0; d < 3; ++d) {
-                const double J = reports[k].impulse[d];
-                given -= J * (before[a][d] - before[b][d] + velocity[a][d] - velocity[b][d]);
-                terms += std::fabs(J) * (std::fabs(before[a][d]) + std::fabs(before[b][d]) +
-                                         std::fabs(velocity[a][d]) + std::fabs(velocity[b][d]));
-            }
-        }
-        if (terms > 0.0) out.measure(many_work, given / terms);
-        out.demand(many_takes_work, given <= 1e-12 * terms, program);
-    }
-    if (options.contact_stiffness == 0.0 && rigid == 0) {
-        const double gain = energy_after / energy_before - 1.0;
-        out.measure(many_energy, gain);
-        out.demand(many_gains_no_energy, gain <= 1e-12, program);
-    }
-    if (count != 2) return;
-    Call alone = call;
-    alone.options = rigid ? beside_rigid : options;
-    correct(alone, pair);
-    out.demand(many_of_two_is_pair, same(pair.v_a, velocity[0]) && same(pair.v_b, velocity[1]),
-               program);
+    out.measure(turn_error, off / rough);
+    out.demand(turns_along, stays(aside, turned_to_edge, off, 1e-13), program);
 }
 
 void run_contact(Random& random, long cases, Findings& out) {
@@ -627,7 +501,8 @@ void run_contact(Random& random, long cases, Findings& out) {
 }
 
 }  // namespace
+}  // namespace contact
 
-Kind contact_trials() { return {"contact", words, 1000000, run_contact}; }
+Kind contact_trials() { return {"contact", contact::words, 1000000, contact::run_contact}; }
 
 }  // namespace robustness

@@ -466,8 +466,7 @@ void run_derivatives(Random& random, long cases, Findings& out) {
             out.demand(same_bits,
                        same(y.point, together[i].point) &&
                            same_columns(y.along, together[i].along) &&
-                           y.point.report.status == together[i].point.report.status &&
-                           y.point.report.evaluations == together[i].point.report.evaluations,
+                           same_report(y.point, together[i].point),
                        [&] { return program_of(call, x); });
             if (was_done && random.below(8) == 0) try_alone(call, x, y, random, out);
             if (was_done && random.below(16) == 0) compare_tangent(call, x.point, out);

@@ -38,6 +38,15 @@ class Layout {
     void get(std::ptrdiff_t i, double* values) const {
         for (std::ptrdiff_t c = 0; c < count; ++c) values[c] = first[i * point + c * each];
     }
+    std::ptrdiff_t components() const { return count; }
+    // Is all 0, as at first, but the numbers of these points?
+    bool blank_but(const std::vector<std::ptrdiff_t>& points) const {
+        std::vector<double> rest = memory;
+        for (const std::ptrdiff_t i : points)
+            for (std::ptrdiff_t c = 0; c < count; ++c)
+                rest[static_cast<std::size_t>(first - memory.data() + i * point + c * each)] = 0.0;
+        return std::all_of(rest.begin(), rest.end(), [](double x) { return x == 0.0; });
+    }
     grit_view in() const { return grit_view_of(first, point, each); }
     grit_mutable_view out() const { return grit_mutable_view_of(first, point, each); }
     grit_mutable_matrix_view matrix(std::ptrdiff_t size) const {

@@ -208,6 +208,10 @@ bool same(const Point& a, const Point& b) {
            std::memcmp(&a.substep, &b.substep, sizeof a.substep) == 0;
 }
 
+bool same_report(const Point& a, const Point& b) {
+    return std::memcmp(&a.report, &b.report, sizeof a.report) == 0;
+}
+
 bool is_rotation(const double* Q) {
     for (int r = 0; r < 3; ++r)
         for (int c = 0; c < 3; ++c) {

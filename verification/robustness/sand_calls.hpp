@@ -33,6 +33,7 @@ grit_sand_points views_of(const Call& call, Point& x);
 
 // The same stress, state, tangent and substep, to the bit.
 bool same(const Point& a, const Point& b);
+bool same_report(const Point& a, const Point& b);
 
 bool with_memory(const Call& call);
 double norm_of_stress(const double* T);

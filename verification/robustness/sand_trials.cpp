@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <optional>
 #include <vector>
 
@@ -266,10 +265,12 @@ void judge(const Call& call, const Point& before, const Point& after, Findings& 
 // too many steps is on its way if most calls of its last tenth were done: stresses of some sands change by their size within
 // 1e-9 of strain, where e_c/e is taken to a high power.
 void follow_advice(const Call& call, const Point& before, const Point& failed, Findings& out) {
-    if (call.options.evaluation_limit < 2000 || call.options.tolerance < 1e-8) return;
+    constexpr int evaluations = 2000;  // of a call, of which 100 000 take seconds then
+    if (call.options.evaluation_limit < evaluations || call.options.tolerance < 1e-8) return;
     out.count(retried);
     Point x = before;
     Call part = call;
+    part.options.evaluation_limit = evaluations;
     bool is_out_of_states = false;
     double left = 1.0, share = std::clamp(failed.report.step_reduction, 1e-6, 0.9);
     int steps = 0, done_late = 0;
@@ -531,10 +532,7 @@ void run_sand(Random& random, long cases, Findings& out) {
             const auto program = [&] { return program_of(call, x); };
             out.count(published, call.of_catalogue ? 1 : 0);
             judge(call, x, y, out);
-            out.demand(same_bits,
-                       same(y, together[i]) &&
-                           std::memcmp(&y.report, &together[i].report, sizeof y.report) == 0,
-                       program);
+            out.demand(same_bits, same(y, together[i]) && same_report(y, together[i]), program);
             if (y.report.status == GRIT_NOT_CONVERGED && random.below(64) == 0)
                 follow_advice(call, x, y, out);
             if (y.report.status != GRIT_OK) continue;

@@ -235,9 +235,7 @@ void run_undrained(Random& random, long cases, Findings& out) {
             judge(call, water, before[i], alone[i], out);
             out.demand(same_bits,
                        same(alone[i].sand, together[i].sand) && same_water(alone[i], together[i]) &&
-                           alone[i].sand.report.status == together[i].sand.report.status &&
-                           alone[i].sand.report.flags == together[i].sand.report.flags &&
-                           alone[i].sand.report.evaluations == together[i].sand.report.evaluations,
+                           same_report(alone[i].sand, together[i].sand),
                        [&] { return program_of(call, water, before[i]); });
         }
         tried += static_cast<long>(n);
