@@ -293,7 +293,7 @@ std::vector<Meeting> meetings_of(const ManyCall& call, const Many& x, const Many
     return meetings;
 }
 
-// Of all pairs that are active, and of springs as if they were one.
+// Of all pairs that are active; of springs what they give.
 double largest_approach(const ManyCall& call, const Many& x, const std::vector<Meeting>& meetings) {
     double largest = 0.0;
     for (std::size_t k = 0; k < x.between.size(); ++k) {
@@ -303,7 +303,7 @@ double largest_approach(const ManyCall& call, const Many& x, const std::vector<M
     }
     for (const Meeting& m : meetings)
         largest = std::max(largest,
-                           dot(m.before.w(), m.before.normal) + m.answer.pushed / m.answer.share);
+                           m.answer.share * dot(m.before.w(), m.before.normal) + m.answer.pushed);
     return largest;
 }
 
