@@ -66,7 +66,7 @@ inline double error_of(const NormalSystem& s) {
     return largest;
 }
 
-// Lawson & Hanson's active-set method. False if it ends without a solution within the tolerance.
+// Lawson & Hanson's active-set method. False if it ends without a solution within the tolerance [velocity].
 inline bool solve_by_sets(NormalSystem& s, double tolerance) {
     bool set[most_pairs] = {};
     double J[most_pairs] = {};

@@ -263,6 +263,29 @@ TEST(ManyBodies, StopSweepingWhenAsked) {
     EXPECT_NE(std::memcmp(&stopped.node[0], &tight.node[0], sizeof loose.node[0]), 0);
 }
 
+// Friction that holds a pair in its approach is left out.
+TEST(ManyBodies, LeaveNoMoreThanATenthOfTheLargestApproachHoweverTheyRub) {
+    BodiesAtNodes bodies(4, 3000, 79, 2);
+    for (auto& o : bodies.options) {
+        o.law = GRIT_CONTACT_FRICTIONAL;
+        o.friction_coefficient = 5.0;
+    }
+    const auto approach = [&](std::size_t i, std::size_t p) {
+        const auto& x = bodies.node[i];
+        const auto a = static_cast<std::size_t>(bodies.who[p].first);
+        const auto b = static_cast<std::size_t>(bodies.who[p].second);
+        return dot(x.v[a] - x.v[b], x.n[p]);
+    };
+    std::vector<double> largest(bodies.node.size(), 0.0);
+    for (std::size_t i = 0; i < largest.size(); ++i)
+        for (std::size_t p = 0; p < bodies.who.size(); ++p)
+            largest[i] = std::max(largest[i], approach(i, p));
+    ASSERT_EQ(bodies.correct(), GRIT_OK) << bodies.error.message;
+    for (std::size_t i = 0; i < largest.size(); ++i)
+        for (std::size_t p = 0; p < bodies.who.size(); ++p)
+            EXPECT_LE(approach(i, p), 0.1 * largest[i] + 1e-12) << i << ' ' << p;
+}
+
 // Of a soft spring overlap / dt is no velocity that is small against others.
 TEST(ManyBodies, OnSoftSpringsSweepUntilTheirVelocitiesSettle) {
     const auto settled = [](double tolerance) {

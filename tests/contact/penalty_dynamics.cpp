@@ -53,6 +53,12 @@ struct Oscillator {
     }
 };
 
+TEST(PenaltyStep, IsAsLongAsSoftSpringsAllow) {
+    EXPECT_NEAR(stable_step({1.0}, {0.0}, {2.0}, {2e-3}), 2.0 / std::sqrt(1e-3), 1e-12);
+    EXPECT_NEAR(stable_step({4.0, 1.0}, {4e-5, 1e-6}, {2.0}, {4e-5}), 2.0 / std::sqrt(3e-5), 1e-10);
+    EXPECT_EQ(stable_step({1.0}, {0.0}, {}, {}), infinite);
+}
+
 TEST(PenaltyStep, IsTheLargestStableOneOfAMassOnAWall) {
     EXPECT_NEAR(Oscillator().step_of_s5(), 2.0 * std::sqrt(2.0 / eps), 1e-12);
     for (const double factor : {0.5, 0.99}) {

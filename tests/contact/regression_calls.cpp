@@ -75,6 +75,18 @@ TEST(RegressionCall, GivesTheSameBitsFromAnotherNumberingStrideAndWorkspace) {
         for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(normal[c * nodes + i], x.normal[3 * i + c]);
 }
 
+TEST(RegressionCall, TakesWeightsUpToTheirLimits) {
+    for (const double weight : {1e-100, 1e100}) {
+        Clouds x(2, clouds(2)), ones(2, clouds(2));
+        std::fill(x.weight.begin(), x.weight.end(), weight);
+        std::fill(ones.weight.begin(), ones.weight.end(), 1.0);
+        ASSERT_EQ(ones.regress(ones.views()), GRIT_OK);
+        ASSERT_EQ(x.regress(x.views()), GRIT_OK);
+        for (std::size_t i = 0; i < x.normal.size(); ++i)
+            EXPECT_NEAR(x.normal[i], ones.normal[i], 1e-9);
+    }
+}
+
 TEST(RegressionCall, TakesTheNodesOfAnIndexListAndNoOthers) {
     Clouds all(2, clouds(2)), some(2, clouds(2));
     all.fixed[4] = some.fixed[4] = GRIT_CONTACT_FIXED_1;

@@ -165,4 +165,9 @@ TEST(FreeEdges, OfNothingAreNoneAndOfBadDomainsRefused) {
     EXPECT_STREQ(d.error.message, "tolerance must be in (0, 0.5], got 0.6");
 }
 
+TEST(FreeEdges, OfNoDomainsTakeMemoryToo) {
+    EXPECT_GT(grit_surface_find_free_workspace_size(0), 0U);
+    EXPECT_EQ(grit_surface_find_free_workspace_size(-1), 0U);
+}
+
 }  // namespace

@@ -312,6 +312,11 @@ TEST(SurfacePairs, SayHowMuchMemoryTheyNeed) {
     EXPECT_EQ(grit_surface_correct_pairs(nullptr, 2, workspace.data(), 4096, nullptr, &error),
               GRIT_BAD_CALL);
     EXPECT_EQ(grit_surface_pairs_workspace_size(nullptr, 2), 0U);
+    error.point = 7;
+    EXPECT_EQ(grit_surface_correct_pairs(given.data(), 2, workspace.data(), 4096, &needed, &error),
+              GRIT_BAD_CALL);
+    EXPECT_EQ(error.point, -1);  // of no facet
+    EXPECT_NE(std::strstr(error.message, "workspace of 4096 bytes is too small"), nullptr);
     std::size_t of_each = 0;
     for (const grit_surface_pair& pair : given)
         of_each += grit_surface_workspace_size(pair.a, pair.b);
