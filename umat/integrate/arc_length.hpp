@@ -64,7 +64,6 @@ constexpr int most_panels = 60;  // 4^-60
 template <class Real>
 GRIT_INLINE Real arc_length(const MaterialOf<Real>& m, const Course<Real>& course, const Real& q,
                             const Real& dq, const PlainOf<Real>& rho, const Panels& panels) {
-    if (!any(course.loading)) return m.R * dq;
     using Plain = PlainOf<Real>;
     Real panel = dq, coarse = dq * mean_J(m, course, q, dq), length = coarse;
     MaskOf<Real> open = course.loading;
