@@ -448,16 +448,12 @@ void judge_laws(const ManyCall& call, const Many& x, const Many& y, Findings& ou
         out.demand(many_normal_as_told, off <= 1e-13, program);
         if (!presses || frictionless) continue;
         const Vec& n = m.before.normal;
-        const grit_contact_options& o = m.call.options;
         const Vec w_t = plus(m.w, -dot(m.w, n), n),
                   u_t = plus({m.J[0] / m.m_r, m.J[1] / m.m_r, m.J[2] / m.m_r}, -m.u_n, n);
-        const double limit =
-            o.friction_coefficient *
-                std::max(0.0, m.u_n - (m.call.pore ? m.before.pore / m.m_r : 0.0)) +
-            m.report.penalty_factor * o.adhesion * m.before.area * o.time_step / m.m_r;
+        const double limit = coulomb_limit(m.call, m.before, m.report, m.u_n, m.m_r);
         const double part = std::min(1.0, limit / norm(w_t));
-        const double slip =
-            (norm(plus(u_t, -part, w_t)) - allowed) / m.rough / (1.0 + o.friction_coefficient);
+        const double slip = (norm(plus(u_t, -part, w_t)) - allowed) / m.rough /
+                            (1.0 + m.call.options.friction_coefficient);
         out.measure(many_friction_error, slip);
         out.demand(many_friction_as_told, slip <= 1e-13, program);
     }

@@ -114,6 +114,9 @@ struct Answer {
 
 Vec impulse_of(const grit_contact_report& r);
 double reduced_mass(const Call& call, const Node& x);  // m_r
+// Coulomb's limit of J_t where J_n presses, both over size: less what water bears, and with adhesion.
+double coulomb_limit(const Call& call, const Node& x, const grit_contact_report& r, double J_n,
+                     double size);
 // J_t beyond Coulomb's limit, both over size, as a share of 1 + the limit.
 double friction_excess_of(const Call& call, const Node& x, const grit_contact_report& r,
                           double size);

@@ -296,15 +296,20 @@ double reduced_mass(const Call& call, const Node& x) {
     }
 }
 
-double friction_excess_of(const Call& call, const Node& x, const grit_contact_report& r,
-                          double size) {
+double coulomb_limit(const Call& call, const Node& x, const grit_contact_report& r, double J_n,
+                     double size) {
     const grit_contact_options& o = call.options;
-    const Vec J = impulse_of(r), share = {J[0] / size, J[1] / size, J[2] / size};
-    const double J_n = dot(share, x.normal), J_t = norm(plus(share, -J_n, x.normal));
     const double rubs = std::max(0.0, J_n - (call.pore ? x.pore / size : 0.0));
     const double sticks =
         o.adhesion > 0.0 ? r.penalty_factor * o.adhesion * x.area * o.time_step / size : 0.0;
-    const double limit = o.friction_coefficient * rubs + sticks;
+    return o.friction_coefficient * rubs + sticks;
+}
+
+double friction_excess_of(const Call& call, const Node& x, const grit_contact_report& r,
+                          double size) {
+    const Vec J = impulse_of(r), share = {J[0] / size, J[1] / size, J[2] / size};
+    const double J_n = dot(share, x.normal), J_t = norm(plus(share, -J_n, x.normal));
+    const double limit = coulomb_limit(call, x, r, J_n, size);
     return (J_t - limit) / (1.0 + limit);
 }
 
