@@ -266,15 +266,22 @@ TEST_F(Fields, OfAKilledRunAreAllInAListThatIsWellFormed) {
     std::mt19937 random(23);
     std::size_t seen = 0;
     for (int trial = 0; trial < 60; ++trial) {
+        int times[2] = {-1, -1};  // a byte goes through for each time that is written
+        ASSERT_EQ(pipe(times), 0);
         const pid_t child = fork();
         if (child == 0) {
             cli::MpmFieldFiles files = files_of(here, fields);
-            for (;;) files.write();
+            do files.write();
+            while (write(times[1], "t", 1) == 1);
         }
-        while (!std::filesystem::exists(here.path("push.pvd"))) usleep(100);
-        usleep(static_cast<useconds_t>(random() % 20000));
+        close(times[1]);
+        char byte = 0;
+        for (unsigned long left = 1 + random() % 4; left > 0; --left)
+            ASSERT_EQ(read(times[0], &byte, 1), 1);
+        usleep(static_cast<useconds_t>(random() % 5000));
         kill(child, SIGKILL);
         waitpid(child, nullptr, 0);
+        close(times[0]);
         const Element list = read_xml(here.text("push.pvd"));
         const auto entries = list.all("DataSet");
         seen += entries.size();
@@ -286,7 +293,7 @@ TEST_F(Fields, OfAKilledRunAreAllInAListThatIsWellFormed) {
         std::filesystem::remove(here.path("push.pvd"));
         for (const std::string& file : here.files()) std::filesystem::remove(here.path(file));
     }
-    EXPECT_GT(seen, 0u);
+    EXPECT_GE(seen, 120u);
 }
 
 TEST_F(Fields, ThatFindNoRoomInTheListLeaveItWellFormed) {
