@@ -14,9 +14,9 @@ template <int C> struct NodePair {
     Shares<double> shares;
     Approach<double, C> x;
     Response<double, C> r;
-    Vector<double, C> u_t;        // tangential part of r.u
-    bool silent;                  // an allowed zero normal
-    Resistance<double> spring{};  // with contact_stiffness only
+    Vector<double, C> u_t;      // tangential part of r.u
+    bool silent;                // an allowed zero normal
+    Resistance<double> left{};  // (1 + yield) u_n = w_n + push, of (C5) too
 };
 
 // The bodies at one node, and the pairs between them.
@@ -51,37 +51,34 @@ template <int C> struct BodiesAtNode {
     bool sweep(double tolerance, int sweep_limit) {
         for (int body = 0; body < bodies; ++body) trial[body] = velocity[body];
         const double approach = assemble();
-        const double allowed = max(1e-6 * tolerance, 1e-13) * approach;  // what is less is roundoff
         if (!(approach > 0.0)) return true;
+        bool fits = true;
         double given = 0.0;  // by springs
         for (int s = 0; s < sweep_limit; ++s) {
-            const double pressed = press(allowed);
-            if (pressed < 0.0) return false;
+            const double pressed = press(approach, tolerance);
+            if (pressed < 0.0 && s == 0) return false;
+            fits = pressed >= 0.0;
+            if (!fits) break;
             if (s == 0 && has_springs) given = max(-loss().work, 0.0);
             if (max(pressed, rub()) <= tolerance * approach) break;
         }
         // Coulomb's law at several normals may have no solution, or one that gains energy: then friction
         // is left out.
         const Loss lost = loss();
-        if (lost.work + given >= -1e-15 * lost.size && consistent(approach)) return true;
-        for (int row = 0; row < system.count; ++row) {
+        if (fits && lost.work + given >= -1e-15 * lost.size && consistent(approach)) return true;
+        for (int row = 0; row < system.count(); ++row) {
             NodePair<C>& pair = pairs[pair_of[row]];
             pair.u_t = {};
             pair.r.u_t = 0.0;
             pair.r.slips = true;
         }
-        return press(allowed) >= 0.0;
+        return press(approach, tolerance) >= 0.0;
     }
 
     // Does every pair leave no more approach than it may, where the sweeps ended?
     bool consistent(double approach) const {
-        for (int row = 0; row < system.count; ++row) {
-            const NodePair<C>& pair = pairs[pair_of[row]];
-            const Velocity w = velocity[pair.a] - velocity[pair.b];
-            const double left =
-                pair.law.springs ? pair.r.w_n - pair.r.u_n : (1.0 - pair.r.f_p) * pair.r.w_n;
-            if (fused_dot(w, pair.x.n) > left + 0.1 * approach) return false;
-        }
+        for (int row = 0; row < system.count(); ++row)
+            if (remaining(pairs[pair_of[row]]) > 0.1 * approach) return false;
         return true;
     }
 
@@ -92,7 +89,7 @@ template <int C> struct BodiesAtNode {
     };
     Loss loss() const {
         Loss sum{0.0, 0.0};
-        for (int row = 0; row < system.count; ++row) {
+        for (int row = 0; row < system.count(); ++row) {
             const NodePair<C>& pair = pairs[pair_of[row]];
             for (int c = 0; c < C; ++c) {
                 const double J = pair.shares.m_r * pair.r.u[c];
@@ -106,81 +103,178 @@ template <int C> struct BodiesAtNode {
         return sum;
     }
 
-    // The pairs that can touch and the matrix of their normal impulses; the largest approach.
+    // The pairs that can touch and what their normal impulses do; the largest approach of these.
     double assemble() {
-        system.count = 0;
+        for (int body = 0; body < bodies; ++body) first[body] = -1;
+        system.begin();
         has_springs = false;
+        relative_speed = 0.0;
         double largest = 0.0;
         for (int p = 0; p < pair_count; ++p) {
             NodePair<C>& pair = pairs[p];
             if (!pair.shares.active || pair.silent) continue;
-            pair.x.w = velocity[pair.a] - velocity[pair.b];
-            const double approach = fused_dot(pair.x.w, pair.x.n);
-            largest = max(largest, approach);
             Approach<double, C> closing = pair.x;
             closing.w = pair.x.n;  // would it touch if it approached?
             pair.r = respond<double, C>(pair.law, pair.shares, closing);
             const bool near = pair.r.touches;
             pair.r.touches = false;
             if (!near) continue;
-            const int row = system.count++;
-            pair_of[row] = p;
-            for (int r = 0; r <= row; ++r)
-                system.M[row][r] = system.M[r][row] = coupling(p, pair_of[r]);
-            if (pair.law.springs) {
-                has_springs = true;
-                pair.spring = resistance(pair.law, pair.shares, pair.x, pair.r.f_p);
-                largest = max(largest, (approach + pair.spring.push) / (1.0 + pair.spring.yield));
-                system.M[row][row] += pair.spring.yield / pair.shares.m_r;
-            } else {
-                system.M[row][row] += (1.0 - pair.r.f_p) / (pair.r.f_p * pair.shares.m_r);
-            }
+            has_springs = has_springs || pair.law.springs;
+            pair.left = pair.law.springs ? resistance(pair.law, pair.shares, pair.x, pair.r.f_p)
+                                         : Resistance<double>{(1.0 - pair.r.f_p) / pair.r.f_p, 0.0};
+            if (pair.left.yield > 0.0) pair.left.yield = max(pair.left.yield, least_yield);
+            pair_of[system.count()] = p;
+            pair.x.n = normal_of(system.count());
+            pair.x.w = velocity[pair.a] - velocity[pair.b];
+            for (int c = 0; c < C; ++c) relative_speed = max(relative_speed, fabs(pair.x.w[c]));
+            const double approach = fused_dot(pair.x.w, pair.x.n);
+            largest = max(largest, pair.law.springs
+                                       ? (approach + pair.left.push) / (1.0 + pair.left.yield)
+                                       : approach);
+            double roundoff = 0.0;
+            for (const int body : {pair.a, pair.b})
+                for (int c = 0; c < C; ++c)
+                    roundoff = max(roundoff, 1e-15 * fabs(velocity[body][c]));
+            for (const int body : {pair.a, pair.b})
+                if (first[body] < 0) first[body] = system.add_body();
+            const int of_bodies[] = {first[pair.a], first[pair.b]};
+            const double shares[] = {pair.shares.a, pair.shares.b};
+            system.add(of_bodies, shares, pair.x.n, pair.shares.m_r, pair.left.yield, roundoff);
         }
         return largest;
     }
 
-    // What a normal impulse of pair s takes from the approach of pair p [1/mass].
-    double coupling(int p, int s) const {
-        const auto side = [](const NodePair<C>& pair, int body) {
-            return pair.a == body ? 1.0 : pair.b == body ? -1.0 : 0.0;
-        };
-        double sum = 0.0;
-        for (const int body : {pairs[p].a, pairs[p].b})
-            if (!rigid[body]) sum += side(pairs[p], body) * side(pairs[s], body) / mass[body];
-        return sum * fused_dot(pairs[p].x.n, pairs[s].x.n);
+    // Of a row, or that of one before from which it differs by roundoff of hosts: rows that nearly say the same would need
+    // impulses beyond all measure.
+    Velocity normal_of(int row) const {
+        constexpr double alike = 1e-6;
+        const Velocity& own = pairs[pair_of[row]].x.n;
+        for (int before = 0; before < row; ++before) {
+            const Velocity& n = pairs[pair_of[before]].x.n;
+            const double sign = fused_dot(n, own) < 0.0 ? -1.0 : 1.0;
+            const Velocity off = fused_sum(-sign, n, own);
+            if (fused_dot(off, off) < alike * alike) return fused_sum(sign, n, Velocity{});
+        }
+        return own;
+    }
+
+    // Of a pair's approach, what is more than its impulse may leave.
+    double remaining(const NodePair<C>& pair) const {
+        const double w_n = fused_dot(velocity[pair.a] - velocity[pair.b], pair.x.n);
+        const double left = pair.left.yield * pair.r.u_n, push = pair.left.push;
+        const double more = (w_n + push) - left;
+        return fabs(more) <= 1e-15 * (push + left) ? 0.0 : more;
     }
 
     // All normal impulses for the present friction, and both applied. The largest change, -1: none fits.
-    double press(double allowed) {
-        for (int body = 0; body < bodies; ++body) velocity[body] = trial[body];
-        for (int row = 0; row < system.count; ++row)
-            push(pairs[pair_of[row]], pairs[pair_of[row]].u_t, 1.0);
-        for (int row = 0; row < system.count; ++row) {
-            const NodePair<C>& pair = pairs[pair_of[row]];
-            system.b[row] = fused_dot(velocity[pair.a] - velocity[pair.b], pair.x.n);
-            if (pair.law.springs) system.b[row] += pair.spring.push;
+    double press(double approach, double tolerance) {
+        const double allowed = max(1e-6 * tolerance, 1e-13) * approach;
+        int rigid_ones = 0;
+        for (int body = 0; body < bodies; ++body) {
+            velocity[body] = trial[body];
+            rigid_ones += rigid[body];
         }
-        if (!solve_normals(system, allowed)) return -1.0;
-        double change = 0.0;
-        for (int row = 0; row < system.count; ++row) {
+        double b[most_pairs] = {}, before[most_pairs] = {};
+        for (int row = 0; row < system.count(); ++row)
+            push(pairs[pair_of[row]], pairs[pair_of[row]].u_t, 1.0);
+        for (int row = 0; row < system.count(); ++row) {
             NodePair<C>& pair = pairs[pair_of[row]];
-            const double u_n = system.J[row] / pair.shares.m_r;
-            change = max(change, fabs(u_n - pair.r.u_n));
-            pair.r.u_n = u_n;
-            // What the others leave, (C5) or (C9).
-            pair.r.w_n = pair.law.springs ? (1.0 + pair.spring.yield) * u_n - pair.spring.push
-                                          : u_n / pair.r.f_p;
+            before[row] = pair.r.u_n;
+            pair.r.u_n = 0.0;
+            b[row] = remaining(pair);
+        }
+        Velocity rubbed[most_bodies];
+        for (int body = 0; body < bodies; ++body) rubbed[body] = velocity[body];
+        if (!system.solve(b, allowed, rigid_ones < 2)) return -1.0;
+        apply();
+        refine(allowed);
+        if (rigid_ones > 1 && fastest_change(rubbed) > most_speed * max(approach, relative_speed))
+            return -1.0;
+        double change = 0.0;
+        for (int row = 0; row < system.count(); ++row) {
+            NodePair<C>& pair = pairs[pair_of[row]];
+            const double u_n = pair.r.u_n;
+            change = max(change, fabs(u_n - before[row]));
+            pair.r.w_n = (1.0 + pair.left.yield) * u_n - pair.left.push;  // what the others leave
             pair.r.touches = u_n > 0.0;
-            push(pair, pair.x.n, u_n);
             for (int c = 0; c < C; ++c) pair.r.u[c] = fma(u_n, pair.x.n[c], pair.u_t[c]);
         }
         return change;
+    }
+    // By impulses, which keep momentum; but light bodies between heavy ones, whose velocities would be roundoff of these, by
+    // what the system knows of them.
+    void apply() {
+        double load[most_bodies] = {};  // of all impulses
+        for (int row = 0; row < system.count(); ++row) {
+            const NodePair<C>& pair = pairs[pair_of[row]];
+            load[pair.a] += pair.shares.m_r * system.u(row);
+            load[pair.b] += pair.shares.m_r * system.u(row);
+        }
+        Velocity known[most_bodies];
+        bool light[most_bodies] = {};
+        for (int body = 0; body < bodies; ++body) {
+            if (first[body] < 0 || rigid[body]) continue;
+            const double root = sqrt(mass[body]);
+            light[body] = load[body] > root * system.change_in_all();
+            for (int c = 0; c < C; ++c)
+                known[body][c] = velocity[body][c] + system.change_of(first[body] + c) / root;
+        }
+        for (int row = 0; row < system.count(); ++row) press_more(row, system.u(row));
+        for (int body = 0; body < bodies; ++body)
+            if (light[body]) velocity[body] = known[body];
+    }
+    void press_more(int row, double u_n) {
+        NodePair<C>& pair = pairs[pair_of[row]];
+        pair.r.u_n += u_n;
+        push(pair, pair.x.n, u_n);
+    }
+    // Takes the roundoff of approaches back, as long as there is less of it.
+    void refine(double allowed) {
+        constexpr int most_rounds = 8;
+        double b[most_pairs] = {}, more[most_pairs] = {};
+        double largest = largest_remaining(b);
+        for (int round = 0; round < most_rounds && !is_enough(b, allowed); ++round) {
+            Velocity before[most_bodies];
+            for (int body = 0; body < bodies; ++body) before[body] = velocity[body];
+            system.add_for(b, more);
+            for (int row = 0; row < system.count(); ++row)
+                if (pairs[pair_of[row]].r.u_n + more[row] < 0.0) return;
+            for (int row = 0; row < system.count(); ++row) press_more(row, more[row]);
+            const double last = largest;
+            largest = largest_remaining(b);
+            if (largest < last) continue;
+            for (int body = 0; body < bodies; ++body) velocity[body] = before[body];
+            for (int row = 0; row < system.count(); ++row) pairs[pair_of[row]].r.u_n -= more[row];
+            return;
+        }
+    }
+    // Of pairs that press; b of all.
+    double largest_remaining(double* b) const {
+        double largest = 0.0;
+        for (int row = 0; row < system.count(); ++row) {
+            b[row] = remaining(pairs[pair_of[row]]);
+            if (system.presses(row)) largest = max(largest, fabs(b[row]));
+        }
+        return largest;
+    }
+    bool is_enough(const double* b, double allowed) const {
+        for (int row = 0; row < system.count(); ++row)
+            if (system.presses(row) && fabs(b[row]) > system.allowed(row, allowed)) return false;
+        return true;
+    }
+    // Of bodies, along an axis.
+    double fastest_change(const Velocity* before) const {
+        double fastest = 0.0;
+        for (int body = 0; body < bodies; ++body)
+            for (int c = 0; c < C; ++c)
+                fastest = max(fastest, fabs(velocity[body][c] - before[body][c]));
+        return fastest;
     }
 
     // Friction of one pair after the other; the largest change.
     double rub() {
         double change = 0.0;
-        for (int row = 0; row < system.count; ++row) {
+        for (int row = 0; row < system.count(); ++row) {
             NodePair<C>& pair = pairs[pair_of[row]];
             push(pair, pair.u_t, -1.0);
             const Velocity w = velocity[pair.a] - velocity[pair.b];
@@ -211,9 +305,16 @@ template <int C> struct BodiesAtNode {
         }
     }
 
+    // What rigid bodies press out faster, by their speed, has no way out.
+    static constexpr double most_speed = 1e4;
+    // Bodies in a ring may press each other by a spring that nothing else gives way to.
+    static constexpr double least_yield = 1e-20;
+
     Velocity trial[most_bodies];
-    NormalSystem system;
+    NormalSystem<C> system;
     bool has_springs = false;
+    double relative_speed;    // the largest of pairs that can touch, along an axis
+    int first[most_bodies];   // entry of a body in the system; -1: none
     int pair_of[most_pairs];  // row of the system
 };
 

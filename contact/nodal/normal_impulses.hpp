@@ -1,131 +1,299 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The normal impulses of several pairs at one node together: (A + D) J = b, J >= 0, where b are the
-// approach velocities, A J what the impulses take from them, and D = (1 - f_p)/(f_p m_r) J what (C5)
-// leaves. Solved pair by pair the impulses of a light body between heavy ones need as many sweeps as the
-// masses differ; here it is one small linear system per set of pairs that touch.
+// The normal impulses of several pairs at one node together: b - M u - yield u <= 0, with equality where u > 0, u >= 0; b are
+// approach velocities, u = J / m_r, M u what the impulses take from the approaches, yield u what (C5) or (C9) leave.
+// Solved pair by pair the impulses of a light body between heavy ones need as many sweeps as the masses differ.
+//
+// That is the point nearest to the velocities, each times the root of its mass, in which no pair approaches faster than it may.
+// It is found by the dual method of Goldfarb & Idnani (1983), with an orthonormal basis of what the pressing pairs do: M itself
+// would hold the heavier of two bodies in the last digits of the lighter one's entry.
 #pragma once
 
 #include "contact/nodal/request.hpp"
 #include "support/number.hpp"
+#include "support/pack.hpp"
+#include "support/vector.hpp"
 
 GRIT_KERNEL_BEGIN
 
-struct NormalSystem {
-    int count;
-    double M[most_pairs][most_pairs];  // A + D, symmetric, positive semi-definite
-    double b[most_pairs];
-    double J[most_pairs];
-
-    // b - M J of a row, less what roundoff makes of it.
-    double excess(int row) const {
-        double r = b[row], size = fabs(b[row]);
-        for (int c = 0; c < count; ++c) {
-            r -= M[row][c] * J[c];
-            size += fabs(M[row][c] * J[c]);
+template <int C> class NormalSystem {
+  public:
+    void begin() { pairs = pressing = entries = 0; }
+    // The first of its entries.
+    int add_body() {
+        const int first_entry = entries;
+        entries += C;
+        return first_entry;
+    }
+    // A pair of bodies, by their first entries, its normal and the roundoff of its approach [velocity]. A body's velocity, times
+    // the root of its mass, changes by -+ sqrt(share) n per J / sqrt(m_r).
+    void add(const int bodies[2], const double share[2], const Vector<double, C>& n, double m_r,
+             double yield, double of_approach) {
+        double* direction = directions[pairs];
+        for (double& e : directions[pairs]) e = 0.0;
+        for (int side = 0; side < 2; ++side) {
+            const double size = side == 0 ? sqrt(share[0]) : -sqrt(share[1]);
+            first[pairs][side] = bodies[side];
+            for (int c = 0; c < C; ++c) direction[bodies[side] + c] = size * n[c];
         }
-        return fabs(r) <= 1e-14 * size ? 0.0 : r;
-    }
-};
-
-// J of the pairs in the set, zero elsewhere, by Cholesky. A pair that the others hold already gets none.
-inline void solve_set(NormalSystem& s, const bool set[most_pairs]) {
-    int row_of[most_pairs], n = 0;
-    for (int i = 0; i < s.count; ++i) {
-        s.J[i] = 0.0;
-        if (set[i]) row_of[n++] = i;
-    }
-    double L[most_pairs][most_pairs], y[most_pairs];
-    bool held[most_pairs];
-    for (int r = 0; r < n; ++r) {
-        y[r] = s.b[row_of[r]];
-        for (int c = 0; c <= r; ++c) {
-            double x = s.M[row_of[r]][row_of[c]];
-            for (int k = 0; k < c; ++k) x -= L[r][k] * L[c][k];
-            if (c < r) L[r][c] = held[c] ? 0.0 : x / L[c][c];
-            else {
-                held[r] = !(x > 1e-12 * s.M[row_of[r]][row_of[r]]);
-                L[r][r] = held[r] ? 1.0 : sqrt(x);
-            }
+        spring[pairs] = -1;
+        if (yield > 0.0) {
+            spring[pairs] = entries++;
+            direction[spring[pairs]] = sqrt(yield);
         }
-        for (int k = 0; k < r; ++k) y[r] -= L[r][k] * y[k];
-        y[r] = held[r] ? 0.0 : y[r] / L[r][r];
+        is_pressing[pairs] = false;
+        root[pairs] = sqrt(m_r);
+        roundoff[pairs++] = of_approach;
     }
-    for (int r = n - 1; r >= 0; --r) {
-        if (held[r]) continue;
-        for (int k = r + 1; k < n; ++k) y[r] -= L[k][r] * y[k];
-        y[r] /= L[r][r];
-        s.J[row_of[r]] = y[r];
+    int count() const { return pairs; }
+
+    // The impulses u for approaches b. False if there are none that leave no more than the tolerance [velocity]. Where a
+    // solution must be, as no two bodies are rigid, what is left for want of digits is left.
+    bool solve(const double* b, double tolerance, bool must_be) {
+        approach = b;
+        begin_again();
+        bool left[most_pairs] = {};
+        int steps = 0;
+        for (int p = worst(tolerance, left); p >= 0; p = worst(tolerance, left)) {
+            const Set before = set();
+            if (take_in(p, steps)) continue;
+            if (!must_be) return false;
+            restore(before);
+            if (steps >= most_steps) break;
+            left[p] = true;
+        }
+        explain();
+        return true;
     }
-}
+    // What may be left of a pair's approach.
+    double allowed(int p, double tolerance) const { return max(tolerance, roundoff[p]); }
+    // Of a pair, J / m_r.
+    double u(int p) const { return impulse[p] / root[p]; }
+    // What u has to become more so that the pairs that press take what is left of their approaches [velocity].
+    void add_for(const double* of_approach, double* u_more) const {
+        double y[most_pairs], more[most_pairs] = {};
+        answer(of_approach, y, more);
+        for (int p = 0; p < pairs; ++p) u_more[p] = more[p] / root[p];
+    }
+    // Of an entry of velocities times root of mass, what all impulses change, and the length of all changes.
+    double change_of(int entry) const { return change[entry]; }
+    double change_in_all() const { return sqrt(dot(change, change)); }
+    bool presses(int p) const { return is_pressing[p]; }
 
-// By how much an approach is more than J takes, or less where it presses [velocity].
-inline double error_of(const NormalSystem& s) {
-    double largest = 0.0;
-    for (int i = 0; i < s.count; ++i)
-        largest = max(largest, s.J[i] > 0.0 ? fabs(s.excess(i)) : s.excess(i));
-    return largest;
-}
+  private:
+    using Lanes = typename VectorTypes<native_lanes>::RealInPlace;
+    static constexpr int most_entries = (C * most_bodies + most_pairs + 7) / 8 * 8;
+    static constexpr std::size_t alignment = 64;
+    static constexpr int most_steps = 8 * most_pairs;
+    // Between a direction and those that press: what is less is roundoff.
+    static constexpr double least_sine = 1e-12;
 
-// Lawson & Hanson's active-set method. False if it ends without a solution within the tolerance [velocity].
-inline bool solve_by_sets(NormalSystem& s, double tolerance) {
-    bool set[most_pairs] = {};
-    double J[most_pairs] = {};
-    for (int step = 0; step < 3 * most_pairs; ++step) {
+    struct Set {
+        int pressing;
+        int pair_of[most_pairs];
+        double impulse[most_pairs];
+    };
+    Set set() const {
+        Set now{pressing, {}, {}};
+        for (int c = 0; c < pressing; ++c) now.pair_of[c] = pair_of[c];
+        for (int p = 0; p < pairs; ++p) now.impulse[p] = impulse[p];
+        return now;
+    }
+    void restore(const Set& before) {
+        begin_again();
+        for (int c = 0; c < before.pressing; ++c) append(before.pair_of[c]);
+        settle();
+    }
+    void begin_again() {
+        pressing = 0;
+        for (int p = 0; p < pairs; ++p) is_pressing[p] = false;
+        clear();
+    }
+    void clear() {
+        for (int p = 0; p < pairs; ++p) impulse[p] = 0.0;
+        for (int k = 0; k < packs(); ++k) lanes(change)[k] = Lanes{};
+    }
+
+    // In lanes; entries that are not used are zeros.
+    int packs() const { return (entries + native_lanes - 1) / native_lanes; }
+    static const Lanes* lanes(const double* a) { return reinterpret_cast<const Lanes*>(a); }
+    static Lanes* lanes(double* a) { return reinterpret_cast<Lanes*>(a); }
+    double dot(const double* a, const double* b) const {
+        Pack<native_lanes> sum(0.0);
+        for (int k = 0; k < packs(); ++k) sum = sum + Pack<native_lanes>(lanes(a)[k] * lanes(b)[k]);
+        double all = sum[0];
+        for (int lane = 1; lane < native_lanes; ++lane) all += sum[lane];
+        return all;
+    }
+    void copy(const double* from, double* to) const {
+        for (int k = 0; k < packs(); ++k) lanes(to)[k] = lanes(from)[k];
+    }
+    void add_times(double times, const double* x, double* to) const {
+        for (int k = 0; k < packs(); ++k) lanes(to)[k] += times * lanes(x)[k];
+    }
+    double excess(int p) const {
+        double sum = 0.0;
+        for (const int begin : first[p])
+            for (int c = 0; c < C; ++c) sum = fma(directions[p][begin + c], change[begin + c], sum);
+        if (spring[p] >= 0) sum = fma(directions[p][spring[p]], change[spring[p]], sum);
+        return approach[p] + sum / root[p];
+    }
+
+    // The pair with the largest excess, -1: none.
+    int worst(double tolerance, const bool* left) const {
         int worst = -1;
-        for (int i = 0; i < s.count; ++i) s.J[i] = J[i];
-        double largest = tolerance;
-        for (int i = 0; i < s.count; ++i)
-            if (const double excess = s.excess(i); !set[i] && excess > largest) {
-                largest = excess;
-                worst = i;
+        double largest = 0.0;
+        for (int p = 0; p < pairs; ++p) {
+            if (left[p] || presses(p)) continue;
+            if (const double of_pair = excess(p); of_pair > max(largest, allowed(p, tolerance))) {
+                largest = of_pair;
+                worst = p;
             }
-        if (worst < 0) break;
-        set[worst] = true;
-        for (;;) {  // towards the solution of the set, as far as all stay >= 0
-            solve_set(s, set);
-            double part = 1.0;
-            int leaving = -1;
-            for (int i = 0; i < s.count; ++i)
-                if (set[i] && s.J[i] <= 0.0 && J[i] / (J[i] - s.J[i]) < part) {
-                    part = J[i] / (J[i] - s.J[i]);
-                    leaving = i;
-                }
-            for (int i = 0; i < s.count; ++i) J[i] += part * (s.J[i] - J[i]);
-            if (leaving < 0) break;
-            set[leaving] = false;
-            J[leaving] = 0.0;
         }
+        return worst;
     }
-    for (int i = 0; i < s.count; ++i) s.J[i] = J[i];
-    return error_of(s) <= 2.0 * tolerance;
-}
 
-// Rows that nearly say the same may send the sets round in circles: then by the proximal point method, (M + D) J' = b + D J
-// with a small share D of the diagonal, which tells them apart. Where bodies are squeezed J grows by b/D a step, far beyond
-// what parts others. False if there is no solution within the tolerance, or what roundoff makes of it.
-inline bool solve_normals(NormalSystem& s, double tolerance) {
-    if (solve_by_sets(s, tolerance)) return true;
-    constexpr double share = 3e-12, roundoff = 3e-15, most = 4e9;
-    constexpr int most_steps = 20;
-    NormalSystem apart = s;
-    double largest = 0.0;
-    for (int i = 0; i < s.count; ++i) {
-        apart.M[i][i] *= 1.0 + share;
-        largest = max(largest, s.b[i]);
-        s.J[i] = 0.0;
-    }
-    for (int step = 0; step < most_steps; ++step) {
-        for (int i = 0; i < s.count; ++i) apart.b[i] = s.b[i] + share * s.M[i][i] * s.J[i];
-        solve_by_sets(apart, tolerance);
-        double size = 0.0;
-        for (int i = 0; i < s.count; ++i) {
-            s.J[i] = apart.J[i];
-            size = max(size, s.M[i][i] * s.J[i]);
+    // What a direction has of those of the basis, and beside them; where little is left of it twice, as once leaves roundoff of
+    // the basis.
+    struct Parts {
+        alignas(alignment) double beside[most_entries];
+        double share[most_pairs];
+        double length2;  // of beside
+        bool independent;
+    };
+    void split(int p, Parts& of) const {
+        copy(directions[p], of.beside);
+        for (int c = 0; c < pressing; ++c) of.share[c] = 0.0;
+        const double all = dot(of.beside, of.beside);
+        of.length2 = all;
+        for (int time = 0; time < 2 && (time == 0 || of.length2 < 0.25 * all); ++time) {
+            for (int c = 0; c < pressing; ++c) {
+                const double more = dot(basis[c], of.beside);
+                of.share[c] += more;
+                add_times(-more, basis[c], of.beside);
+            }
+            of.length2 = dot(of.beside, of.beside);
         }
-        if (size > most * largest) return false;
-        if (error_of(s) <= max(2.0 * tolerance, roundoff * size)) return true;
+        of.independent = of.length2 > least_sine * least_sine * all;
     }
-    return false;
-}
+    void append(int p, const Parts& of) {
+        const double length = sqrt(of.length2);
+        for (int c = 0; c < pressing; ++c) factor[pressing][c] = of.share[c];
+        factor[pressing][pressing] = length;
+        for (int k = 0; k < packs(); ++k) lanes(basis[pressing])[k] = lanes(of.beside)[k] / length;
+        is_pressing[p] = true;
+        pair_of[pressing++] = p;
+    }
+    void append(int p) {
+        Parts of;
+        split(p, of);
+        append(p, of);
+    }
+    void remove(int place) {
+        const int all = pressing;
+        is_pressing[pair_of[place]] = false;
+        pressing = place;
+        for (int c = place + 1; c < all; ++c) append(pair_of[c]);
+    }
+    // x of R x = y, R the factors' columns.
+    void solve_upper(double* x) const {
+        for (int c = pressing - 1; c >= 0; --c) {
+            for (int k = c + 1; k < pressing; ++k) x[c] -= factor[k][c] * x[k];
+            x[c] /= factor[c][c];
+        }
+    }
+    // y of R^T y = approaches, and the impulses R^-1 y of the pairs that press.
+    void answer(const double* of_approach, double* y, double* impulse_of_pair) const {
+        double x[most_pairs];
+        for (int c = 0; c < pressing; ++c) {
+            y[c] = root[pair_of[c]] * of_approach[pair_of[c]];
+            for (int k = 0; k < c; ++k) y[c] -= factor[c][k] * y[k];
+            x[c] = y[c] /= factor[c][c];
+        }
+        solve_upper(x);
+        for (int c = 0; c < pressing; ++c) impulse_of_pair[pair_of[c]] = x[c];
+    }
+    // Impulses and change of the pairs that press, from nothing but these. Roundoff may have let one in that pulls.
+    void settle() {
+        double y[most_pairs];
+        for (int pulling = 0; pulling >= 0;) {
+            clear();
+            answer(approach, y, impulse);
+            pulling = -1;
+            for (int c = 0; c < pressing; ++c)
+                if (impulse[pair_of[c]] < (pulling < 0 ? 0.0 : impulse[pair_of[pulling]]))
+                    pulling = c;
+            if (pulling >= 0) remove(pulling);
+        }
+        for (int c = 0; c < pressing; ++c) add_times(-y[c], basis[c], change);
+    }
+
+    // Impulses that do what is changed, as far as they have digits.
+    void explain() {
+        alignas(alignment) double off[most_entries];
+        double more[most_pairs];
+        copy(change, off);
+        for (int c = 0; c < pressing; ++c)
+            add_times(impulse[pair_of[c]], directions[pair_of[c]], off);
+        for (int c = 0; c < pressing; ++c) more[c] = -dot(basis[c], off);
+        solve_upper(more);
+        for (int c = 0; c < pressing; ++c)
+            if (impulse[pair_of[c]] + more[c] < 0.0) return;
+        for (int c = 0; c < pressing; ++c) impulse[pair_of[c]] += more[c];
+    }
+
+    // Lets a pair press, and those be that pull then. False if the impulses grow for ever, or steps do.
+    bool take_in(int p, int& steps) {
+        for (; steps < most_steps; ++steps) {
+            Parts of;
+            split(p, of);
+            double gives_way[most_pairs];  // impulses by that of p
+            for (int c = 0; c < pressing; ++c) gives_way[c] = of.share[c];
+            solve_upper(gives_way);
+            double noise = 0.0;  // where they press against each other alone
+            for (int c = 0; c < pressing && !of.independent; ++c)
+                noise = max(noise, 1e-9 * fabs(gives_way[c]));
+            double least = infinity;
+            int leaving = -1;
+            for (int c = 0; c < pressing; ++c)
+                if (gives_way[c] > noise && impulse[pair_of[c]] < least * gives_way[c]) {
+                    least = impulse[pair_of[c]] / gives_way[c];
+                    leaving = c;
+                }
+            if (leaving < 0 && !of.independent) return false;
+            const double full =
+                of.independent ? max(root[p] * excess(p), 0.0) / of.length2 : infinity;
+            if (full <= least) {
+                append(p, of);
+                settle();
+                ++steps;
+                return true;
+            }
+            for (int c = 0; c < pressing; ++c) impulse[pair_of[c]] -= least * gives_way[c];
+            impulse[p] += least;
+            if (of.independent) add_times(-least, of.beside, change);
+            impulse[pair_of[leaving]] = 0.0;
+            remove(leaving);
+        }
+        return false;
+    }
+
+    static constexpr double infinity = __builtin_huge_val();
+    int pairs, entries;        // in the order in which bodies and springs come
+    int first[most_pairs][2];  // entries of A and B
+    int spring[most_pairs];    // entry, -1: none
+    alignas(alignment) double directions[most_pairs][most_entries];
+    double root[most_pairs];           // of m_r
+    double roundoff[most_pairs];       // of approaches
+    const double* approach = nullptr;  // of pairs [velocity]
+    double impulse[most_pairs];        // J / sqrt(m_r)
+    // Of velocities times root of mass; of what springs yield.
+    alignas(alignment) double change[most_entries];
+    // Those that press: directions = basis R.
+    int pressing;
+    bool is_pressing[most_pairs];
+    int pair_of[most_pairs];
+    alignas(alignment) double basis[most_pairs][most_entries];
+    double factor[most_pairs][most_pairs];  // a column of R after the other
+};
 
 GRIT_KERNEL_END

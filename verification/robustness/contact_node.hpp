@@ -24,7 +24,6 @@ enum Count {
     of_many,
     many_refused,
     many_not_converged,
-    many_stuck,
     many_settled,
     many_without_friction,
     many_else_squeezed,
