@@ -240,6 +240,16 @@ bool same_reports(const Many& x, const Many& y) {
     return std::equal(x.between.begin(), x.between.end(), y.between.begin(), same_of);
 }
 
+bool same_states(const Many& x, const Many& y) {
+    const auto count_of = [](const Many& all, int state) {
+        return std::count_if(all.between.begin(), all.between.end(),
+                             [&](const Node& each) { return each.report.state == state; });
+    };
+    for (const int state : {GRIT_CONTACT_OPEN, GRIT_CONTACT_STICK, GRIT_CONTACT_SLIP})
+        if (count_of(x, state) != count_of(y, state)) return false;
+    return true;
+}
+
 bool same_motion(const Many& x, const Many& y) {
     return std::equal(x.velocity.begin(), x.velocity.end(), y.velocity.begin(), same);
 }
@@ -472,6 +482,8 @@ bool settled(const ManyCall& call, const Many& x, const Many& y) {
 
 // (C7): does each pair's impulse answer to the velocities that the others leave?
 void judge_laws(const ManyCall& call, const Many& x, const Many& y, Findings& out) {
+    // A spring that presses around a ring of one normal finds nothing that gives way: impulses of 1e20 times the velocities.
+    if (x.parallel && call.call.options.contact_stiffness > 0.0) return out.count(many_in_rings);
     const auto program = [&] { return program_of(call, x); };
     const std::vector<Meeting> meetings = meetings_of(call, x, y);
     const double approach = largest_approach(meetings);
@@ -619,6 +631,9 @@ void judge_in_other_words(const ManyCall& call, const Many& x, const Many& y, Ra
             out.demand(many_squeezed_by_rigid, may_be_squeezed(call, x), program);
             return out.count(many_else_squeezed);
         }
+        // Where adhesion and suction begin velocities jump.
+        const bool jumps = call.call.options.adhesion > 0.0 || call.call.pore;
+        if (jumps && !same_states(y, seen)) return out.count(many_else_ended);
         const double off = beyond(call, x, y, seen, common);
         if (off > 1e-12) out.count(many_else_ended);
         if (call.call.options.friction_coefficient > 1.0) return;

@@ -26,6 +26,7 @@ enum Count {
     many_not_converged,
     many_settled,
     many_without_friction,
+    many_in_rings,
     many_else_squeezed,
     many_else_ended
 };
