@@ -60,7 +60,7 @@ template <int C> struct BodiesAtNode {
             fits = pressed >= 0.0;
             if (!fits) break;
             if (s == 0 && has_springs) given = max(-loss().work, 0.0);
-            if (max(pressed, rub()) <= tolerance * approach) break;
+            if (max(pressed, rub()) <= tolerance * approach || !rubs) break;
         }
         // Coulomb's law at several normals may have no solution, or one that gains energy: then friction
         // is left out.
@@ -72,13 +72,14 @@ template <int C> struct BodiesAtNode {
             pair.r.u_t = 0.0;
             pair.r.slips = true;
         }
-        return press(approach, tolerance) >= 0.0;
+        return press(approach, tolerance) >= 0.0 && consistent(approach);
     }
 
     // Does every pair leave no more approach than it may, where the sweeps ended?
     bool consistent(double approach) const {
         for (int row = 0; row < system.count(); ++row)
-            if (remaining(pairs[pair_of[row]]) > 0.1 * approach) return false;
+            if (remaining(pairs[pair_of[row]]) > 0.1 * approach + 10.0 * system.allowed(row, 0.0))
+                return false;
         return true;
     }
 
@@ -107,7 +108,7 @@ template <int C> struct BodiesAtNode {
     double assemble() {
         for (int body = 0; body < bodies; ++body) first[body] = -1;
         system.begin();
-        has_springs = false;
+        has_springs = rubs = false;
         relative_speed = 0.0;
         double largest = 0.0;
         for (int p = 0; p < pair_count; ++p) {
@@ -118,7 +119,9 @@ template <int C> struct BodiesAtNode {
             pair.r = respond<double, C>(pair.law, pair.shares, closing);
             const bool near = pair.r.touches;
             pair.r.touches = false;
+            pair.r.u_n = 0.0;
             if (!near) continue;
+            rubs = rubs || !pair.law.frictionless;
             has_springs = has_springs || pair.law.springs;
             pair.left = pair.law.springs ? resistance(pair.law, pair.shares, pair.x, pair.r.f_p)
                                          : Resistance<double>{(1.0 - pair.r.f_p) / pair.r.f_p, 0.0};
@@ -131,7 +134,7 @@ template <int C> struct BodiesAtNode {
             largest = max(largest, pair.law.springs
                                        ? (approach + pair.left.push) / (1.0 + pair.left.yield)
                                        : approach);
-            double roundoff = 0.0;
+            double roundoff = 1e-300;  // below, numbers have fewer digits
             for (const int body : {pair.a, pair.b})
                 for (int c = 0; c < C; ++c)
                     roundoff = max(roundoff, 1e-15 * fabs(velocity[body][c]));
@@ -141,7 +144,26 @@ template <int C> struct BodiesAtNode {
             const double shares[] = {pair.shares.a, pair.shares.b};
             system.add(of_bodies, shares, pair.x.n, pair.shares.m_r, pair.left.yield, roundoff);
         }
+        look_for_rigid_ones();
         return largest;
+    }
+
+    // Do two of those that can touch move differently? What is free, in all.
+    void look_for_rigid_ones() {
+        may_squeeze = false;
+        free_mass = 0.0;
+        int known = -1;
+        for (int body = 0; body < bodies; ++body) {
+            if (first[body] < 0) continue;
+            if (!rigid[body]) {
+                free_mass += mass[body];
+            } else if (known < 0) {
+                known = body;
+            } else {
+                for (int c = 0; c < C; ++c)
+                    may_squeeze = may_squeeze || velocity[body][c] != velocity[known][c];
+            }
+        }
     }
 
     // Of a row, or that of one before from which it differs by roundoff of hosts: rows that nearly say the same would need
@@ -169,11 +191,7 @@ template <int C> struct BodiesAtNode {
     // All normal impulses for the present friction, and both applied. The largest change, -1: none fits.
     double press(double approach, double tolerance) {
         const double allowed = max(1e-6 * tolerance, 1e-13) * approach;
-        int rigid_ones = 0;
-        for (int body = 0; body < bodies; ++body) {
-            velocity[body] = trial[body];
-            rigid_ones += rigid[body];
-        }
+        for (int body = 0; body < bodies; ++body) velocity[body] = trial[body];
         double b[most_pairs] = {}, before[most_pairs] = {};
         for (int row = 0; row < system.count(); ++row)
             push(pairs[pair_of[row]], pairs[pair_of[row]].u_t, 1.0);
@@ -185,11 +203,10 @@ template <int C> struct BodiesAtNode {
         }
         Velocity rubbed[most_bodies];
         for (int body = 0; body < bodies; ++body) rubbed[body] = velocity[body];
-        if (!system.solve(b, allowed, rigid_ones < 2)) return -1.0;
+        if (!system.solve(b, allowed, !may_squeeze)) return -1.0;
         apply();
         refine(allowed);
-        if (rigid_ones > 1 && fastest_change(rubbed) > most_speed * max(approach, relative_speed))
-            return -1.0;
+        if (may_squeeze && are_squeezed(rubbed, max(approach, relative_speed))) return -1.0;
         double change = 0.0;
         for (int row = 0; row < system.count(); ++row) {
             NodePair<C>& pair = pairs[pair_of[row]];
@@ -235,7 +252,9 @@ template <int C> struct BodiesAtNode {
         double largest = largest_remaining(b);
         for (int round = 0; round < most_rounds && !is_enough(b, allowed); ++round) {
             Velocity before[most_bodies];
+            double u_n[most_pairs];
             for (int body = 0; body < bodies; ++body) before[body] = velocity[body];
+            for (int row = 0; row < system.count(); ++row) u_n[row] = pairs[pair_of[row]].r.u_n;
             system.add_for(b, more);
             for (int row = 0; row < system.count(); ++row)
                 if (pairs[pair_of[row]].r.u_n + more[row] < 0.0) return;
@@ -244,7 +263,7 @@ template <int C> struct BodiesAtNode {
             largest = largest_remaining(b);
             if (largest < last) continue;
             for (int body = 0; body < bodies; ++body) velocity[body] = before[body];
-            for (int row = 0; row < system.count(); ++row) pairs[pair_of[row]].r.u_n -= more[row];
+            for (int row = 0; row < system.count(); ++row) pairs[pair_of[row]].r.u_n = u_n[row];
             return;
         }
     }
@@ -262,13 +281,19 @@ template <int C> struct BodiesAtNode {
             if (system.presses(row) && fabs(b[row]) > system.allowed(row, allowed)) return false;
         return true;
     }
-    // Of bodies, along an axis.
-    double fastest_change(const Velocity* before) const {
-        double fastest = 0.0;
+    // What rigid bodies press out much faster than they move has no way out; nor has what they press with more than all that is
+    // free could take.
+    bool are_squeezed(const Velocity* before, double speed) const {
+        constexpr double most_times_faster = 1e4, most_times_pressed = 1e10;
         for (int body = 0; body < bodies; ++body)
-            for (int c = 0; c < C; ++c)
-                fastest = max(fastest, fabs(velocity[body][c] - before[body][c]));
-        return fastest;
+            for (int c = 0; c < C && first[body] >= 0; ++c)
+                if (fabs(velocity[body][c] - before[body][c]) > most_times_faster * speed)
+                    return true;
+        for (int row = 0; row < system.count(); ++row)
+            if (pairs[pair_of[row]].shares.m_r * pairs[pair_of[row]].r.u_n >
+                most_times_pressed * free_mass * speed)
+                return true;
+        return false;
     }
 
     // Friction of one pair after the other; the largest change.
@@ -305,15 +330,14 @@ template <int C> struct BodiesAtNode {
         }
     }
 
-    // What rigid bodies press out faster, by their speed, has no way out.
-    static constexpr double most_speed = 1e4;
     // Bodies in a ring may press each other by a spring that nothing else gives way to.
     static constexpr double least_yield = 1e-20;
 
     Velocity trial[most_bodies];
     NormalSystem<C> system;
-    bool has_springs = false;
-    double relative_speed;    // the largest of pairs that can touch, along an axis
+    bool has_springs = false, rubs = false, may_squeeze = false;
+    double relative_speed;  // the largest of pairs that can touch, along an axis
+    double free_mass;
     int first[most_bodies];   // entry of a body in the system; -1: none
     int pair_of[most_pairs];  // row of the system
 };

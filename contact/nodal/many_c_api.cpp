@@ -149,7 +149,7 @@ extern "C" grit_status grit_contact_correct_many(const grit_contact_bodies* bodi
         return failure(
             error, outcome.status, at,
             "node %td: no impulses keep the bodies apart: one is squeezed between two that "
-            "are rigid",
+            "are rigid, or by springs around a ring",
             at);
     const int p = outcome.pair;
     return of_pair(p, describe_node(nodes_of(b, ours[p]), options[p], outcome.node, error), error);

@@ -54,7 +54,8 @@ template <int C> class NormalSystem {
         bool left[most_pairs] = {};
         int steps = 0;
         for (int p = worst(tolerance, left); p >= 0; p = worst(tolerance, left)) {
-            const Set before = set();
+            Set before;
+            if (must_be) before = set();
             if (take_in(p, steps)) continue;
             if (!must_be) return false;
             restore(before);
@@ -62,6 +63,7 @@ template <int C> class NormalSystem {
             left[p] = true;
         }
         explain();
+        approach = nullptr;
         return true;
     }
     // What may be left of a pair's approach.
@@ -86,16 +88,17 @@ template <int C> class NormalSystem {
     static constexpr int most_steps = 8 * most_pairs;
     // Between a direction and those that press: what is less is roundoff.
     static constexpr double least_sine = 1e-12;
+    // Of the terms of an impulse, likewise.
+    static constexpr double least_part = 1e-12;
 
     struct Set {
         int pressing;
         int pair_of[most_pairs];
-        double impulse[most_pairs];
     };
     Set set() const {
-        Set now{pressing, {}, {}};
+        Set now;
+        now.pressing = pressing;
         for (int c = 0; c < pressing; ++c) now.pair_of[c] = pair_of[c];
-        for (int p = 0; p < pairs; ++p) now.impulse[p] = impulse[p];
         return now;
     }
     void restore(const Set& before) {
@@ -201,6 +204,14 @@ template <int C> class NormalSystem {
             x[c] /= factor[c][c];
         }
     }
+    // What the terms of x are, all together.
+    void find_sizes(const double* y, double* size) const {
+        for (int c = pressing - 1; c >= 0; --c) {
+            size[c] = fabs(y[c]);
+            for (int k = c + 1; k < pressing; ++k) size[c] += fabs(factor[k][c]) * size[k];
+            size[c] /= factor[c][c];
+        }
+    }
     // y of R^T y = approaches, and the impulses R^-1 y of the pairs that press.
     void answer(const double* of_approach, double* y, double* impulse_of_pair) const {
         double x[most_pairs];
@@ -246,16 +257,15 @@ template <int C> class NormalSystem {
         for (; steps < most_steps; ++steps) {
             Parts of;
             split(p, of);
-            double gives_way[most_pairs];  // impulses by that of p
+            double gives_way[most_pairs], size[most_pairs];  // impulses by that of p
             for (int c = 0; c < pressing; ++c) gives_way[c] = of.share[c];
             solve_upper(gives_way);
-            double noise = 0.0;  // where they press against each other alone
-            for (int c = 0; c < pressing && !of.independent; ++c)
-                noise = max(noise, 1e-9 * fabs(gives_way[c]));
+            find_sizes(of.share, size);
             double least = infinity;
             int leaving = -1;
             for (int c = 0; c < pressing; ++c)
-                if (gives_way[c] > noise && impulse[pair_of[c]] < least * gives_way[c]) {
+                if (gives_way[c] > least_part * size[c] &&
+                    impulse[pair_of[c]] < least * gives_way[c]) {
                     least = impulse[pair_of[c]] / gives_way[c];
                     leaving = c;
                 }

@@ -209,11 +209,13 @@ typedef struct grit_contact_bodies {
  * (C5) for the velocities which the others leave. Momentum is kept by every sweep.
  *   pairs [pair_count], all of the same struct_size; at most one pair for two bodies, none for two
  *   rigid ones. Any bad pair at a node: the node is untouched.
- *   The sweeps end when no velocity changes by more than sweep_tolerance times the largest approach, or
- *   after sweep_limit. Where friction then gains energy (Coulomb's law at several normals may), or has
+ *   Normals of pairs at a node that differ by less than 1e-6 are taken for one, that of the first of them.
+ *   The sweeps end when no velocity changes by more than sweep_tolerance times the largest approach of
+ *   those that can touch, or after sweep_limit. Where friction then gains energy (Coulomb's law at several normals may), or has
  *   not settled and more than a tenth of the approach is left, the node gets normal impulses only.
  *   GRIT_NOT_CONVERGED: no normal impulses keep the bodies apart (one is squeezed between two rigid
- *   ones); that node is untouched.
+ *   ones that move differently, or would have to leave them 1e4 times as fast or under 1e10 times the load
+ *   that what is free could take; or a spring presses around a ring); that node is untouched.
  *   reports [n][pair_count] and sums [pair_count] as above, per pair; may be null. */
 GRIT_API grit_status grit_contact_correct_many(const grit_contact_bodies* bodies, int pair_count,
                                                const grit_contact_pair* pairs, ptrdiff_t n,

@@ -173,6 +173,58 @@ TEST(ManyBodies, ThatNothingHoldsAreNeverSqueezed) {
         for (auto& x : bodies.node)
             for (double& m : x.m) m = random.log_uniform(1e-4, 1e4);
         EXPECT_EQ(bodies.correct(), GRIT_OK) << bodies.error.message;
+        for (const auto& x : bodies.node)
+            for (std::size_t p = 0; p < bodies.who.size(); ++p) {
+                const auto [a, b] = bodies.who[p];
+                EXPECT_LE(dot(x.v[a] - x.v[b], x.n[p]), friction > 0.0 ? 0.4 : 1e-8);
+            }
+    }
+}
+
+// Nor by rigid ones that are not there, or apart, or move alike.
+TEST(ManyBodies, BesideRigidOnesThatDoNotSqueezeAreNotSqueezed) {
+    for (const bool there : {false, true}) {
+        BodiesAtNodes bodies(5, 1, 66);
+        bodies.who = {{2, 3}, {3, 4}, {0, 2}, {1, 2}};
+        for (std::size_t p = 0; p < 4; ++p) {
+            bodies.options[p].law = GRIT_CONTACT_FRICTIONAL;
+            bodies.options[p].mass_tolerance = 0.0;
+        }
+        bodies.options[2].rigid = bodies.options[3].rigid = GRIT_CONTACT_A_RIGID;
+        auto& x = bodies.node[0];
+        for (double& m : x.m) m = 1.0;
+        x.m[3] = 1e-9;
+        x.m[0] = x.m[1] = there ? 1.0 : 0.0;
+        x.v[0] = x.v[1] = {there ? -5.0 : 7.0, 0.0, 0.0};
+        if (!there) x.v[1] = {-7.0, 0.0, 0.0};
+        x.v[2] = {1.0, 0.0, 0.0};
+        x.v[3] = {0.0, 0.0, 0.0};
+        x.v[4] = {-1.0, 0.0, 0.0};
+        x.n[0] = x.n[2] = x.n[3] = {1.0, 0.0, 0.0};
+        x.n[1] = {std::cos(1e-4), std::sin(1e-4), 0.0};
+        EXPECT_EQ(bodies.correct(), GRIT_OK) << bodies.error.message;
+    }
+}
+
+// A heavy and a light one between two rigid ones that move apart: what blocks a light body is small beside it.
+TEST(ManyBodies, GiveWayToRigidOnesHoweverLightTheyAre) {
+    for (const double light : {1e-3, 1e-12, 1e-19}) {
+        BodiesAtNodes bodies(4, 1, 67);  // rigid, rigid, heavy, light
+        bodies.who = {{0, 2}, {1, 3}, {3, 2}};
+        for (std::size_t p = 0; p < 3; ++p) {
+            bodies.options[p].law = GRIT_CONTACT_FRICTIONAL;
+            bodies.options[p].friction_coefficient = 0.0;
+            bodies.options[p].mass_tolerance = 0.0;
+        }
+        bodies.options[0].rigid = bodies.options[1].rigid = GRIT_CONTACT_A_RIGID;
+        auto& x = bodies.node[0];
+        x.m[0] = x.m[1] = x.m[2] = 1.0;
+        x.m[3] = light;
+        const double speed[] = {1.0, 1.2, 0.0, 0.5};
+        for (std::size_t b = 0; b < 4; ++b) x.v[b] = {speed[b], 0.0, 0.0};
+        for (std::size_t p = 0; p < 3; ++p) x.n[p] = {1.0, 0.0, 0.0};
+        ASSERT_EQ(bodies.correct(), GRIT_OK) << light << ": " << bodies.error.message;
+        for (const std::size_t b : {2u, 3u}) EXPECT_NEAR(x.v[b][0], 1.2, 1e-6) << light;
     }
 }
 

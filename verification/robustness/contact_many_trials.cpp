@@ -111,6 +111,7 @@ Many random_many(const ManyCall& call, Random& random) {
             x.velocity[i] = plus(x.velocity[0], away * speed, random_vector(random, c));
         if (motion == 1) x.velocity[i] = {};
     }
+    if (call.rigid[1] && random.below(3) == 0) x.velocity[1] = x.velocity[0];
     std::vector<Vec> directions;  // none: any
     if (random.below(8) == 0)
         for (int i = 1 + random.below(3); i > 0; --i)
@@ -546,9 +547,17 @@ void judge_pair_alone(const ManyCall& call, const Many& x, const Many& y, Findin
                [&] { return program_of(call, x); });
 }
 
-// Two are rigid and move differently.
+// Two are rigid, can touch what is free, and move differently; or a spring presses around a ring.
 bool may_be_squeezed(const ManyCall& call, const Many& x) {
-    return call.rigid.size() > 2 && call.rigid[1] && !same(x.velocity[0], x.velocity[1]);
+    if (x.parallel && call.call.options.contact_stiffness > 0.0) return true;
+    bool touches[2] = {};
+    for (std::size_t k = 0; k < x.between.size(); ++k) {
+        const Node pair = x.pair(call, k);
+        if (!active(call.of_pair(k), pair) || !near(call.of_pair(k), pair)) continue;
+        for (const std::size_t body : {call.a(k), call.b(k)})
+            if (body < 2) touches[body] = true;
+    }
+    return call.rigid[1] && touches[0] && touches[1] && !same(x.velocity[0], x.velocity[1]);
 }
 
 void judge(const ManyCall& call, const Many& x, const Many& y, Findings& out) {
