@@ -229,10 +229,11 @@ template <int C> struct BodiesAtNode {
         }
         Velocity known[most_bodies];
         bool light[most_bodies] = {};
+        const double in_all = system.change_in_all();
         for (int body = 0; body < bodies; ++body) {
             if (first[body] < 0 || rigid[body]) continue;
             const double root = sqrt(mass[body]);
-            light[body] = load[body] > root * system.change_in_all();
+            light[body] = load[body] > root * in_all;
             for (int c = 0; c < C; ++c)
                 known[body][c] = velocity[body][c] + system.change_of(first[body] + c) / root;
         }

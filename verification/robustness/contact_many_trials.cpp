@@ -23,6 +23,8 @@ struct ManyCall {
 
     int count() const { return static_cast<int>(rigid.size()); }
     double tolerance() const { return sweep_tolerance > 0.0 ? sweep_tolerance : 1e-3; }
+    // Twice what normal impulses may leave, as a share of the largest approach.
+    double left() const { return 2.0 * std::max(1e-6 * tolerance(), 1e-13); }
     bool rubs() const {
         return call.options.friction_coefficient > 0.0 || call.options.adhesion > 0.0;
     }
@@ -42,13 +44,12 @@ struct Many {
     std::vector<double> mass;
     std::vector<Vec> velocity;
     std::vector<Node> between;  // of each pair, masses and velocities not kept
-    bool parallel = false,
-         alike = false;  // are there normals that are one or nearly, or only nearly?
+    grit_status status = GRIT_OK;
+    bool parallel = false;  // are there normals that are one, or nearly?
+    bool alike = false;     // that are nearly one?
 
     // Of velocities: normals that differ by less than 1e-6 are one.
     double roundoff() const { return alike ? 1e-5 : 1e-13; }
-    grit_status status = GRIT_OK;
-
     Node pair(const ManyCall& call, std::size_t k) const {
         Node x = between[k];
         x.m_a = mass[call.a(k)];
@@ -493,9 +494,8 @@ void judge_laws(const ManyCall& call, const Many& x, const Many& y, Findings& ou
                            return each.report.state > GRIT_CONTACT_INACTIVE;
                        }) == 1;
     // Of the last sweep: a pair's velocity is changed by as many as meet its bodies. Without friction there is one.
-    const double sweeps = call.rubs()
-                              ? 2.0 * static_cast<double>(x.between.size()) * call.tolerance()
-                              : 2.0 * std::max(1e-6 * call.tolerance(), 1e-13);
+    const double sweeps =
+        call.rubs() ? 2.0 * static_cast<double>(x.between.size()) * call.tolerance() : call.left();
     const double allowed = alone ? 0.0 : sweeps * approach;
     bool pressed = false, rubbed = false;
     for (const Meeting& m : meetings) {
@@ -589,8 +589,7 @@ double beyond(const ManyCall& call, const Many& x, const Many& y, const Many& z,
     for (const Meeting& m : meetings)
         open =
             std::max(open, (m.rough + common) * m.answer.share + m.answer.pushed / m.answer.share);
-    open = (x.alike ? x.roundoff() : 1e-14) * open +
-           2.0 * std::max(1e-6 * call.tolerance(), 1e-13) * largest_approach(meetings);
+    open = (x.alike ? x.roundoff() : 1e-14) * open + call.left() * largest_approach(meetings);
     for (std::size_t k = 0; k < x.between.size(); ++k)
         for (const Many* each : {&y, &z})
             J_n += std::fabs(dot(impulse_of(each->between[k].report), each->between[k].normal));
