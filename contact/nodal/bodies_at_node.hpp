@@ -47,9 +47,21 @@ template <int C> struct BodiesAtNode {
         }
     }
 
-    // False if no normal impulses keep the bodies apart.
+    // False if no normal impulses keep the bodies apart. Where none hold them and still there are none, digits do not tell normals
+    // apart that are nearly one.
     bool sweep(double tolerance, int sweep_limit) {
         for (int body = 0; body < bodies; ++body) trial[body] = velocity[body];
+        for (alike = 1e-6; !sweep_with(tolerance, sweep_limit); alike *= 10.0) {
+            if (may_squeeze || !may_be_more_alike()) return false;
+            for (int body = 0; body < bodies; ++body) velocity[body] = trial[body];
+        }
+        return true;
+    }
+    bool may_be_more_alike() const {
+        constexpr double most_alike = 1e-4;
+        return 10.0 * alike < 1.1 * most_alike;
+    }
+    bool sweep_with(double tolerance, int sweep_limit) {
         const double approach = assemble();
         if (!(approach > 0.0)) return true;
         bool fits = true;
@@ -76,29 +88,48 @@ template <int C> struct BodiesAtNode {
     }
 
     // Does every pair leave no more approach than it may, where the sweeps ended?
-    bool consistent(double approach) const {
+    bool consistent(double approach) const { return leave_no_more_than(0.1 * approach); }
+    bool leave_no_more_than(double most) const {
         for (int row = 0; row < system.count(); ++row)
-            if (remaining(pairs[pair_of[row]]) > 0.1 * approach + 10.0 * system.allowed(row, 0.0))
+            if (!(remaining(pairs[pair_of[row]]) <= most + 10.0 * system.allowed(row, 0.0)))
                 return false;
         return true;
     }
 
     // Twice the work that the pairs take, sum J . (w before + w after), and the size of its terms. Without rigid bodies
-    // it is twice the kinetic energy lost; rigid ones that move differently may do work of their own.
+    // it is twice the kinetic energy lost; rigid ones that move differently may do work of their own. Told body by body, in the
+    // frame of the heaviest, as impulses around a ring may be larger than what they do together.
     struct Loss {
         double work, size;
     };
     Loss loss() const {
-        Loss sum{0.0, 0.0};
+        Velocity gained[most_bodies] = {},
+                 size[most_bodies] = {};  // momentum, the size of its terms
         for (int row = 0; row < system.count(); ++row) {
             const NodePair<C>& pair = pairs[pair_of[row]];
             for (int c = 0; c < C; ++c) {
                 const double J = pair.shares.m_r * pair.r.u[c];
-                const double w = (trial[pair.a][c] - trial[pair.b][c]) +
-                                 (velocity[pair.a][c] - velocity[pair.b][c]);
-                sum.work += J * w;
-                sum.size += fabs(J) * (fabs(trial[pair.a][c]) + fabs(trial[pair.b][c]) +
-                                       fabs(velocity[pair.a][c]) + fabs(velocity[pair.b][c]));
+                gained[pair.a][c] -= J;
+                gained[pair.b][c] += J;
+                size[pair.a][c] += fabs(J);
+                size[pair.b][c] += fabs(J);
+            }
+        }
+        Loss sum{0.0, 0.0};
+        const Velocity frame = velocity[heaviest];
+        for (int t = 0; t < touching; ++t) {
+            const int body = toucher[t];
+            for (int c = 0; c < C; ++c) {
+                const double before = trial[body][c], after = velocity[body][c];
+                if (!rigid[body])
+                    if (const double own = mass[body] * (fabs(before) + fabs(after));
+                        own < size[body][c]) {
+                        gained[body][c] = mass[body] * (after - before);
+                        size[body][c] = own;
+                    }
+                sum.work -= gained[body][c] * ((before - frame[c]) + (after - frame[c]));
+                sum.size += size[body][c] * (fabs(before - frame[c]) + fabs(after - frame[c])) +
+                            fabs(gained[body][c]) * (fabs(before) + fabs(after));
             }
         }
         return sum;
@@ -107,6 +138,7 @@ template <int C> struct BodiesAtNode {
     // The pairs that can touch and what their normal impulses do; the largest approach of these.
     double assemble() {
         for (int body = 0; body < bodies; ++body) first[body] = -1;
+        touching = 0;
         system.begin();
         has_springs = rubs = false;
         relative_speed = 0.0;
@@ -120,6 +152,7 @@ template <int C> struct BodiesAtNode {
             const bool near = pair.r.touches;
             pair.r.touches = false;
             pair.r.u_n = 0.0;
+            pair.u_t = {};
             if (!near) continue;
             rubs = rubs || !pair.law.frictionless;
             has_springs = has_springs || pair.law.springs;
@@ -139,7 +172,10 @@ template <int C> struct BodiesAtNode {
                 for (int c = 0; c < C; ++c)
                     roundoff = max(roundoff, 1e-15 * fabs(velocity[body][c]));
             for (const int body : {pair.a, pair.b})
-                if (first[body] < 0) first[body] = system.add_body();
+                if (first[body] < 0) {
+                    first[body] = system.add_body();
+                    toucher[touching++] = body;
+                }
             const int of_bodies[] = {first[pair.a], first[pair.b]};
             const double shares[] = {pair.shares.a, pair.shares.b};
             system.add(of_bodies, shares, pair.x.n, pair.shares.m_r, pair.left.yield, roundoff);
@@ -148,20 +184,21 @@ template <int C> struct BodiesAtNode {
         return largest;
     }
 
-    // Do two of those that can touch move differently? What is free, in all.
+    // Do two of those that can touch move differently? What is free, in all, and the heaviest.
     void look_for_rigid_ones() {
         may_squeeze = false;
         free_mass = 0.0;
-        int known = -1;
-        for (int body = 0; body < bodies; ++body) {
-            if (first[body] < 0) continue;
+        heaviest = touching > 0 ? toucher[0] : 0;
+        for (int t = 0; t < touching; ++t) {
+            const int body = toucher[t];
             if (!rigid[body]) {
                 free_mass += mass[body];
-            } else if (known < 0) {
-                known = body;
+                if (!rigid[heaviest] && mass[body] > mass[heaviest]) heaviest = body;
+            } else if (!rigid[heaviest]) {
+                heaviest = body;
             } else {
                 for (int c = 0; c < C; ++c)
-                    may_squeeze = may_squeeze || velocity[body][c] != velocity[known][c];
+                    may_squeeze = may_squeeze || velocity[body][c] != velocity[heaviest][c];
             }
         }
     }
@@ -169,7 +206,6 @@ template <int C> struct BodiesAtNode {
     // Of a row, or that of one before from which it differs by roundoff of hosts: rows that nearly say the same would need
     // impulses beyond all measure.
     Velocity normal_of(int row) const {
-        constexpr double alike = 1e-6;
         const Velocity& own = pairs[pair_of[row]].x.n;
         for (int before = 0; before < row; ++before) {
             const Velocity& n = pairs[pair_of[before]].x.n;
@@ -206,7 +242,11 @@ template <int C> struct BodiesAtNode {
         if (!system.solve(b, allowed, !may_squeeze)) return -1.0;
         apply();
         refine(allowed);
-        if (may_squeeze && are_squeezed(rubbed, max(approach, relative_speed))) return -1.0;
+        const double speed = max(approach, relative_speed);
+        if (are_squeezed(rubbed, speed)) return -1.0;
+        if (!may_squeeze && !has_springs && may_be_more_alike() &&
+            !leave_no_more_than(alike * speed))
+            return -1.0;
         double change = 0.0;
         for (int row = 0; row < system.count(); ++row) {
             NodePair<C>& pair = pairs[pair_of[row]];
@@ -230,8 +270,9 @@ template <int C> struct BodiesAtNode {
         Velocity known[most_bodies];
         bool light[most_bodies] = {};
         const double in_all = system.change_in_all();
-        for (int body = 0; body < bodies; ++body) {
-            if (first[body] < 0 || rigid[body]) continue;
+        for (int t = 0; t < touching; ++t) {
+            const int body = toucher[t];
+            if (rigid[body]) continue;
             const double root = sqrt(mass[body]);
             light[body] = load[body] > root * in_all;
             for (int c = 0; c < C; ++c)
@@ -282,17 +323,18 @@ template <int C> struct BodiesAtNode {
             if (system.presses(row) && fabs(b[row]) > system.allowed(row, allowed)) return false;
         return true;
     }
-    // What rigid bodies press out much faster than they move has no way out; nor has what they press with more than all that is
-    // free could take.
+    // What rigid bodies press out much faster than they move has no way out; nor has what is pressed with more than all that is
+    // free could take, unless by springs around a ring.
     bool are_squeezed(const Velocity* before, double speed) const {
         constexpr double most_times_faster = 1e4, most_times_pressed = 1e10;
-        for (int body = 0; body < bodies; ++body)
-            for (int c = 0; c < C && first[body] >= 0; ++c)
-                if (fabs(velocity[body][c] - before[body][c]) > most_times_faster * speed)
+        for (int t = 0; t < touching && may_squeeze; ++t)
+            for (int c = 0; c < C; ++c)
+                if (!(fabs(velocity[toucher[t]][c] - before[toucher[t]][c]) <=
+                      most_times_faster * speed))
                     return true;
-        for (int row = 0; row < system.count(); ++row)
-            if (pairs[pair_of[row]].shares.m_r * pairs[pair_of[row]].r.u_n >
-                most_times_pressed * free_mass * speed)
+        for (int row = 0; row < system.count() && (may_squeeze || !has_springs); ++row)
+            if (!(pairs[pair_of[row]].shares.m_r * pairs[pair_of[row]].r.u_n <=
+                  most_times_pressed * free_mass * speed))
                 return true;
         return false;
     }
@@ -339,6 +381,10 @@ template <int C> struct BodiesAtNode {
     bool has_springs = false, rubs = false, may_squeeze = false;
     double relative_speed;  // the largest of pairs that can touch, along an axis
     double free_mass;
+    double alike;  // normals that differ by less are one
+    int heaviest;  // of bodies that can touch; a rigid one is
+    int touching;  // bodies that can touch, in the order in which pairs name them
+    int toucher[most_bodies];
     int first[most_bodies];   // entry of a body in the system; -1: none
     int pair_of[most_pairs];  // row of the system
 };

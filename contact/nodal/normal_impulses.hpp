@@ -54,9 +54,18 @@ template <int C> class NormalSystem {
         bool left[most_pairs] = {};
         int steps = 0;
         for (int p = worst(tolerance, left); p >= 0; p = worst(tolerance, left)) {
+            Parts of;
+            split(p, of);
+            if (is_roundoff(p, of)) {
+                left[p] = true;
+                continue;
+            }
             Set before;
             if (must_be) before = set();
-            if (take_in(p, steps)) continue;
+            if (take_in(p, of, steps)) {
+                for (bool& each : left) each = false;
+                continue;
+            }
             if (!must_be) return false;
             restore(before);
             if (steps >= most_steps) break;
@@ -85,6 +94,7 @@ template <int C> class NormalSystem {
     using Lanes = typename VectorTypes<native_lanes>::RealInPlace;
     static constexpr int most_entries = (C * most_bodies + most_pairs + 7) / 8 * 8;
     static constexpr std::size_t alignment = 64;
+    static constexpr double epsilon = 2.2e-16;
     static constexpr int most_steps = 8 * most_pairs;
     // Between a direction and those that press: what is less is roundoff.
     static constexpr double least_sine = 1e-12;
@@ -161,6 +171,7 @@ template <int C> class NormalSystem {
         alignas(alignment) double beside[most_entries];
         double share[most_pairs];
         double length2;  // of beside
+        double doubt;    // what of beside may be roundoff [length]
         bool independent;
     };
     void split(int p, Parts& of) const {
@@ -177,11 +188,14 @@ template <int C> class NormalSystem {
             of.length2 = dot(of.beside, of.beside);
         }
         of.independent = of.length2 > least_sine * least_sine * all;
+        of.doubt = epsilon * sqrt(all);
+        for (int c = 0; c < pressing; ++c) of.doubt += fabs(of.share[c]) * doubt[c];
     }
     void append(int p, const Parts& of) {
         const double length = sqrt(of.length2);
         for (int c = 0; c < pressing; ++c) factor[pressing][c] = of.share[c];
         factor[pressing][pressing] = length;
+        doubt[pressing] = of.doubt / length;
         for (int k = 0; k < packs(); ++k) lanes(basis[pressing])[k] = lanes(of.beside)[k] / length;
         is_pressing[p] = true;
         pair_of[pressing++] = p;
@@ -252,11 +266,19 @@ template <int C> class NormalSystem {
         for (int c = 0; c < pressing; ++c) impulse[pair_of[c]] += more[c];
     }
 
+    // Would nothing but roundoff let the pair press beside the others: of what is left of it, and of its approach?
+    bool is_roundoff(int p, const Parts& of) const {
+        if (of.length2 > of.doubt * of.doubt) return false;
+        double size[most_pairs];
+        find_sizes(of.share, size);
+        double rough = root[p] * roundoff[p];
+        for (int c = 0; c < pressing; ++c)
+            rough += size[c] * root[pair_of[c]] * roundoff[pair_of[c]];
+        return root[p] * excess(p) <= rough;
+    }
     // Lets a pair press, and those be that pull then. False if the impulses grow for ever, or steps do.
-    bool take_in(int p, int& steps) {
+    bool take_in(int p, Parts& of, int& steps) {
         for (; steps < most_steps; ++steps) {
-            Parts of;
-            split(p, of);
             double gives_way[most_pairs], size[most_pairs];  // impulses by that of p
             for (int c = 0; c < pressing; ++c) gives_way[c] = of.share[c];
             solve_upper(gives_way);
@@ -283,6 +305,7 @@ template <int C> class NormalSystem {
             if (of.independent) add_times(-least, of.beside, change);
             impulse[pair_of[leaving]] = 0.0;
             remove(leaving);
+            split(p, of);
         }
         return false;
     }
@@ -303,6 +326,7 @@ template <int C> class NormalSystem {
     bool is_pressing[most_pairs];
     int pair_of[most_pairs];
     alignas(alignment) double basis[most_pairs][most_entries];
+    double doubt[most_pairs];               // of basis, what may be roundoff
     double factor[most_pairs][most_pairs];  // a column of R after the other
 };
 

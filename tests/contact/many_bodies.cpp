@@ -275,6 +275,44 @@ TEST(ManyBodies, InARingOfNearlyOneNormalAreNeitherSqueezedNorThrown) {
     }
 }
 
+// Eight bodies along two directions, give or take what digits can tell: impulses around their rings are without measure, and
+// roundoff of these may not be taken for a way out.
+TEST(ManyBodies, OfNearlyTwoNormalsAreNeitherSqueezedNorThrownWhateverTheirMasses) {
+    const std::ptrdiff_t count = samples(40000);
+    BodiesAtNodes bodies(8, count, 79, 2);
+    Random random(80);
+    for (auto& o : bodies.options) {
+        o.law = GRIT_CONTACT_FRICTIONAL;
+        o.friction_coefficient = 0.0;
+    }
+    for (auto& x : bodies.node) {
+        for (double& m : x.m) m = random.log_uniform(1e-4, 1e4);
+        const double towards[] = {random.uniform(0.0, 6.3), random.uniform(0.0, 6.3)};
+        for (std::size_t p = 0; p < bodies.who.size(); ++p) {
+            const bool second = random.below(2) == 0, back = random.below(2) == 0;
+            const double off = random.below(2) == 0 ? 0.0 : random.log_uniform(1e-6, 1e-4);
+            const double angle = towards[second] + off;
+            x.n[p] = (back ? -1.0 : 1.0) * Vec{std::cos(angle), std::sin(angle), 0.0};
+        }
+    }
+    const auto before = bodies.node;
+    EXPECT_EQ(bodies.correct(), GRIT_OK) << bodies.error.message;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        const auto& x = bodies.node[i];
+        double fastest = 0.0, old = 0.0, now = 0.0;
+        for (std::size_t b = 0; b < 8; ++b) {
+            fastest = std::max({fastest, norm(before[i].v[b]), norm(x.v[b])});
+            old += x.m[b] * dot(before[i].v[b], before[i].v[b]);
+            now += x.m[b] * dot(x.v[b], x.v[b]);
+        }
+        EXPECT_LE(now, old * (1.0 + 1e-12)) << i;
+        for (std::size_t p = 0; p < bodies.who.size(); ++p) {
+            const auto [a, b] = bodies.who[p];
+            EXPECT_LE(dot(x.v[a] - x.v[b], x.n[p]), 2.3e-4 * fastest) << i << ", pair " << p;
+        }
+    }
+}
+
 // However fast they are.
 TEST(ManyBodies, ThatAreApartDoNotMakeTheOthersSweepLess) {
     const auto settled = [](double fast) {

@@ -48,8 +48,8 @@ struct Many {
     bool parallel = false;  // are there normals that are one, or nearly?
     bool alike = false;     // that are nearly one?
 
-    // Of velocities: normals that differ by less than 1e-6 are one.
-    double roundoff() const { return alike ? 1e-5 : 1e-13; }
+    // Of velocities: normals that differ by less than 1e-6, or 1e-4 where digits do not tell them apart, are one.
+    double roundoff() const { return alike ? 1e-4 : 1e-13; }
     Node pair(const ManyCall& call, std::size_t k) const {
         Node x = between[k];
         x.m_a = mass[call.a(k)];
@@ -114,7 +114,7 @@ Many random_many(const ManyCall& call, Random& random) {
     }
     if (call.rigid[1] && random.below(3) == 0) x.velocity[1] = x.velocity[0];
     std::vector<Vec> directions;  // none: any
-    if (random.below(8) == 0)
+    if (random.below(4) == 0)
         for (int i = 1 + random.below(3); i > 0; --i)
             directions.push_back(unit(random_vector(random, c)));
     for (std::size_t k = 0; k < call.pairs.size(); ++k) {
@@ -124,7 +124,7 @@ Many random_many(const ManyCall& call, Random& random) {
             const auto at =
                 static_cast<std::size_t>(random.below(static_cast<int>(directions.size())));
             const double angle =
-                random.below(2) ? std::pow(10.0, random.uniform(-16.0, -4.0)) : 0.0;
+                random.below(2) ? std::pow(10.0, random.uniform(-12.0, -3.0)) : 0.0;
             y.normal = turned(directions[at], angle);
             if (random.below(2))
                 for (double& each : y.normal) each = -each;
@@ -394,7 +394,7 @@ void judge_balance(const ManyCall& call, const Many& x, const Many& y, Findings&
     }
     if (!any_rigid) {
         out.measure(many_momentum, share_of(error, size));
-        out.demand(many_keeps_momentum, error <= (x.alike ? 1e-12 : 1e-14) * size, program);
+        out.demand(many_keeps_momentum, error <= (x.alike ? 1e-10 : 1e-14) * size, program);
     }
     if (!springs && any_rigid) {
         double given = 0.0, terms = 0.0;
