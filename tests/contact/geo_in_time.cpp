@@ -265,6 +265,13 @@ TEST(SpringAtANode, BetweenManyBodiesIsThatOfWhatTheOthersLeave) {
     EXPECT_GT(several, 50);
 }
 
+TEST(SpringAtANode, ThatNothingCompressesIsOpen) {
+    OneNode node(0.0);
+    ASSERT_EQ(node.nodes.correct(in_time(1e-3, 1e-2, 1e5)), GRIT_OK);
+    EXPECT_EQ(node.nodes.reports[0].state, GRIT_CONTACT_OPEN);
+    EXPECT_EQ(node.w(), 0.0);
+}
+
 TEST(SpringAtANode, NeedsStepGapAndAreaAndTheGeoLaw) {
     const auto expect = [](const grit_contact_options& options, auto change, const char* text) {
         Nodes nodes = random_nodes(3, 3, 89);

@@ -319,11 +319,25 @@ TEST(ManyBodies, OfNearlyTwoNormalsAreNeitherSqueezedNorThrownWhateverTheirMasse
             now += x.m[b] * dot(x.v[b], x.v[b]);
         }
         EXPECT_LE(now, old * (1.0 + 1e-12)) << i;
+        Vec told[8] = {};  // by the reports, momentum
+        double size[8];    // of all that a body's velocity has been on its way
+        for (std::size_t b = 0; b < 8; ++b) size[b] = norm(before[i].v[b]) + norm(x.v[b]);
         for (std::size_t p = 0; p < bodies.who.size(); ++p) {
             const auto [a, b] = bodies.who[p];
             EXPECT_LE(dot(x.v[a] - x.v[b], x.n[p]), 2.3e-4 * fastest(before[i], x))
                 << i << ", pair " << p;
+            const double* J = bodies.reports[i * bodies.who.size() + p].impulse;
+            told[a] = told[a] - Vec{J[0], J[1], J[2]};
+            told[b] = told[b] + Vec{J[0], J[1], J[2]};
+            for (const int body : {a, b}) size[body] += norm({J[0], J[1], J[2]}) / x.m[body];
         }
+        double largest = 0.0;
+        for (std::size_t b = 0; b < 8; ++b)
+            largest = std::max(largest, size[b] * std::sqrt(x.m[b]));
+        for (std::size_t b = 0; b < 8; ++b)
+            EXPECT_LE(norm(told[b] - x.m[b] * (x.v[b] - before[i].v[b])),
+                      1e-12 * largest * std::sqrt(x.m[b]))
+                << i << ", body " << b;
     }
 }
 

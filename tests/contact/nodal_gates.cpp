@@ -167,6 +167,13 @@ TEST(GeoContact, MeasuresTheCellAlongTheNormal) {
     ASSERT_EQ(nodes.correct(options, q, 1), GRIT_OK);
     // 1/d = sqrt((0.6/0.5)^2 + (0.8/2)^2) = sqrt 1.6
     EXPECT_NEAR(nodes.reports[0].penalty_factor, 1.0 - 0.5 * std::sqrt(1.6), 1e-15);
+    // The largest.
+    const double largest[2] = {1e100, 1e100};
+    nodes.node[0] = meeting(1.0, -1.0);
+    nodes.node[0].s = 0.5 * largest[0];
+    q.spacing = grit_view_of(largest, 0, 1);
+    ASSERT_EQ(nodes.correct(options, q, 1), GRIT_OK);
+    EXPECT_NEAR(nodes.reports[0].penalty_factor, 0.5, 1e-15);
 }
 
 TEST(GeoContact, ScalesByThePenaltyFactorOfTheDistance) {

@@ -259,6 +259,64 @@ TEST(SurfaceContact, IsTheSameInAMovingAndATurnedFrame) {
     }
 }
 
+// Points of pressure are those of the shape, however it lies in space.
+TEST(SurfaceContact, InSpaceIsTheSameInATurnedFrame) {
+    const double c = std::cos(0.7), s = std::sin(0.7);
+    // About z, then about x.
+    const auto turned = [&](const double* x) {
+        const double y = s * x[0] + c * x[1];
+        return std::array<double, 3>{c * x[0] - s * x[1], c * y - s * x[2], s * y + c * x[2]};
+    };
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+        Meeting m(3, seed, 0.5), other(3, seed, 0.5);
+        for (GridBody* body : {&m.a, &m.b, &other.a, &other.b})
+            std::fill(body->fixed.begin(), body->fixed.end(), 0);
+        for (GridBody* body : {&other.a, &other.b})
+            for (std::vector<double>* list : {&body->position, &body->v, &body->v_old})
+                for (std::size_t i = 0; i < list->size(); i += 3) {
+                    const auto x = turned(&(*list)[i]);
+                    std::copy(x.begin(), x.end(), list->begin() + static_cast<std::ptrdiff_t>(i));
+                }
+        SurfaceCall call(3), again(3);
+        call.options.spacing = again.options.spacing = 2.5;
+        ASSERT_EQ(call(m.a, m.b), GRIT_OK) << call.error.message;
+        ASSERT_EQ(again(other.a, other.b), GRIT_OK) << again.error.message;
+        EXPECT_EQ(again.totals.rows, call.totals.rows) << seed;
+        for (std::size_t i = 0; i < m.b.v.size(); i += 3) {
+            const auto v = turned(&m.b.v[i]);
+            for (std::size_t d = 0; d < 3; ++d) EXPECT_NEAR(other.b.v[i + d], v[d], 1e-8) << seed;
+        }
+    }
+}
+
+TEST(SurfaceContact, BesideAStretchFarAwayHasTheSameBits) {
+    for (const int components : {2, 3})
+        for (std::uint64_t seed = 0; seed < 10; ++seed) {
+            Meeting alone(components, seed), beside(components, seed);
+            GridBody& body = beside.a;
+            const auto first = static_cast<std::ptrdiff_t>(body.position.size());
+            add_face(body, false, 0.5, 6.4, 6, [](double, double) { return 3.0; });
+            std::for_each(body.position.begin() + first, body.position.end(),
+                          [](double& x) { x -= 100.0; });
+            SurfaceCall call(components, 0.3);
+            call.options.spacing = 1.5;
+            ASSERT_EQ(call(alone.a, alone.b), GRIT_OK) << call.error.message;
+            ASSERT_EQ(call(beside.a, beside.b), GRIT_OK) << call.error.message;
+            EXPECT_EQ(beside.a.v, alone.a.v) << components << ' ' << seed;
+            EXPECT_EQ(beside.b.v, alone.b.v) << components << ' ' << seed;
+        }
+}
+
+TEST(SurfaceContact, TakesTheSmallestAndTheLargestSpacing) {
+    for (const double spacing : {1e-30, 1e30}) {
+        Meeting m(2, 2);
+        SurfaceCall call;
+        call.options.spacing = spacing;
+        EXPECT_EQ(call(m.a, m.b), GRIT_OK) << call.error.message;
+        EXPECT_GT(call.totals.rows, 0) << spacing;
+    }
+}
+
 // A rigid surface that moves, too: its vertices' velocities stand beside them.
 TEST(SurfaceContact, OnARigidBodyIsTheSameInAMovingFrame) {
     for (const int components : {2, 3})
