@@ -12,6 +12,7 @@ template <int C> struct NodePair {
     int a, b;  // bodies
     Law law{grit_contact_options{}};
     Shares<double> shares;
+    Vector<double, C> n;  // as it was given
     Approach<double, C> x;
     Response<double, C> r;
     Vector<double, C> u_t;      // tangential part of r.u
@@ -47,19 +48,18 @@ template <int C> struct BodiesAtNode {
         }
     }
 
-    // False if no normal impulses keep the bodies apart. Where none hold them and still there are none, digits do not tell normals
-    // apart that are nearly one.
+    // False if no normal impulses keep the bodies apart. Around a ring of bodies whose normals are nearly one impulses may be so
+    // large that their roundoff is none of an answer: then normals are one that differ a little more.
     bool sweep(double tolerance, int sweep_limit) {
         for (int body = 0; body < bodies; ++body) trial[body] = velocity[body];
-        for (alike = 1e-6; !sweep_with(tolerance, sweep_limit); alike *= 10.0) {
-            if (may_squeeze || !may_be_more_alike()) return false;
+        for (int p = 0; p < pair_count; ++p) pairs[p].n = pairs[p].x.n;
+        for (const double share : {1e-6, 1e-5, 1e-4}) {
+            alike = share;
+            is_last = share == 1e-4;
+            if (sweep_with(tolerance, sweep_limit)) return true;
             for (int body = 0; body < bodies; ++body) velocity[body] = trial[body];
         }
-        return true;
-    }
-    bool may_be_more_alike() const {
-        constexpr double most_alike = 1e-4;
-        return 10.0 * alike < 1.1 * most_alike;
+        return false;
     }
     bool sweep_with(double tolerance, int sweep_limit) {
         const double approach = assemble();
@@ -68,23 +68,30 @@ template <int C> struct BodiesAtNode {
         double given = 0.0;  // by springs
         for (int s = 0; s < sweep_limit; ++s) {
             const double pressed = press(approach, tolerance);
-            if (pressed < 0.0 && s == 0) return false;
             fits = pressed >= 0.0;
+            if (!fits && (s == 0 || !is_last)) return false;
             if (!fits) break;
             if (s == 0 && has_springs) given = max(-loss().work, 0.0);
             if (max(pressed, rub()) <= tolerance * approach || !rubs) break;
         }
+        if (fits && loses(given) && consistent(approach)) return true;
         // Coulomb's law at several normals may have no solution, or one that gains energy: then friction
         // is left out.
-        const Loss lost = loss();
-        if (fits && lost.work + given >= -1e-15 * lost.size && consistent(approach)) return true;
-        for (int row = 0; row < system.count(); ++row) {
-            NodePair<C>& pair = pairs[pair_of[row]];
-            pair.u_t = {};
-            pair.r.u_t = 0.0;
-            pair.r.slips = true;
+        if (rubs) {
+            for (int row = 0; row < system.count(); ++row) {
+                NodePair<C>& pair = pairs[pair_of[row]];
+                pair.u_t = {};
+                pair.r.u_t = 0.0;
+                pair.r.slips = true;
+            }
+            if (press(approach, tolerance) < 0.0) return false;
         }
-        return press(approach, tolerance) >= 0.0 && consistent(approach);
+        return consistent(approach) && (is_last || has_springs || loses(0.0));
+    }
+    // But for what springs have given.
+    bool loses(double given) const {
+        const Loss lost = loss();
+        return lost.work + given >= -1e-15 * lost.size;
     }
 
     // Does every pair leave no more approach than it may, where the sweeps ended?
@@ -121,12 +128,12 @@ template <int C> struct BodiesAtNode {
             const int body = toucher[t];
             for (int c = 0; c < C; ++c) {
                 const double before = trial[body][c], after = velocity[body][c];
-                if (!rigid[body])
-                    if (const double own = mass[body] * (fabs(before) + fabs(after));
-                        own < size[body][c]) {
-                        gained[body][c] = mass[body] * (after - before);
-                        size[body][c] = own;
-                    }
+                // By velocities, where these have more digits than impulses that cancel.
+                const double own = mass[body] * (fabs(before) + fabs(after));
+                if (!rigid[body] && own < size[body][c]) {
+                    gained[body][c] = mass[body] * (after - before);
+                    size[body][c] = own;
+                }
                 sum.work -= gained[body][c] * ((before - frame[c]) + (after - frame[c]));
                 sum.size += size[body][c] * (fabs(before - frame[c]) + fabs(after - frame[c])) +
                             fabs(gained[body][c]) * (fabs(before) + fabs(after));
@@ -162,7 +169,7 @@ template <int C> struct BodiesAtNode {
             pair_of[system.count()] = p;
             pair.x.n = normal_of(system.count());
             pair.x.w = velocity[pair.a] - velocity[pair.b];
-            for (int c = 0; c < C; ++c) relative_speed = max(relative_speed, fabs(pair.x.w[c]));
+            relative_speed = max(relative_speed, sqrt(fused_dot(pair.x.w, pair.x.w)));
             const double approach = fused_dot(pair.x.w, pair.x.n);
             largest = max(largest, pair.law.springs
                                        ? (approach + pair.left.push) / (1.0 + pair.left.yield)
@@ -203,10 +210,9 @@ template <int C> struct BodiesAtNode {
         }
     }
 
-    // Of a row, or that of one before from which it differs by roundoff of hosts: rows that nearly say the same would need
-    // impulses beyond all measure.
+    // Of a row, or that of one before that is nearly the same: both would need impulses beyond all measure.
     Velocity normal_of(int row) const {
-        const Velocity& own = pairs[pair_of[row]].x.n;
+        const Velocity& own = pairs[pair_of[row]].n;
         for (int before = 0; before < row; ++before) {
             const Velocity& n = pairs[pair_of[before]].x.n;
             const double sign = fused_dot(n, own) < 0.0 ? -1.0 : 1.0;
@@ -224,7 +230,7 @@ template <int C> struct BodiesAtNode {
         return fabs(more) <= 1e-15 * (push + left) ? 0.0 : more;
     }
 
-    // All normal impulses for the present friction, and both applied. The largest change, -1: none fits.
+    // All normal impulses for the present friction, and both applied. The largest change; -1: none fits, or roundoff leaves too much.
     double press(double approach, double tolerance) {
         const double allowed = max(1e-6 * tolerance, 1e-13) * approach;
         for (int body = 0; body < bodies; ++body) velocity[body] = trial[body];
@@ -244,9 +250,7 @@ template <int C> struct BodiesAtNode {
         refine(allowed);
         const double speed = max(approach, relative_speed);
         if (are_squeezed(rubbed, speed)) return -1.0;
-        if (!may_squeeze && !has_springs && may_be_more_alike() &&
-            !leave_no_more_than(alike * speed))
-            return -1.0;
+        if (!is_last && !leave_no_more_than(alike * speed)) return -1.0;
         double change = 0.0;
         for (int row = 0; row < system.count(); ++row) {
             NodePair<C>& pair = pairs[pair_of[row]];
@@ -324,18 +328,20 @@ template <int C> struct BodiesAtNode {
         return true;
     }
     // What rigid bodies press out much faster than they move has no way out; nor has what is pressed with more than all that is
-    // free could take, unless by springs around a ring.
+    // free could take. Where nothing holds them such impulses are roundoff, or around a ring.
     bool are_squeezed(const Velocity* before, double speed) const {
         constexpr double most_times_faster = 1e4, most_times_pressed = 1e10;
-        for (int t = 0; t < touching && may_squeeze; ++t)
+        if (is_last && !may_squeeze) return false;
+        for (int row = 0; row < system.count(); ++row)
+            if (!(pairs[pair_of[row]].shares.m_r * pairs[pair_of[row]].r.u_n <=
+                  most_times_pressed * free_mass * speed))
+                return true;
+        if (!may_squeeze) return false;
+        for (int t = 0; t < touching; ++t)
             for (int c = 0; c < C; ++c)
                 if (!(fabs(velocity[toucher[t]][c] - before[toucher[t]][c]) <=
                       most_times_faster * speed))
                     return true;
-        for (int row = 0; row < system.count() && (may_squeeze || !has_springs); ++row)
-            if (!(pairs[pair_of[row]].shares.m_r * pairs[pair_of[row]].r.u_n <=
-                  most_times_pressed * free_mass * speed))
-                return true;
         return false;
     }
 
@@ -379,9 +385,11 @@ template <int C> struct BodiesAtNode {
     Velocity trial[most_bodies];
     NormalSystem<C> system;
     bool has_springs = false, rubs = false, may_squeeze = false;
-    double relative_speed;  // the largest of pairs that can touch, along an axis
+    double relative_speed;  // the largest of pairs that can touch
     double free_mass;
-    double alike;  // normals that differ by less are one
+    double
+        alike;  // normals that differ by less are one, and roundoff leaves no larger share of the speed
+    bool is_last;  // then roundoff may leave what friction may
     int heaviest;  // of bodies that can touch; a rigid one is
     int touching;  // bodies that can touch, in the order in which pairs name them
     int toucher[most_bodies];

@@ -47,29 +47,31 @@ template <int C> class NormalSystem {
     int count() const { return pairs; }
 
     // The impulses u for approaches b. False if there are none that leave no more than the tolerance [velocity]. Where a
-    // solution must be, as no two bodies are rigid, what is left for want of digits is left.
+    // solution must be, as no two bodies are rigid that move differently, what is left for want of digits is left; so is
+    // everywhere what is roundoff alone.
     bool solve(const double* b, double tolerance, bool must_be) {
         approach = b;
         begin_again();
-        bool left[most_pairs] = {};
+        bool aside[most_pairs] = {};
         int steps = 0;
-        for (int p = worst(tolerance, left); p >= 0; p = worst(tolerance, left)) {
+        for (int p = worst(tolerance, aside); p >= 0 && steps < most_steps;
+             p = worst(tolerance, aside)) {
             Parts of;
             split(p, of);
-            if (is_roundoff(p, of)) {
-                left[p] = true;
-                continue;
+            ++steps;
+            bool taken = false;
+            if (!is_roundoff(p, of)) {
+                Set before;
+                if (must_be) before = set();
+                taken = take_in(p, of, steps);
+                if (!taken && !must_be) return false;
+                if (!taken) restore(before);
             }
-            Set before;
-            if (must_be) before = set();
-            if (take_in(p, of, steps)) {
-                for (bool& each : left) each = false;
-                continue;
+            if (taken && presses(p)) {
+                for (bool& each : aside) each = false;
+            } else {
+                aside[p] = true;
             }
-            if (!must_be) return false;
-            restore(before);
-            if (steps >= most_steps) break;
-            left[p] = true;
         }
         explain();
         approach = nullptr;
@@ -95,7 +97,7 @@ template <int C> class NormalSystem {
     static constexpr int most_entries = (C * most_bodies + most_pairs + 7) / 8 * 8;
     static constexpr std::size_t alignment = 64;
     static constexpr double epsilon = 2.2e-16;
-    static constexpr int most_steps = 8 * most_pairs;
+    static constexpr int most_steps = 16 * most_pairs;
     // Between a direction and those that press: what is less is roundoff.
     static constexpr double least_sine = 1e-12;
     // Of the terms of an impulse, likewise.
@@ -151,12 +153,12 @@ template <int C> class NormalSystem {
         return approach[p] + sum / root[p];
     }
 
-    // The pair with the largest excess, -1: none.
-    int worst(double tolerance, const bool* left) const {
+    // The pair with the largest excess of those that are not set aside, -1: none.
+    int worst(double tolerance, const bool* aside) const {
         int worst = -1;
         double largest = 0.0;
         for (int p = 0; p < pairs; ++p) {
-            if (left[p] || presses(p)) continue;
+            if (aside[p] || presses(p)) continue;
             if (const double of_pair = excess(p); of_pair > max(largest, allowed(p, tolerance))) {
                 largest = of_pair;
                 worst = p;
@@ -200,14 +202,16 @@ template <int C> class NormalSystem {
         is_pressing[p] = true;
         pair_of[pressing++] = p;
     }
+    // Once more; it may have been roundoff.
     void append(int p) {
         Parts of;
         split(p, of);
-        append(p, of);
+        if (of.length2 > 0.0) append(p, of);
+        else impulse[p] = 0.0;
     }
     void remove(int place) {
         const int all = pressing;
-        is_pressing[pair_of[place]] = false;
+        for (int c = place; c < all; ++c) is_pressing[pair_of[c]] = false;
         pressing = place;
         for (int c = place + 1; c < all; ++c) append(pair_of[c]);
     }

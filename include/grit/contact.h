@@ -209,8 +209,8 @@ typedef struct grit_contact_bodies {
  * (C5) for the velocities which the others leave. Momentum is kept by every sweep.
  *   pairs [pair_count], all of the same struct_size; at most one pair for two bodies, none for two
  *   rigid ones. Any bad pair at a node: the node is untouched.
- *   Normals of pairs at a node that differ by less than 1e-6 are taken for one, that of the first of them; by less than 1e-5, then
- *   1e-4, where roundoff would leave more approach than that share of the relative speed and no two rigid bodies squeeze.
+ *   Normals of pairs at a node that differ by less than 1e-6 are taken for one, that of the first of them. Where roundoff leaves more
+ *   approach than 1e-6 of the relative speed, or impulses are beyond all measure, it is done again with 1e-5, then with 1e-4.
  *   The sweeps end when no velocity changes by more than sweep_tolerance times the largest approach of
  *   those that can touch, or after sweep_limit. Where friction then gains energy (Coulomb's law at several normals may), or has
  *   not settled and more than a tenth of the approach is left, the node gets normal impulses only.

@@ -299,10 +299,15 @@ BodiesAtNodes along_nearly_two_normals(std::size_t nodes, std::uint64_t seed, in
     return bodies;
 }
 
-double fastest(const BodiesAtNodes::One& before, const BodiesAtNodes::One& now) {
+// More than normals may be off.
+double approach_of(const BodiesAtNodes::One& x, int a, int b, std::size_t pair) {
+    const Vec w = x.v[static_cast<std::size_t>(a)] - x.v[static_cast<std::size_t>(b)];
+    return dot(w, x.n[pair]) - 1e-4 * norm(w);
+}
+
+double fastest(const BodiesAtNodes::One& x) {
     double speed = 0.0;
-    for (std::size_t b = 0; b < 8; ++b)
-        speed = std::max({speed, norm(before.v[b]), norm(now.v[b])});
+    for (const Vec& v : x.v) speed = std::max(speed, norm(v));
     return speed;
 }
 
@@ -324,8 +329,7 @@ TEST(ManyBodies, OfNearlyTwoNormalsAreNeitherSqueezedNorThrownWhateverTheirMasse
         for (std::size_t b = 0; b < 8; ++b) size[b] = norm(before[i].v[b]) + norm(x.v[b]);
         for (std::size_t p = 0; p < bodies.who.size(); ++p) {
             const auto [a, b] = bodies.who[p];
-            EXPECT_LE(dot(x.v[a] - x.v[b], x.n[p]), 2.3e-4 * fastest(before[i], x))
-                << i << ", pair " << p;
+            EXPECT_LE(approach_of(x, a, b, p), 2e-4 * fastest(before[i])) << i << ", pair " << p;
             const double* J = bodies.reports[i * bodies.who.size() + p].impulse;
             told[a] = told[a] - Vec{J[0], J[1], J[2]};
             told[b] = told[b] + Vec{J[0], J[1], J[2]};
@@ -339,6 +343,36 @@ TEST(ManyBodies, OfNearlyTwoNormalsAreNeitherSqueezedNorThrownWhateverTheirMasse
                       1e-12 * largest * std::sqrt(x.m[b]))
                 << i << ", body " << b;
     }
+}
+
+// Friction neither gives energy, though all go by fast, nor is it lost where one of many sweeps leaves roundoff.
+TEST(ManyBodies, OfNearlyTwoNormalsRubWithoutAGain) {
+    const Vec common = {1e3, -2e3, 0.0};
+    BodiesAtNodes bodies = along_nearly_two_normals(2000, 83, 0);
+    for (auto& o : bodies.options) o.friction_coefficient = 0.3;
+    for (auto& x : bodies.node)
+        for (Vec& v : x.v) v = v + common;
+    const auto before = bodies.node;
+    ASSERT_EQ(bodies.correct(), GRIT_OK) << bodies.error.message;
+    std::size_t rubbing = 0;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        double old = 0.0, now = 0.0, roundoff = 0.0;
+        for (std::size_t b = 0; b < 8; ++b) {
+            const Vec v = before[i].v[b] - common, w = bodies.node[i].v[b] - common;
+            old += before[i].m[b] * dot(v, v);
+            now += before[i].m[b] * dot(w, w);
+            roundoff += before[i].m[b] * 1e-15 * norm(common) * (norm(v) + norm(w));
+        }
+        EXPECT_LE(now, old * (1.0 + 1e-12) + roundoff) << i;
+        bool rubs = false;
+        for (std::size_t p = 0; p < bodies.who.size(); ++p) {
+            const double* J = bodies.reports[i * bodies.who.size() + p].impulse;
+            const Vec& n = before[i].n[p];
+            rubs = rubs || std::fabs(J[0] * n[1] - J[1] * n[0]) > 1e-3 * norm({J[0], J[1], 0.0});
+        }
+        rubbing += rubs;
+    }
+    EXPECT_GE(rubbing, 920u);  // 928; 904 where such roundoff takes friction away
 }
 
 // Numbers that are none on the way are no answer.
@@ -355,8 +389,7 @@ TEST(ManyBodies, OfNearlyTwoNormalsBetweenTwoRigidOnesAreKeptApartOrRefused) {
         }
         for (std::size_t p = 0; p < bodies.who.size(); ++p) {
             const auto [a, b] = bodies.who[p];
-            EXPECT_LE(dot(x.v[a] - x.v[b], x.n[p]), 0.11 * 2.0 * fastest(before[i], before[i]))
-                << i << ", pair " << p;
+            EXPECT_LE(approach_of(x, a, b, p), 2e-4 * fastest(before[i])) << i << ", pair " << p;
         }
     }
     EXPECT_LT(refused, before.size());

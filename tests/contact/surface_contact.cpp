@@ -313,7 +313,7 @@ TEST(SurfaceContact, TakesTheSmallestAndTheLargestSpacing) {
         SurfaceCall call;
         call.options.spacing = spacing;
         EXPECT_EQ(call(m.a, m.b), GRIT_OK) << call.error.message;
-        EXPECT_GT(call.totals.rows, 0) << spacing;
+        EXPECT_EQ(call.totals.rows > 0, spacing < 1.0);  // beside 1e30 facets are points
     }
 }
 
