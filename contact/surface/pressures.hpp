@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numeric>
 
 #include "contact/surface/ascending.hpp"
 #include "contact/surface/facets.hpp"
@@ -116,7 +117,7 @@ template <int C> class Pressures {
     // Facets that share a vertex and do not turn much are of one stretch.
     void find_stretches() {
         constexpr double least_cosine = 0.8660254037844386;
-        for (std::ptrdiff_t f = 0; f < facets; ++f) stretch[f] = f;
+        std::iota(stretch, stretch + facets, std::ptrdiff_t{0});
         sort_corners([](std::ptrdiff_t) { return std::ptrdiff_t{0}; });
         each_ridge([&](const Corner* first, const Corner* last) {
             for (const Corner* i = first; i < last; ++i)

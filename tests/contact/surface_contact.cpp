@@ -215,6 +215,7 @@ TEST(SurfaceContact, ClosesTheGapInTheStepAndNoMore) {
     SurfaceCall call(2);
     ASSERT_EQ(call(floor, block), GRIT_OK);
     EXPECT_NEAR(call.totals.smallest_gap, 0.015, 1e-12);
+    EXPECT_EQ(call.totals.points, 2 * 7);
     for (std::size_t v = 0; v < block.vertices(); ++v)
         EXPECT_NEAR(block.velocity_of_vertex(v), -1.5, 1e-9);
     // 0.03 away it is not reached in this step.
@@ -222,6 +223,7 @@ TEST(SurfaceContact, ClosesTheGapInTheStepAndNoMore) {
     for (std::size_t i = 1; i < block.v.size(); i += 2) block.v[i] = -2.0;
     ASSERT_EQ(call(floor, block), GRIT_OK);
     EXPECT_EQ(call.totals.pressures, 0);
+    EXPECT_EQ(call.totals.sweeps, 0);
     EXPECT_EQ(block.v[2 * 28 + 1], -2.0);
     // Beyond a fiftieth of the reach no point counts.
     for (std::size_t i = 1; i < block.position.size(); i += 2) block.position[i] = 3.06;
@@ -268,10 +270,26 @@ TEST(SurfaceContact, InSpaceIsTheSameInATurnedFrame) {
         return std::array<double, 3>{c * x[0] - s * x[1], c * y - s * x[2], s * y + c * x[2]};
     };
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
-        Meeting m(3, seed, 0.5), other(3, seed, 0.5);
-        for (GridBody* body : {&m.a, &m.b, &other.a, &other.b})
+        // Oblong, of many facets a pressure.
+        const auto meeting = [&] {
+            BlockAndFloor out;
+            const auto wave = [](double x, double y) {
+                return 3.4 + 0.1 * std::sin(0.9 * x + 0.7 * y);
+            };
+            for (GridBody* body : {&out.floor, &out.block}) body->components = 3;
+            add_face(out.floor, false, 0.5, 6.4, 12, wave);
+            add_face(out.block, true, 0.2, 6.1, 7, wave);
+            for (GridBody* body : {&out.floor, &out.block})
+                for (std::size_t i = 0; i < body->position.size(); i += 3) body->position[i] *= 0.6;
+            std::mt19937_64 random(seed);
+            out.floor.fill(random, 1.0, 0.5);
+            out.block.fill(random, 1.0, 0.5);
+            return out;
+        };
+        BlockAndFloor m = meeting(), other = meeting();
+        for (GridBody* body : {&m.floor, &m.block, &other.floor, &other.block})
             std::fill(body->fixed.begin(), body->fixed.end(), 0);
-        for (GridBody* body : {&other.a, &other.b})
+        for (GridBody* body : {&other.floor, &other.block})
             for (std::vector<double>* list : {&body->position, &body->v, &body->v_old})
                 for (std::size_t i = 0; i < list->size(); i += 3) {
                     const auto x = turned(&(*list)[i]);
@@ -279,12 +297,13 @@ TEST(SurfaceContact, InSpaceIsTheSameInATurnedFrame) {
                 }
         SurfaceCall call(3), again(3);
         call.options.spacing = again.options.spacing = 2.5;
-        ASSERT_EQ(call(m.a, m.b), GRIT_OK) << call.error.message;
-        ASSERT_EQ(again(other.a, other.b), GRIT_OK) << again.error.message;
+        ASSERT_EQ(call(m.floor, m.block), GRIT_OK) << call.error.message;
+        ASSERT_EQ(again(other.floor, other.block), GRIT_OK) << again.error.message;
         EXPECT_EQ(again.totals.rows, call.totals.rows) << seed;
-        for (std::size_t i = 0; i < m.b.v.size(); i += 3) {
-            const auto v = turned(&m.b.v[i]);
-            for (std::size_t d = 0; d < 3; ++d) EXPECT_NEAR(other.b.v[i + d], v[d], 1e-8) << seed;
+        for (std::size_t i = 0; i < m.block.v.size(); i += 3) {
+            const auto v = turned(&m.block.v[i]);
+            for (std::size_t d = 0; d < 3; ++d)
+                EXPECT_NEAR(other.block.v[i + d], v[d], 1e-8) << seed;
         }
     }
 }
@@ -308,7 +327,7 @@ TEST(SurfaceContact, BesideAStretchFarAwayHasTheSameBits) {
 }
 
 TEST(SurfaceContact, TakesTheSmallestAndTheLargestSpacing) {
-    for (const double spacing : {1e-30, 1e30}) {
+    for (const double spacing : {1.0 / 1e30, 1e30}) {
         Meeting m(2, 2);
         SurfaceCall call;
         call.options.spacing = spacing;

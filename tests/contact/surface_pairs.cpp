@@ -139,6 +139,37 @@ TEST(SurfacePairs, LeaveNothingThatApproachesABodyBetweenTwoOthers) {
     EXPECT_GT(left_by_calls_in_turn, 18);
 }
 
+// Whatever pair is named first: of four bodies on top of each other the pair of the upper two is, and the body in common of
+// the lower two is found before the other.
+TEST(SurfacePairs, OfFourBodiesAreSolvedTogetherInAnyOrder) {
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+        Sandwich lower(2, seed, 0.5, 0.5, 0.0);
+        const double top = lower.above.position[1] + 0.4;
+        GridBody under_lid, lid;
+        add_face(under_lid, false, 0.2, 6.1, 10, [&](double, double) { return top; });
+        add_face(lid, true, 0.4, 6.3, 11, [&](double, double) { return top; });
+        std::mt19937_64 random(seed + 100);
+        lid.fill(random, 1.0, 0.5);
+        under_lid.mass = lower.above.mass;
+        under_lid.v = under_lid.v_old = lower.above.v;
+        under_lid.fixed = lower.above.fixed;
+        grit_surface upper = under_lid.surface(), above = lower.above.surface();
+        upper.velocity = above.velocity;
+        upper.body = above.body = 9;
+        PairsCall call;
+        call.add(upper, lid.surface(), SurfaceCall(2));
+        call.add(lower.below.surface(), lower.plate_below(), SurfaceCall(2));
+        call.add(lower.plate_above(false), above, SurfaceCall(2));
+        ASSERT_EQ(call(), GRIT_OK) << call.error.message;
+        under_lid.v = lower.above.v;
+        SurfaceCall look(2);
+        look.options.validate_only = 1;
+        ASSERT_EQ(look(under_lid, lid), GRIT_OK) << look.error.message;
+        EXPECT_LT(look.totals.largest_approach, 1e-9) << seed;
+        EXPECT_LT(lower.left(), 1e-9) << seed;
+    }
+}
+
 TEST(SurfacePairs, KeepMomentumAndMakeNoEnergyHoweverEarlyTheirSweepsEnd) {
     for (const int components : {2, 3})
         for (std::uint64_t seed = 0; seed < 40; ++seed) {
