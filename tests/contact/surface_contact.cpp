@@ -296,7 +296,7 @@ TEST(SurfaceContact, InSpaceIsTheSameInATurnedFrame) {
                     std::copy(x.begin(), x.end(), list->begin() + static_cast<std::ptrdiff_t>(i));
                 }
         SurfaceCall call(3), again(3);
-        call.options.spacing = again.options.spacing = 2.5;
+        call.options.spacing = again.options.spacing = 1.0;
         ASSERT_EQ(call(m.floor, m.block), GRIT_OK) << call.error.message;
         ASSERT_EQ(again(other.floor, other.block), GRIT_OK) << again.error.message;
         EXPECT_EQ(again.totals.rows, call.totals.rows) << seed;
@@ -324,6 +324,21 @@ TEST(SurfaceContact, BesideAStretchFarAwayHasTheSameBits) {
             EXPECT_EQ(beside.a.v, alone.a.v) << components << ' ' << seed;
             EXPECT_EQ(beside.b.v, alone.b.v) << components << ' ' << seed;
         }
+}
+
+// Two points of integration for each piece of a facet between ends of those above it; what roundoff leaves between ends of
+// several layers is none.
+TEST(SurfaceContact, HasTwoPointsForEachPieceOfAFacet) {
+    GridBody floor, block;
+    add_face(floor, false, 0.0, 7.0, 7, [](double, double) { return 3.0; });
+    add_face(block, true, 0.0, 7.0, 5, [](double, double) { return 3.0; });
+    add_face(block, true, 1e-11, 7.0 - 1e-11, 5, [](double, double) { return 3.5; });
+    floor.rigid = true;
+    std::mt19937_64 random(1);
+    block.fill(random, 1.0, 0.0);
+    SurfaceCall call(2);
+    ASSERT_EQ(call(floor, block), GRIT_OK) << call.error.message;
+    EXPECT_EQ(call.totals.points, 2 * (7 + 4));
 }
 
 TEST(SurfaceContact, TakesTheSmallestAndTheLargestSpacing) {
@@ -421,6 +436,25 @@ TEST(SurfaceContact, MeetsTheNearestOfSeveralLayers) {
         for (const std::size_t x : {0u, 4u, 7u})
             EXPECT_NEAR(at(x, 3), 0.0, components == 2 ? 1e-9 : 0.08);
         EXPECT_EQ(at(4, 4), -1.0);  // of the other layer's upper line
+    }
+}
+
+// As deep as the reach it still is in front.
+TEST(SurfaceContact, MeetsWhatIsAsDeepAsTheReach) {
+    for (const int components : {2, 3}) {
+        GridBody floor, block;
+        floor.components = block.components = components;
+        add_face(floor, false, 0.0, 7.0, 7, [](double, double) { return 3.0; });
+        add_face(block, true, 0.0, 7.0, 7, [](double, double) { return 3.0; });
+        add_face(block, true, 0.0, 7.0, 7, [](double, double) { return 2.0; });
+        floor.rigid = true;
+        std::mt19937_64 random(1);
+        block.fill(random, 0.0, 0.0);
+        SurfaceCall call(components);
+        ASSERT_EQ(call.options.reach, 1.0);
+        ASSERT_EQ(call(floor, block), GRIT_OK) << call.error.message;
+        EXPECT_NEAR(call.totals.area, components == 2 ? 7.0 : 49.0, 1e-12);
+        EXPECT_EQ(call.totals.smallest_gap, -1.0);
     }
 }
 
