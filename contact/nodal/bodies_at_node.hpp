@@ -53,14 +53,15 @@ template <int C> struct BodiesAtNode {
     bool sweep(double tolerance, int sweep_limit) {
         for (int body = 0; body < bodies; ++body) trial[body] = velocity[body];
         for (int p = 0; p < pair_count; ++p) pairs[p].n = pairs[p].x.n;
-        for (const double share : {1e-6, 1e-5, 1e-4}) {
+        for (const double share : {1e-6, 1e-5, most_alike}) {
             alike = share;
-            is_last = share == 1e-4;
             if (sweep_with(tolerance, sweep_limit)) return true;
             for (int body = 0; body < bodies; ++body) velocity[body] = trial[body];
         }
         return false;
     }
+    // Then roundoff may leave what friction may.
+    bool is_last() const { return alike == most_alike; }
     bool sweep_with(double tolerance, int sweep_limit) {
         const double approach = assemble();
         if (!(approach > 0.0)) return true;
@@ -69,7 +70,7 @@ template <int C> struct BodiesAtNode {
         for (int s = 0; s < sweep_limit; ++s) {
             const double pressed = press(approach, tolerance);
             fits = pressed >= 0.0;
-            if (!fits && (s == 0 || !is_last)) return false;
+            if (!fits && (s == 0 || !is_last())) return false;
             if (!fits) break;
             if (s == 0 && has_springs) given = max(-loss().work, 0.0);
             if (max(pressed, rub()) <= tolerance * approach || !rubs) break;
@@ -86,7 +87,7 @@ template <int C> struct BodiesAtNode {
             }
             if (press(approach, tolerance) < 0.0) return false;
         }
-        return consistent(approach) && (is_last || has_springs || loses(0.0));
+        return consistent(approach) && (is_last() || has_springs || loses(0.0));
     }
     // But for what springs have given.
     bool loses(double given) const {
@@ -250,7 +251,7 @@ template <int C> struct BodiesAtNode {
         refine(allowed);
         const double speed = max(approach, relative_speed);
         if (are_squeezed(rubbed, speed)) return -1.0;
-        if (!is_last && !leave_no_more_than(alike * speed)) return -1.0;
+        if (!is_last() && !leave_no_more_than(alike * speed)) return -1.0;
         double change = 0.0;
         for (int row = 0; row < system.count(); ++row) {
             NodePair<C>& pair = pairs[pair_of[row]];
@@ -331,7 +332,7 @@ template <int C> struct BodiesAtNode {
     // free could take. Where nothing holds them such impulses are roundoff, or around a ring.
     bool are_squeezed(const Velocity* before, double speed) const {
         constexpr double most_times_faster = 1e4, most_times_pressed = 1e10;
-        if (is_last && !may_squeeze) return false;
+        if (is_last() && !may_squeeze) return false;
         for (int row = 0; row < system.count(); ++row)
             if (!(pairs[pair_of[row]].shares.m_r * pairs[pair_of[row]].r.u_n <=
                   most_times_pressed * free_mass * speed))
@@ -379,6 +380,7 @@ template <int C> struct BodiesAtNode {
         }
     }
 
+    static constexpr double most_alike = 1e-4;
     // Bodies in a ring may press each other by a spring that nothing else gives way to.
     static constexpr double least_yield = 1e-20;
 
@@ -387,9 +389,8 @@ template <int C> struct BodiesAtNode {
     bool has_springs = false, rubs = false, may_squeeze = false;
     double relative_speed;  // the largest of pairs that can touch
     double free_mass;
-    double
-        alike;  // normals that differ by less are one, and roundoff leaves no larger share of the speed
-    bool is_last;  // then roundoff may leave what friction may
+    // Normals that differ by less are one, and roundoff leaves no larger share of the speed.
+    double alike;
     int heaviest;  // of bodies that can touch; a rigid one is
     int touching;  // bodies that can touch, in the order in which pairs name them
     int toucher[most_bodies];

@@ -287,8 +287,6 @@ TEST(SurfaceContact, InSpaceIsTheSameInATurnedFrame) {
             return out;
         };
         BlockAndFloor m = meeting(), other = meeting();
-        for (GridBody* body : {&m.floor, &m.block, &other.floor, &other.block})
-            std::fill(body->fixed.begin(), body->fixed.end(), 0);
         for (GridBody* body : {&other.floor, &other.block})
             for (std::vector<double>* list : {&body->position, &body->v, &body->v_old})
                 for (std::size_t i = 0; i < list->size(); i += 3) {
