@@ -324,8 +324,13 @@ TEST(SurfacePairs, SayHowMuchMemoryTheyNeed) {
     call.add(bodies.plate_above(false), bodies.above.surface(), SurfaceCall());
     const auto given = call.given();
     const std::vector<double> before = bodies.plate.v;
-    std::vector<double> workspace(512);
+    std::vector<double> workspace(8);
     std::size_t needed = 0;
+    EXPECT_EQ(grit_surface_correct_pairs(given.data(), 2, workspace.data(), 8 * sizeof(double),
+                                         &needed, nullptr),
+              GRIT_BAD_CALL);
+    EXPECT_EQ(needed, grit_surface_pairs_workspace_size(given.data(), 2));
+    workspace.resize(512);
     for (int tries = 0; tries < 20; ++tries) {
         const grit_status status = grit_surface_correct_pairs(
             given.data(), 2, workspace.data(), workspace.size() * sizeof(double), &needed, nullptr);

@@ -115,7 +115,7 @@ TEST(FreeFaces, ThatAreCoveredInPartCountIfAQuarterIsOpen) {
 
 // is_near(id): of particles whose places are their ids.
 template <class IsNear>
-void place(const RiddenMesh& mesh, const ParticleView& q, TriangleMesh& out,
+void place(RiddenMesh& mesh, const ParticleView& q, TriangleMesh& out,
            const IsNear& is_near) {
     std::vector<NearVertex> near;
     mesh.each_near(

@@ -21,41 +21,6 @@ Vector3 at(const std::vector<double>& of, std::size_t i) {
     return {of[3 * i], of[3 * i + 1], of[3 * i + 2]};
 }
 
-// Parallelepipeds, or points, each with nodes of its own, for one call of the library.
-class Domains {
-  public:
-    void add(const Vector3& x, const std::ptrdiff_t* nodes, int count) {
-        if (count == 0) return;
-        position.insert(position.end(), x.c, x.c + 3);
-        node.insert(node.end(), nodes, nodes + count);
-        offset.push_back(static_cast<std::ptrdiff_t>(node.size()));
-    }
-    void add(const Vector3& x, const double (&side)[9], const std::ptrdiff_t* nodes, int count) {
-        if (count > 0) sides.insert(sides.end(), side, side + 9);
-        add(x, nodes, count);
-    }
-    void send(const grit_contact_surfaces& to, int body) const {
-        grit_contact_domains d{};
-        d.struct_size = sizeof d;
-        d.body = body;
-        d.offset = offset.data();
-        d.node = node.data();
-        d.position = grit_view_of(position.data(), 3, 1);
-        if (!sides.empty()) {
-            d.sides = 3;
-            d.side = grit_matrix_view_of(sides.data(), 9, 3, 1);
-        }
-        const auto n = static_cast<std::ptrdiff_t>(offset.size()) - 1;
-        if (n == 0) return;
-        grit_error error;
-        require(grit_contact_surfaces_add(&to, n, &d, &error), error, "contact");
-    }
-
-  private:
-    std::vector<double> position, sides;
-    std::vector<std::ptrdiff_t> offset{0}, node;
-};
-
 using Row = Eigen::Matrix<double, 6, 1>;
 using Square = Eigen::Matrix<double, 6, 6>;
 
@@ -350,7 +315,8 @@ void ContactPair::find_surfaces() {
     all.centre = grit_mutable_view_of(centre.data(), 2, 1);
     const grit_contact_surfaces beside_nodes = surfaces(near_surface);
     for (const int which : {0, 1}) {
-        Domains domains, corners;
+        domains.clear();
+        corners.clear();
         for (const Reaching& q : reaching[which]) {
             std::ptrdiff_t beside[64];
             for (const Vector3& corner : q.corner) {
@@ -373,7 +339,7 @@ void ContactPair::find_surfaces() {
 // Bodies are apart if they are along any direction; see the plane's. Nodes that the normal calls closed are asked along
 // the grid, the normal of the other body and the one between both, by all that has weight there.
 void ContactPair::part_corners() {
-    std::vector<std::ptrdiff_t> asked;
+    asked.clear();
     for (const std::ptrdiff_t place : places) {
         const auto i = static_cast<std::size_t>(place);
         if (!(gap[i] <= pair_law.options.gap_tolerance)) continue;
@@ -390,7 +356,7 @@ void ContactPair::part_corners() {
         if (source != pair_law.normal) find_normals(source, asked, direction[k++]);
     for (const int which : {0, 1}) {
         if (asked.empty()) break;
-        Domains domains;
+        domains.clear();
         for (const Reaching& q : reaching[which]) {
             std::ptrdiff_t wanted[64];
             const auto is_closed = [&](std::ptrdiff_t i) {
@@ -567,7 +533,7 @@ bool ContactPair::meet_freely(const RigidMotion& rigid, bool is_a,
                               const grit_contact_options& law) {
     std::vector<double>&own = is_a ? motion_a : motion_b, &other = is_a ? motion_b : motion_a;
     const std::vector<double>& mass = is_a ? mass_b : mass_a;
-    const std::vector<double> other_start = other;
+    other_start = other;
     FreeMeeting meeting(rigid, fixed_point);
     const double sign = is_a ? 1.0 : -1.0;
     const auto look = [&](const Row& u, FreeMeeting::Slope slope) {

@@ -9,6 +9,7 @@
 #include <grit/contact_distance.h>
 #include <grit/contact_normals.h>
 
+#include "adapters/mpm/space/step/domain_list.hpp"
 #include "adapters/mpm/space/step/near_cells.hpp"
 #include "adapters/mpm/step/contact_pair.hpp"
 
@@ -98,14 +99,16 @@ class ContactPair {
     static constexpr int directions = 5;  // that may part two corners
     std::vector<double> direction[directions], direction_surface;
     std::vector<char> closed;  // along its normal
-    std::vector<std::ptrdiff_t> places, undefined;
+    std::vector<std::ptrdiff_t> places, undefined, asked;
+    std::vector<double> other_start;  // motion of the body beside a rigid one that is free
     std::vector<grit_contact_report> reports;
     std::vector<Reaching> reaching[2];  // of a and of b
     // ... but these: by node, or by cell.
     std::vector<int> place_of;  // -1: not in contact
     std::vector<char> touched;  // pressed in the step before
     NearCells near;             // from which a domain may reach a node in contact
-    bool fixed_point;           // of sums of forces
+    DomainList domains, corners;
+    bool fixed_point;  // of sums of forces
     Twist found;
     double step_size = 0.0;  // [s]
     grit_contact_totals step_totals{};

@@ -172,7 +172,8 @@ void FreeFaces::join(TriangleMesh& out) {
         }
     }
     std::vector<std::ptrdiff_t>& vertex = order;
-    std::vector<double> number;
+    std::vector<double>& number = corners_of_vertex;
+    number.clear();
     for (std::size_t c = 0; c < n; ++c) {
         const auto first = static_cast<std::size_t>(root(static_cast<std::ptrdiff_t>(c)));
         if (first == c) {

@@ -79,6 +79,7 @@ class FreeFaces {
     std::array<std::ptrdiff_t, 8> corner_of{};  // ... its corners in corners; -1: not there yet
     std::vector<Corner> corners;
     std::vector<std::ptrdiff_t> order;
+    std::vector<double> corners_of_vertex;
 };
 
 }  // namespace grit::mpm::space

@@ -122,24 +122,23 @@ void RiddenMesh::find_riders(const ParticleView& q, std::ptrdiff_t count, const 
         [&](std::size_t v, std::ptrdiff_t p, double* from) { std::copy_n(way(v, p).c, 3, from); });
 }
 
-void RiddenMesh::place(const std::vector<NearVertex>& near, TriangleMesh& out) const {
-    constexpr std::ptrdiff_t is_far = -2, unused = -1;
-    std::vector<std::ptrdiff_t> vertex(riders.size(), is_far);
-    std::vector<Vector3> at(riders.size());
-    for (const NearVertex& v : near) {
-        vertex[static_cast<std::size_t>(v.number)] = unused;
-        at[static_cast<std::size_t>(v.number)] = v.at;
-    }
+void RiddenMesh::place(const std::vector<NearVertex>& near, TriangleMesh& out) {
+    constexpr std::ptrdiff_t none = -1;
+    near_of.assign(riders.size(), none);
+    vertex_of.assign(near.size(), none);
+    for (std::size_t i = 0; i < near.size(); ++i)
+        near_of[static_cast<std::size_t>(near[i].number)] = static_cast<std::ptrdiff_t>(i);
     out.clear();
     for (std::size_t f = 0; f + 2 < facet.size(); f += 3) {
         const std::size_t* of = &facet[f];
-        if (std::any_of(of, of + 3, [&](std::size_t v) { return vertex[v] == is_far; })) continue;
+        if (std::any_of(of, of + 3, [&](std::size_t v) { return near_of[v] == none; })) continue;
         for (std::size_t k = 0; k < 3; ++k) {
-            if (vertex[of[k]] == unused) {
-                vertex[of[k]] = out.vertices();
-                out.position.insert(out.position.end(), at[of[k]].c, at[of[k]].c + 3);
+            const auto i = static_cast<std::size_t>(near_of[of[k]]);
+            if (vertex_of[i] == none) {
+                vertex_of[i] = out.vertices();
+                out.position.insert(out.position.end(), near[i].at.c, near[i].at.c + 3);
             }
-            out.facet.push_back(vertex[of[k]]);
+            out.facet.push_back(vertex_of[i]);
         }
     }
 }

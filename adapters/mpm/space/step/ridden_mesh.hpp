@@ -36,8 +36,8 @@ class RiddenMesh {
             if (p >= 0) take(NearVertex{static_cast<std::ptrdiff_t>(v), now(riders[v], q, p)});
         }
     }
-    // Triangles all of whose vertices are near. near: in order.
-    void place(const std::vector<NearVertex>& near, TriangleMesh& out) const;
+    // Triangles all of whose vertices are near, in the order of the mesh.
+    void place(const std::vector<NearVertex>& near, TriangleMesh& out);
 
     // The same on all processes.
     template <class Self, class Archive> static void visit(Self& mesh, Archive& archive) {
@@ -53,9 +53,10 @@ class RiddenMesh {
         return x;
     }
 
-    std::vector<double> start;       // three coordinates of each vertex [m]
-    std::vector<Seat> riders;        // of each vertex
-    std::vector<std::size_t> facet;  // three vertices each
+    std::vector<double> start;                       // three coordinates of each vertex [m]
+    std::vector<Seat> riders;                        // of each vertex
+    std::vector<std::size_t> facet;                  // three vertices each
+    std::vector<std::ptrdiff_t> near_of, vertex_of;  // of place: by vertex, by near one; -1: none
 };
 
 }  // namespace grit::mpm::space
