@@ -115,8 +115,7 @@ TEST(FreeFaces, ThatAreCoveredInPartCountIfAQuarterIsOpen) {
 
 // is_near(id): of particles whose places are their ids.
 template <class IsNear>
-void place(RiddenMesh& mesh, const ParticleView& q, TriangleMesh& out,
-           const IsNear& is_near) {
+void place(RiddenMesh& mesh, const ParticleView& q, TriangleMesh& out, const IsNear& is_near) {
     std::vector<NearVertex> near;
     mesh.each_near(
         q, [&](int id) { return is_near(id) ? std::ptrdiff_t{id} : std::ptrdiff_t{-1}; },
