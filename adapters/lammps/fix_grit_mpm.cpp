@@ -427,7 +427,7 @@ void FixGritMpm::begin_stage(const std::vector<std::string>& words) {
 // when its last one is over; runs are left out until a stage is described.
 void FixGritMpm::post_run() {
     if (!run->started()) return;
-    if (is_at_stage_end)
+    if (is_at_stage_end && comm->me == 0)
         LAMMPS_NS::utils::logmesg(
             lmp, run->run().finished()
                      ? std::string("Grit: all stages have ended, further runs are left out\n")

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What guides a user: doctor, completions, the manual page.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cstdio>
 #include <cstdlib>
 
@@ -15,6 +18,15 @@ bool there_is(const char* program) {
         return true;
     std::printf("not tested: no %s, script/test --all installs it\n", program);
     return false;
+}
+
+// Says so where none can be opened, as where /dev/pts is not mounted.
+bool there_is_a_terminal() {
+    const int first = posix_openpt(O_RDWR | O_NOCTTY);
+    const bool is_there = first >= 0;
+    if (is_there) close(first);
+    else std::printf("not tested: no pseudo terminal can be opened\n");
+    return is_there;
 }
 
 // What SHELL prints of SCRIPT, in a folder with its completion in the file words.
@@ -83,7 +95,7 @@ TEST(Guide, FishCompletes) {
 
 // In a terminal of its own: zsh completes nowhere else.
 TEST(Guide, ZshCompletes) {
-    if (!there_is("zsh")) return;
+    if (!there_is("zsh") || !there_is_a_terminal()) return;
     // What the terminal shows after a tab, until it has the words or twenty seconds are over.
     const auto shown = [](const std::string& line, const std::string& words) {
         return of_shell(

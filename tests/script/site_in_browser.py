@@ -78,6 +78,7 @@ words_of_site = set((site / "search/main.js").read_text().replace("\\n", " ").re
 
 browser = headless.browser(work, "search", performance="ALL")
 from selenium.webdriver.common.by import By
+from selenium.webdriver.support.ui import WebDriverWait
 
 try:
     def search(words):
@@ -86,7 +87,10 @@ try:
         box.clear()
         box.send_keys(words)
         box.submit()
-        return [each.text for each in browser.find_elements(By.CSS_SELECTOR, "#mkdocs-search-results h3 a")]
+        # Else what is read is that of the page before, until the browser leaves it.
+        WebDriverWait(browser, 60).until(lambda b: b.execute_script(
+            "return document.readyState == 'complete' && new URLSearchParams(location.search).get('q')") == words)
+        return browser.execute_script("return [...document.querySelectorAll('#mkdocs-search-results h3 a')].map(each => each.textContent)")
 
     browser.get((site / "index.html").as_uri())
     browser.set_window_size(1300, 1000)
