@@ -108,6 +108,7 @@ struct Separation {
     double cap = 0.0;     // [-]
 };
 
+struct NodeAnswer;
 struct WaterScatter;
 struct WaterGather;
 
@@ -198,6 +199,8 @@ struct Kernels {
     // Of pore_water.hpp: forces of pressures, added to nodes; how fast the volumes of cells grow at velocities of nodes.
     void (*push_by_pressures)(const PatchCall&, const double* pressure, double* nodes);
     void (*find_swelling)(const PatchCall&, const double* nodes, double* swelling);
+    // ... at those that a pressure of 1 Pa in the cell itself gives.
+    void (*find_own_swelling)(const PatchCall&, const NodeAnswer* nodes, double* swelling);
 };
 
 // The best that this processor has, and those of any.

@@ -65,4 +65,24 @@ void find_swelling(const PatchCall& call, const double* nodes, double* swelling)
     }
 }
 
+void find_own_swelling(const PatchCall& call, const NodeAnswer* nodes, double* swelling) {
+    static_assert(sizeof(NodeAnswer) == 3 * sizeof(double));
+    for (std::size_t c = 0; c < call.count; ++c) {
+        const double* force = call.patches[call.cells[c].patch].force;
+        const NodeAnswer* at = nodes + call.cells[c].first;
+        RowOfPatch sum{};
+        for (int j = 0; j < 4; ++j, force += 8, at += call.row) {
+            // rr, rz, zz of four nodes.
+            const RowOfPatch f = load_row(force), low = load_row(&at->rr),
+                             high = load_row(&at[1].rz);
+            const RowOfPatch along = __builtin_shufflevector(low, high, 0, 2, 3, 5, 6, 12, 13, 15);
+            const RowOfPatch across = __builtin_shufflevector(low, high, 1, 1, 4, 4, 7, 7, 14, 14);
+            const RowOfPatch other = __builtin_shufflevector(f, f, 1, 0, 3, 2, 5, 4, 7, 6);
+            sum += f * (along * f + across * other);
+        }
+        swelling[c] =
+            ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+    }
+}
+
 GRIT_KERNEL_END

@@ -8,5 +8,6 @@ namespace grit::mpm {
 extern const Kernels baseline_kernels;
 const Kernels baseline_kernels{baseline::scatter,           baseline::gather,
                                baseline::deform_by_mean,    baseline::add_mean_stresses,
-                               baseline::push_by_pressures, baseline::find_swelling};
+                               baseline::push_by_pressures, baseline::find_swelling,
+                               baseline::find_own_swelling};
 }  // namespace grit::mpm

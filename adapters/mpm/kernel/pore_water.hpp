@@ -62,6 +62,8 @@ struct PoreWater {
         return void_ratio_column >= 0 ? q[void_ratio_column][p] : q.J(p) / (1.0 - porosity) - 1.0;
     }
     static GRIT_INLINE double porosity_of(double e) { return e / (1.0 + e); }
+    // K_w/n [Pa].
+    GRIT_INLINE double stiffness(double e) const { return bulk_modulus * (1.0 + e) / e; }
     // Does a node with this record of water that flows have any, in pores of a body? In fixed point a few quanta say
     // nothing of a porosity.
     bool is_at(const NodeRecord& w) const {
@@ -142,6 +144,14 @@ struct alignas(64) CellPatch {
 // Of a cell, beside what its pressure or strain is averaged from: what left it, as a share of volume, times volume.
 struct WaterCell : CellIntegers {
     std::int64_t left;
+};
+
+// How the volume velocity (1 - n) v_s + n v_w of a node answers an impulse of the pressure [1/kg]: symmetric.
+struct NodeAnswer {
+    double rr, rz, zz;
+    GRIT_INLINE Vector2 operator()(const Vector2& f) const {
+        return {rr * f[0] + rz * f[1], rz * f[0] + zz * f[1]};
+    }
 };
 
 // Cells by the patch each has and the first of its nodes, in arrays of nodes with rows of this length.

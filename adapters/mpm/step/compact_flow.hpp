@@ -33,8 +33,7 @@ class CompactFlow {
     // ... of it, by a change of 1 Pa of the cell's own pressure [m3/Pa].
     double own(std::size_t cell) const {
         const CompactAnswer* at = nodes.data() + cells[cell].first;
-        return (at[0].to_change + at[1].to_change + at[row].to_change + at[row + 1].to_change) /
-               16.0;
+        return at[0].to_change + at[1].to_change + at[row].to_change + at[row + 1].to_change;
     }
 
   private:
@@ -42,8 +41,10 @@ class CompactFlow {
     Exchange& exchange;
     bool fixed_point;
     std::vector<Cell> cells;
-    std::vector<CompactAnswer> nodes;
-    std::vector<Vector2> mixed;  // in the first lane
+    std::vector<CompactAnswer> nodes;  // a sixteenth of what they answer
+    // At the first node of each cell, behind a row and a node more of nothing; mixed differences at nodes.
+    std::vector<double> at_cells, mixed;
+    void find_mixed();
 };
 
 // Of a node around which the body has this volume and cells these mean lengths: velocity answers impulses [1/kg] that act for

@@ -82,11 +82,13 @@ void ImplicitPressure::swell(const std::vector<Vector2>& v, double* of) const {
 void ImplicitPressure::find_particles(const PoreWater& water, const GridView& grid,
                                       Particles& particles) {
     const ParticleView q = particles.view();
-    const auto cell_of = [&](std::ptrdiff_t p) {
-        return static_cast<std::size_t>(grid.cell_of(q[column::r][p], q[column::z][p]));
-    };
     std::fill(end_of.begin(), end_of.end(), 0);
-    for (std::ptrdiff_t p = 0; p < particles.size(); ++p) ++end_of[cell_of(p)];
+    cell_of.resize(static_cast<std::size_t>(particles.size()));
+    for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
+        const std::ptrdiff_t cell = grid.cell_of(q[column::r][p], q[column::z][p]);
+        cell_of[static_cast<std::size_t>(p)] = static_cast<std::uint32_t>(cell);
+        ++end_of[static_cast<std::size_t>(cell)];
+    }
     std::size_t begin = 0;
     for (std::size_t& of_cell : end_of) {
         const std::size_t count = of_cell;
@@ -96,10 +98,9 @@ void ImplicitPressure::find_particles(const PoreWater& water, const GridView& gr
     particles_of.resize(begin);
     double largest[3] = {};  // of V, V K_w/n and V p
     for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
-        const InCell in{q[column::V0][p] * q.J(p),
-                        water.bulk_modulus / PoreWater::porosity_of(water.void_ratio(q, p)),
+        const InCell in{q[column::V0][p] * q.J(p), water.stiffness(water.void_ratio(q, p)),
                         q[water.first][p]};
-        particles_of[end_of[cell_of(p)]++] = in;
+        particles_of[end_of[cell_of[static_cast<std::size_t>(p)]]++] = in;
         largest[0] = std::max(largest[0], in.V);
         largest[1] = std::max(largest[1], in.V * in.stiffness);
         largest[2] = std::max(largest[2], in.V * std::max(std::fabs(in.p), water.largest_tension));
@@ -143,7 +144,7 @@ void ImplicitPressure::find_cells(const PoreWater& water) {
                          .reached = 0.0,
                          .scale = 1.0});
     }
-    for (std::vector<double>* of_all : {&values, &swelling, &scaled, &pushing})
+    for (std::vector<double>* of_all : {&values, &swelling, &own_swelling, &scaled, &pushing})
         of_all->resize(cells.size());
 }
 
@@ -152,11 +153,11 @@ bool ImplicitPressure::find_laws(const PoreWater& water, double dt) {
     std::fill(sums.begin(), sums.end(), 0.0);
     for (std::size_t c = 0; c < cells.size(); ++c) {
         const Cell& cell = cells[c];
-        const double swells = dt * swelling[c];
+        const double strain = dt * swelling[c] / cell.V;
         double &stiffness = sums[2 * patched[c].patch], &reached = sums[2 * patched[c].patch + 1];
         for (std::size_t p = cell.begin; p < cell.end; ++p) {
             const InCell& in = particles_of[p];
-            const bool bears = in.p - in.stiffness * swells / cell.V > -water.largest_tension;
+            const bool bears = in.p - in.stiffness * strain > -water.largest_tension;
             reached += of_pressure(in.V * (bears ? in.p : -water.largest_tension));
             if (bears) stiffness += of_stiffness(in.V * in.stiffness);
         }
@@ -311,13 +312,17 @@ void ImplicitPressure::solve(const PoreWater& water, const GridView& grid, Parti
     std::vector<double> flow;
     // u + dt A G of the values, and the flow beside it.
     const auto move = [&] {
-        push(values.data(), moved);
-        answers(moved);
-        for (std::size_t i = 0; i < moved.size(); ++i)
-            moved[i] = {u[i][0] + dt * moved[i][0], u[i][1] + dt * moved[i][1]};
-        swell(moved, swelling.data());
+        double any = std::any_of(values.begin(), values.end(), [](double x) { return x != 0.0; });
+        exchange.max(&any, 1);
         flow = flow_before;
-        compact.add(&CompactAnswer::to_change, values.data(), flow.data());
+        if (any > 0.0) {
+            push(values.data(), moved);
+            answers(moved);
+            for (std::size_t i = 0; i < moved.size(); ++i)
+                moved[i] = {u[i][0] + dt * moved[i][0], u[i][1] + dt * moved[i][1]};
+            compact.add(&CompactAnswer::to_change, values.data(), flow.data());
+        }
+        swell(any > 0.0 ? moved : u, swelling.data());
         for (std::size_t c = 0; c < cells.size(); ++c) swelling[c] += flow[c] / dt;
     };
     bool settled = false;
@@ -327,15 +332,11 @@ void ImplicitPressure::solve(const PoreWater& water, const GridView& grid, Parti
             values[c] = cells[c].compliance > 0.0 ? 0.0 : cells[c].reached - cells[c].pressure;
         find_compact_flow(answers);
         move();
+        kernels().find_own_swelling({of_cells.data(), patched.data(), cells.size(), row},
+                                    answers.nodes.data(), own_swelling.data());
         for (std::size_t c = 0; c < cells.size(); ++c) {
             Cell& cell = cells[c];
-            const double* force = of_cells[patched[c].patch].force;
-            double diagonal = cell.compliance + compact.own(c);
-            for (std::size_t k = 0; k < 16; ++k) {
-                const Vector2 f{force[2 * k], force[2 * k + 1]};
-                const Vector2 v = answers.nodes[patched[c].first + k / 4 * row + k % 4](f);
-                diagonal += dt * dt * (f[0] * v[0] + f[1] * v[1]);
-            }
+            const double diagonal = cell.compliance + compact.own(c) + dt * dt * own_swelling[c];
             cell.scale = diagonal > 0.0 ? 1.0 / std::sqrt(diagonal) : 1.0;
             const bool bears = cell.compliance > 0.0;
             system.scale[c] = bears ? cell.scale : 0.0;

@@ -14,14 +14,6 @@
 
 namespace grit::mpm {
 
-// How the volume velocity (1 - n) v_s + n v_w of a node answers an impulse of the pressure [1/kg]: symmetric.
-struct NodeAnswer {
-    double rr, rz, zz;
-    Vector2 operator()(const Vector2& f) const {
-        return {rr * f[0] + rz * f[1], rz * f[0] + zz * f[1]};
-    }
-};
-
 // Nodes that move as one along a direction (0 r, 1 z).
 struct TiedNodes {
     int direction;
@@ -127,13 +119,14 @@ class ImplicitPressure {
     std::vector<Cell> cells;
     std::vector<PatchedCell> patched;  // ... of each
     std::vector<InCell> particles_of;
+    std::vector<std::uint32_t> cell_of;  // of each particle here
     std::vector<std::size_t>
         end_of;                // particles of each cell of the grid, one cell after the other
     std::vector<double> sums;  // two of each cell of the grid
     Rounding of_volume, of_stiffness, of_pressure;  // of addends of these
     std::vector<Vector2> at_nodes, moved, shared;   // shared: of the grid
     CompactFlow compact;
-    std::vector<double> values, found, swelling, scaled, pushing;
+    std::vector<double> values, found, swelling, own_swelling, scaled, pushing;
     std::vector<double> flow_before,
         flow_of_grid;  // what leaves cells by the pressures before [m3]
     // Of cells, at the first of their nodes: how fast values changed in the last two steps [Pa/s].
