@@ -78,6 +78,7 @@ words_of_site = set((site / "search/main.js").read_text().replace("\\n", " ").re
 
 browser = headless.browser(work, "search", performance="ALL")
 from selenium.webdriver.common.by import By
+from selenium.webdriver.support.expected_conditions import staleness_of
 from selenium.webdriver.support.ui import WebDriverWait
 
 try:
@@ -88,8 +89,8 @@ try:
         box.send_keys(words)
         box.submit()
         # Else what is read is that of the page before, until the browser leaves it.
-        WebDriverWait(browser, 60).until(lambda b: b.execute_script(
-            "return document.readyState == 'complete' && new URLSearchParams(location.search).get('q')") == words)
+        WebDriverWait(browser, 60).until(staleness_of(box))
+        WebDriverWait(browser, 60).until(lambda b: b.execute_script("return document.readyState") == "complete")
         return browser.execute_script("return [...document.querySelectorAll('#mkdocs-search-results h3 a')].map(each => each.textContent)")
 
     browser.get((site / "index.html").as_uri())

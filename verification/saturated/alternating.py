@@ -6,9 +6,9 @@ docs/saturated.md; a picture of the cells (gnuplot).
 
 Means of cells, their excess over the pressure at rest; within three radii of the axis, three below the tip and six above it.
 "Checkerboard": fourth differences along r and along z over 256, as in the table of blocks; by what the pile presses with, the
-largest force on its tip over its section. "Bears": of it where no particle of the 25 cells cavitates, for beside those that do the
-pressure itself jumps. "One way": fourth differences along r or along z over 16, the least of five cells in a row whose signs alternate: of a plain jump
-nothing, of a cell that stands out a sixteenth.
+largest force on its tip over its section. "One way": fourth differences along r or along z over 16, the least of five cells in a row whose signs alternate: of a plain jump
+nothing, of a cell that stands out a sixteenth. "Where water bears": where no particle of the 25 cells, or of those of the row, cavitates, for beside those that
+do the pressure itself jumps.
 What has ended
 in DIR (results/saturated) is not run again."""
 import math
@@ -59,13 +59,16 @@ def near_the_tip(values, tip):
             yield cell
 
 
-def one_way(values, tip):
+def one_way(values, least, tip):
+    """(part, whether all nine cells bear)."""
     for cell in near_the_tip(values, tip):
         for direction in ((1, 0), (0, 1)):
-            parts = [fourth(values, (cell[0] + n * direction[0], cell[1] + n * direction[1]), direction) for n in range(-2, 3)]
+            near = [(cell[0] + n * direction[0], cell[1] + n * direction[1]) for n in range(-4, 5)]
+            parts = [fourth(values, each, direction) for each in near[2:-2]]
             if None not in parts:
                 alternates = all(a * b < 0 for a, b in zip(parts, parts[1:]))
-                yield min(abs(part) for part in parts) if alternates else 0.0
+                yield (min(abs(part) for part in parts) if alternates else 0.0,
+                       min(least[each] for each in near) > -CAVITATES)
 
 
 def checkerboards(values, least, tip):
@@ -91,17 +94,20 @@ def row(out, case):
             continue
         at = min(range(len(history)), key=lambda i: abs(t[i] - time))
         values, least = cells(Frame(file))
-        along += one_way(values, -EMBEDMENT - depth[at])
+        along += one_way(values, least, -EMBEDMENT - depth[at])
         boards += checkerboards(values, least, -EMBEDMENT - depth[at])
-    parts, bears = [part for part, _ in boards], [part for part, bears in boards if bears]
+    parts = [part for part, _ in boards]
     pressed = max(history["tip_force"][drive:]) / (math.pi * RADIUS**2)
     driven = ", ".join(f"{1e3 * (depth[last] - depth[drive]):.0f}" for _, last in history.blows())
     kind = f"k = 1e-{case.removeprefix('blows_flow_1e')[0]} m/s"
     law = "surface" if case.endswith("_surface") else "geo"
-    return (f"| {kind} | {law} | {1e3 * depth[drive]:.0f} | {driven} | {pressed:.0f} | {most(parts):.1f}, "
-            f"{100 * most(parts) / pressed:.2f} % | {math.hypot(*parts) / len(parts) ** 0.5:.1f} | {most(bears):.1f}, "
-            f"{100 * most(bears) / pressed:.2f} % | {most(along):.0f}, "
-            f"{100 * most(along) / pressed:.1f} % |")
+
+    def share(found):
+        return f"{most(found):.1f}, {100 * most(found) / pressed:.2f} %"
+
+    return (f"| {kind} | {law} | {1e3 * depth[drive]:.0f} | {driven} | {pressed:.0f} | {share(parts)} | "
+            f"{math.hypot(*parts) / len(parts) ** 0.5:.1f} | {share([part for part, bears in boards if bears])} | "
+            f"{share([part for part, _ in along])} | {share([part for part, bears in along if bears])} |")
 
 
 def draw(out, cases, target):
@@ -132,7 +138,7 @@ def main():
     cases = sorted(p.stem for p in HERE.glob("blows_*.toml"))
     run_due(args, cases)
     print("| k | contact | by its weight [mm] | by each blow [mm] | presses with [kPa] | checkerboard, most [kPa] | RMS [kPa] "
-          "| where water bears | one way, most [kPa] |\n" + "|---" * 9 + "|")
+          "| where water bears | one way, most [kPa] | where water bears |\n" + "|---" * 10 + "|")
     for case in cases:
         print(row(args.out, case), flush=True)
     if args.picture:

@@ -72,9 +72,9 @@ void find_own_swelling(const PatchCall& call, const NodeAnswer* nodes, double* s
         const NodeAnswer* at = nodes + call.cells[c].first;
         RowOfPatch sum{};
         for (int j = 0; j < 4; ++j, force += 8, at += call.row) {
-            // rr, rz, zz of four nodes.
-            const RowOfPatch f = load_row(force), low = load_row(&at->rr),
-                             high = load_row(&at[1].rz);
+            const RowOfPatch f = load_row(force);
+            // Of rr, rz, zz of four nodes, twelve numbers, the first eight and those from the fifth on.
+            const RowOfPatch low = load_row(&at->rr), high = load_row(&at[1].rz);
             const RowOfPatch along = __builtin_shufflevector(low, high, 0, 2, 3, 5, 6, 12, 13, 15);
             const RowOfPatch across = __builtin_shufflevector(low, high, 1, 1, 4, 4, 7, 7, 14, 14);
             const RowOfPatch other = __builtin_shufflevector(f, f, 1, 0, 3, 2, 5, 4, 7, 6);

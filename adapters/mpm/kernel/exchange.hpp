@@ -13,8 +13,9 @@
 //   ... fixed point             maxima of contributions, eight                  8 each
 //   ... implicit                sum of patches, of cells                        256 a halo cell
 //   ... ..., each change        sums of laws, of cells                          16 a halo cell
-//   ... ..., each iteration     sum of forces, and of mixed differences         16 a halo node each
-//   ... ..., ..., fixed point   maximum of pressures, too                       8
+//   ... ..., ...                whether any pressure is given: maxima, two      8 each
+//   ... ..., each iteration     sums of forces, and of mixed differences        16 and 8 a halo node
+//   ... ..., ..., fixed point   maxima of pressures, too, two                   8 each
 //   ... ..., each solution      sum of what cells remember                      16 a halo node
 //   ... ...                     products; fixed point: maximum, too             8 each; fixed point: 40
 //   ... ..., per contact        sums of forces                                  8 each; fixed point: 40

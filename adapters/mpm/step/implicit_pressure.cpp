@@ -303,6 +303,8 @@ void ImplicitPressure::solve(const PoreWater& water, const GridView& grid, Parti
     if (again) found = values;
     find_particles(water, grid, particles);
     find_cells(water);
+    kernels().find_own_swelling({of_cells.data(), patched.data(), cells.size(), row},
+                                answers.nodes.data(), own_swelling.data());
     std::fill(swelling.begin(), swelling.end(), 0.0);
     find_laws(water, dt);
     System system{dt, answers};
@@ -332,8 +334,6 @@ void ImplicitPressure::solve(const PoreWater& water, const GridView& grid, Parti
             values[c] = cells[c].compliance > 0.0 ? 0.0 : cells[c].reached - cells[c].pressure;
         find_compact_flow(answers);
         move();
-        kernels().find_own_swelling({of_cells.data(), patched.data(), cells.size(), row},
-                                    answers.nodes.data(), own_swelling.data());
         for (std::size_t c = 0; c < cells.size(); ++c) {
             Cell& cell = cells[c];
             const double diagonal = cell.compliance + compact.own(c) + dt * dt * own_swelling[c];
