@@ -50,10 +50,11 @@ void drive(const std::filesystem::path& file) {
     Ledger ledger{water_mass(simulation)};
     while (!runner.finished()) {
         const std::vector<NodeRecord> surface = areas(simulation, body);
-        const double dt = simulation.next_step();  // a difference of times has roundoff of these
+        const double planned = simulation.next_step();
         runner.step();
-        if (std::fabs(runner.state().last_dt - dt) > 1e-6 * dt)
-            throw std::runtime_error("a step was not that which was to be");
+        // A difference of times has their roundoff, but a stage's first step may be another one.
+        const double passed = runner.state().last_dt;
+        const double dt = std::fabs(passed - planned) < 1e-6 * passed ? planned : passed;
         ledger.take(left(simulation, body, surface, dt), water_mass(simulation));
         if (runner.row_is_due()) runner.row();
     }

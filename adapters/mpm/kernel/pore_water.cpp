@@ -112,8 +112,7 @@ double update_pressures(const ParticleView& q, std::ptrdiff_t begin, std::ptrdif
         // Pores that have opened to the cap stay as they are, and what is cavitated in them.
         const bool is_held =
             e >= water.opening_cap && strain > 0.0 && q[water.first][p] <= -water.largest_tension;
-        if (!is_held)
-            q[water.first][p] -= water.stiffness(e_middle) * strain;
+        if (!is_held) q[water.first][p] -= water.stiffness(e_middle) * strain;
         const double now = water.pressure(q, p);
         sums.work.add(-0.5 * (before + now) * strain * V, fixed_point);
         sums.half.add(-0.5 * now * of_cell * V, fixed_point);
