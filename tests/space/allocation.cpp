@@ -79,7 +79,7 @@ TEST_P(SpaceStep, AllocatesNothing) {
     pressed = 0.0;
     go_on();
     EXPECT_EQ(allocations, before);
-    EXPECT_GT(pressed, 1.0);
+    EXPECT_GT(pressed, 0.1);  // [N s]; the free body: its weight alone
 }
 
 INSTANTIATE_TEST_SUITE_P(Contacts, SpaceStep,
