@@ -24,5 +24,5 @@ need_packages() {
 program_packages=(g++ cmake ninja-build pkg-config libeigen3-dev libcli11-dev libtomlplusplus-dev libfmt-dev
     libceres-dev libzip-dev libpugixml-dev libjs-chart.js)
 test_packages=("${program_packages[@]}" gcc libc6-dev ccache binutils libgtest-dev libboost-dev libbenchmark-dev
-    gfortran gnuplot-nox abigail-tools clang-format lammps liblammps-dev libopenmpi-dev openmpi-bin
+    gfortran git gnuplot-nox abigail-tools clang-format lammps liblammps-dev libopenmpi-dev make openmpi-bin
     python3-dev python3-numpy python3-pip python3-setuptools python3-wheel python3-venv pybind11-dev)
