@@ -296,9 +296,9 @@ TEST(MaterialPointCommand, GoesOnWithARigidBodyInSpaceThatBeginsLater) {
     const Workplace here;
     // It falls so slowly that a signal a second late still finds it on the grid.
     const std::string standing =
-        "gravity_m_per_s2 = 1e-6\n[grid]\ngeometry = \"space\"\n[[grid.x]]\nto_m = 1\ncells = "
-        "5\n[[grid.y]]\nto_m = 1\n"
-        "cells = 5\n[[grid.z]]\nto_m = 1\ncells = 5\n[[body]]\nname = \"block\"\n"
+        "gravity_m_per_s2 = 1e-6\n[grid]\ngeometry = \"space\"\n"
+        "[[grid.x]]\nto_m = 1\ncells = 5\n[[grid.y]]\nto_m = 1\ncells = 5\n[[grid.z]]\nto_m = "
+        "1\ncells = 5\n[[body]]\nname = \"block\"\n"
         "density_kg_per_m3 = 2000\n[[body.box]]\nx_m = [0.3, 0.7]\ny_m = [0.3, 0.7]\n"
         "z_m = [0.3, 0.5]\n[body.rigid]\n";
     const std::string stages = "[[stage]]\nname = \"wait\"\nuntil = { time_s = 0.01 }\n"

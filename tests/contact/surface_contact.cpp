@@ -324,14 +324,23 @@ TEST(SurfaceContact, BesideAStretchFarAwayHasTheSameBits) {
         }
 }
 
+// A rigid floor of seven cells a side; a block of layers, of which the first touches it in so many cells.
+struct LayersOnAFloor {
+    GridBody floor, block;
+    LayersOnAFloor(int components, int cells) {
+        floor.components = block.components = components;
+        add_face(floor, false, 0.0, 7.0, 7, [](double, double) { return 3.0; });
+        add_face(block, true, 0.0, 7.0, cells, [](double, double) { return 3.0; });
+        floor.rigid = true;
+    }
+};
+
 // Two points of integration for each piece of a facet between ends of those above it; what roundoff leaves between ends of
 // several layers is none.
 TEST(SurfaceContact, HasTwoPointsForEachPieceOfAFacet) {
-    GridBody floor, block;
-    add_face(floor, false, 0.0, 7.0, 7, [](double, double) { return 3.0; });
-    add_face(block, true, 0.0, 7.0, 5, [](double, double) { return 3.0; });
+    LayersOnAFloor of(2, 5);
+    auto& [floor, block] = of;
     add_face(block, true, 1e-11, 7.0 - 1e-11, 5, [](double, double) { return 3.5; });
-    floor.rigid = true;
     std::mt19937_64 random(1);
     block.fill(random, 1.0, 0.0);
     SurfaceCall call(2);
@@ -412,12 +421,9 @@ TEST(SurfaceContact, KeepsItsPressuresAwayFromTheEndsOfAStretch) {
 // What lies behind the nearest facet is not met.
 TEST(SurfaceContact, MeetsTheNearestOfSeveralLayers) {
     for (const int components : {2, 3}) {
-        GridBody floor, block;
-        floor.components = block.components = components;
-        add_face(floor, false, 0.0, 7.0, 7, [](double, double) { return 3.0; });
-        add_face(block, true, 0.0, 7.0, 7, [](double, double) { return 3.0; });
+        LayersOnAFloor of(components, 7);
+        GridBody &floor = of.floor, &block = of.block;
         add_face(block, true, 0.0, 7.0, 5, [](double, double) { return 3.005; });
-        floor.rigid = true;
         std::mt19937_64 random(1);
         block.fill(random, 0.0, 0.0);
         block.weigh(0.0, 7.0);
@@ -440,12 +446,9 @@ TEST(SurfaceContact, MeetsTheNearestOfSeveralLayers) {
 // As deep as the reach it still is in front.
 TEST(SurfaceContact, MeetsWhatIsAsDeepAsTheReach) {
     for (const int components : {2, 3}) {
-        GridBody floor, block;
-        floor.components = block.components = components;
-        add_face(floor, false, 0.0, 7.0, 7, [](double, double) { return 3.0; });
-        add_face(block, true, 0.0, 7.0, 7, [](double, double) { return 3.0; });
+        LayersOnAFloor of(components, 7);
+        auto& [floor, block] = of;
         add_face(block, true, 0.0, 7.0, 7, [](double, double) { return 2.0; });
-        floor.rigid = true;
         std::mt19937_64 random(1);
         block.fill(random, 0.0, 0.0);
         SurfaceCall call(components);

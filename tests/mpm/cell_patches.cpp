@@ -8,7 +8,6 @@
 #include <random>
 #include <vector>
 
-#include <adapters/mpm/kernel/best_kernels.hpp>
 #include <adapters/mpm/kernel/call.hpp>
 #include <adapters/mpm/kernel/pore_water.hpp>
 

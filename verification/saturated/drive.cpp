@@ -50,12 +50,9 @@ void drive(const std::filesystem::path& file) {
     Ledger ledger{water_mass(simulation)};
     while (!runner.finished()) {
         const std::vector<NodeRecord> surface = areas(simulation, body);
-        const double planned = simulation.next_step();
         runner.step();
-        // A difference of times has their roundoff, but a stage's first step may be another one.
-        const double passed = runner.state().last_dt;
-        const double dt = std::fabs(passed - planned) < 1e-6 * passed ? planned : passed;
-        ledger.take(left(simulation, body, surface, dt), water_mass(simulation));
+        ledger.take(left(simulation, body, surface, runner.state().last_dt),
+                    water_mass(simulation));
         if (runner.row_is_due()) runner.row();
     }
     std::printf("| %s | %ld | %.0f | %.4g | %.2g | %.1e |\n", file.stem().c_str(),

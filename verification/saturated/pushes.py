@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """pushes.py [--grit FILE] [--out DIR] [--jobs N]: a rigid pile pushed into sand below the water table, the cases push_*.toml of
-this folder, each with five CFL numbers, and once in the short steps of the explicit pressure where that is not its own limit, and the table of docs/saturated.md: means and standard deviations between runs, the
-difference to explicit pressure with its standard error ("no": Student's t does not tell it from the scatter of the runs), and
-the extremes of pressures and residuals of all runs.
+this folder, each with five CFL numbers and those with longer steps once in ones as short as the explicit pressure takes, and the
+table of docs/saturated.md: means and standard deviations between runs, the difference to explicit pressure with its standard
+error ("no": Student's t does not tell it from the scatter of the runs), and the extremes of pressures and residuals of all runs.
 
 What has ended in DIR (results/saturated) is not run again."""
 import json

@@ -15,6 +15,10 @@ GRIT_INLINE RowOfPatch load_row(const double* from) {
     return row;
 }
 
+GRIT_INLINE double sum_of(const RowOfPatch& x) {
+    return ((x[0] + x[1]) + (x[2] + x[3])) + ((x[4] + x[5]) + (x[6] + x[7]));
+}
+
 // The nodes of a row that cells beside each other reach: the first of the next cell is the second of this one. In registers, for
 // what one cell stores another one reads, half a row farther on.
 struct MovingRow {
@@ -60,8 +64,7 @@ void find_swelling(const PatchCall& call, const double* nodes, double* swelling)
         RowOfPatch sum{};
         for (int j = 0; j < 4; ++j, force += 8, at += 2 * call.row)
             sum += load_row(force) * load_row(at);
-        swelling[c] =
-            ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+        swelling[c] = sum_of(sum);
     }
 }
 
@@ -80,8 +83,7 @@ void find_own_swelling(const PatchCall& call, const NodeAnswer* nodes, double* s
             const RowOfPatch other = __builtin_shufflevector(f, f, 1, 0, 3, 2, 5, 4, 7, 6);
             sum += f * (along * f + across * other);
         }
-        swelling[c] =
-            ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+        swelling[c] = sum_of(sum);
     }
 }
 

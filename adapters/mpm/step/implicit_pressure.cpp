@@ -57,7 +57,7 @@ void ImplicitPressure::share(std::vector<Vector2>& at) {
 }
 
 void ImplicitPressure::push(const double* x, std::vector<Vector2>& at) {
-    PatchCall call{of_cells.data(), patched.data(), cells.size(), row};
+    PatchCall call = patch_call();
     if (exchange.counted_cells()) {
         for (std::size_t c = 0; c < cells.size(); ++c) pushing[c] = cells[c].counted ? x[c] : 0.0;
         x = pushing.data();
@@ -75,7 +75,7 @@ void ImplicitPressure::push(const double* x, std::vector<Vector2>& at) {
 }
 
 void ImplicitPressure::swell(const std::vector<Vector2>& v, double* of) const {
-    kernels().find_swelling({of_cells.data(), patched.data(), cells.size(), row}, v.data()->c, of);
+    kernels().find_swelling(patch_call(), v.data()->c, of);
 }
 
 // Those that are here, by cells.
@@ -303,8 +303,7 @@ void ImplicitPressure::solve(const PoreWater& water, const GridView& grid, Parti
     if (again) found = values;
     find_particles(water, grid, particles);
     find_cells(water);
-    kernels().find_own_swelling({of_cells.data(), patched.data(), cells.size(), row},
-                                answers.nodes.data(), own_swelling.data());
+    kernels().find_own_swelling(patch_call(), answers.nodes.data(), own_swelling.data());
     std::fill(swelling.begin(), swelling.end(), 0.0);
     find_laws(water, dt);
     System system{dt, answers};

@@ -101,6 +101,7 @@ class ImplicitPressure {
         return cell.patch / n * (n + 1) + cell.patch % n;
     }
     double dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
+    PatchCall patch_call() const { return {of_cells.data(), patched.data(), cells.size(), row}; }
     // G x at nodes, and G^T v of all cells.
     void push(const double* x, std::vector<Vector2>& at);
     void share(std::vector<Vector2>& at);
