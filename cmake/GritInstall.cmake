@@ -35,7 +35,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/verification/cases ${PROJECT_SOURCE_DIR}
                   ${PROJECT_SOURCE_DIR}/verification/pile ${PROJECT_SOURCE_DIR}/verification/space
                   ${PROJECT_SOURCE_DIR}/verification/saturated
         DESTINATION ${GRIT_DOC_DIR}/verification COMPONENT documentation
-        FILES_MATCHING PATTERN *.toml PATTERN *.csv PATTERN *.md PATTERN *.stl)
+        FILES_MATCHING PATTERN *.toml PATTERN *.csv PATTERN *.md PATTERN *.stl PATTERN __pycache__ EXCLUDE)
 install(FILES ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${GRIT_DOC_DIR} COMPONENT documentation)
 if(TARGET grit_mgis)
   install(TARGETS grit_mgis LIBRARY DESTINATION ${GRIT_HOST_LIBDIR} COMPONENT tools)
