@@ -548,6 +548,19 @@ TEST(PoreWater, BearsAgainWhereItsPoresCloseFromTheCap) {
     EXPECT_GT(open(1.2, -0.02), 0.0);                  // closes
     EXPECT_LT(open(1.2, 1e-7), open(1.1, 0.0) + 1.0);  // what bears opens
     EXPECT_GT(open(1.1, -1e-3), open(1.1, 1e-3));
+    // Nor does what other particles of the cell bear, half of which those take that are not open.
+    const double nothing = 0.0, bears = 500.0;
+    const ImplicitCells implicit{&nothing, &bears, 0.5};
+    const auto beside = [&](double e) {
+        WaterCell cell{};
+        cell.volume = volume;
+        const WaterPlace place{1.0, e, 0};
+        q[water.first][0] = at_cap;
+        update_pressures(q, 0, 1, water, &cell, &place, 1.0, &implicit, false, sums);
+        return q[water.first][0];
+    };
+    EXPECT_EQ(beside(1.2), at_cap);
+    EXPECT_EQ(beside(1.1), at_cap + 0.5 * (bears + water.largest_tension));
 }
 
 // Whatever the porosity does: under a hydrostatic pressure water stays where it is, and under an even one all do.

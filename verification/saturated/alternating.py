@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """alternating.py [--grit FILE] [--out DIR] [--jobs N] [--picture FILE]: what of the pore pressures around a driven pile changes sign
-from cell to cell, with contact at nodes and at surfaces: the cases blows_*.toml of this folder and the table of
+from cell to cell, with contact at nodes and at surfaces: the cases blows_*.toml and those of piles.py that have water, and the table of
 docs/saturated.md; a picture of the cells (gnuplot).
 
 Means of cells, their excess over the pressure at rest; within three radii of the axis, three below the tip and six above it.
@@ -11,6 +11,7 @@ nothing, of a cell that stands out a sixteenth. "Where water bears": where no pa
 do the pressure itself jumps.
 What has ended
 in DIR (results/saturated) is not run again."""
+import bisect
 import math
 import pathlib
 import sys
@@ -20,9 +21,12 @@ sys.path.insert(0, str(HERE.parent / "pile"))
 from figures import gnuplot  # noqa: E402
 from results import Frame, History  # noqa: E402
 from studies import command_line  # noqa: E402
-from piles import EMBEDMENT, RADIUS, frames, run_due  # noqa: E402
+from piles import EMBEDMENT, RADIUS, frames, run_due, told  # noqa: E402
 
-CELL_R, CELL_Z, FAR = 0.06825, 0.09, 100.0  # of the grid near the pile; below all of it [m]
+GROWTH, OUTSIDE = 1.3, (0.273, 5.0, 12)  # of cells beyond the pile's way: from, to [m], count
+LINES_R = [0.06825 * n for n in range(4)] + [
+    OUTSIDE[0] + (OUTSIDE[1] - OUTSIDE[0]) * (GROWTH**n - 1) / (GROWTH**OUTSIDE[2] - 1) for n in range(OUTSIDE[2] + 1)]
+LOWEST, CELL_Z = -3.51, 0.09  # of the grid along the pile's way [m]
 CAVITATES = 99.0  # a particle whose pressure is below that [kPa], of 100 in the cases
 SHOWN = 1.05  # [s]
 
@@ -34,11 +38,15 @@ def cells(frame):
     """Mean excess pore pressure [kPa] by the numbers of a cell, and its least pore pressure [kPa]."""
     sums = {}
     for (r, z), area, p in zip(frame.centres(), frame.areas(), frame["pore_pressure"]):
-        of = sums.setdefault((int(r / CELL_R), int((z + FAR) / CELL_Z)), [0.0, 0.0, p])
+        of = sums.setdefault((bisect.bisect(LINES_R, r) - 1, math.floor((z - LOWEST) / CELL_Z)), [0.0, 0.0, p])
         of[0] += area * (p - 9.81 * max(0.0, -z))
         of[1] += area
         of[2] = min(of[2], p)
     return {cell: p / area for cell, (p, area, _) in sums.items()}, {cell: of[2] for cell, of in sums.items()}
+
+
+def centre(cell):
+    return 0.5 * sum(LINES_R[cell[0]:cell[0] + 2]), LOWEST + (cell[1] + 0.5) * CELL_Z
 
 
 def fourth(values, cell, direction):
@@ -54,7 +62,7 @@ def around(values, cell):
 
 def near_the_tip(values, tip):
     for cell in values:
-        r, z = (cell[0] + 0.5) * CELL_R, (cell[1] + 0.5) * CELL_Z - FAR
+        r, z = centre(cell)
         if r < 3 * RADIUS and tip - 3 * RADIUS < z < min(tip + 6 * RADIUS, -0.2):
             yield cell
 
@@ -98,14 +106,14 @@ def row(out, case):
         boards += checkerboards(values, least, -EMBEDMENT - depth[at])
     parts = [part for part, _ in boards]
     pressed = max(history["tip_force"][drive:]) / (math.pi * RADIUS**2)
-    driven = ", ".join(f"{1e3 * (depth[last] - depth[drive]):.0f}" for _, last in history.blows())
-    kind = f"k = 1e-{case.removeprefix('blows_flow_1e')[0]} m/s"
-    law = "surface" if case.endswith("_surface") else "geo"
+    blows = history.blows()
+    kind, law = told(case.replace("blows_", "pile_dense_"))
 
     def share(found):
         return f"{most(found):.1f}, {100 * most(found) / pressed:.2f} %"
 
-    return (f"| {kind} | {law} | {1e3 * depth[drive]:.0f} | {driven} | {pressed:.0f} | {share(parts)} | "
+    return (f"| {kind} | {law} | {1e3 * depth[drive]:.0f} | {len(blows)} | {1e3 * (depth[blows[-1][1]] - depth[drive]):.0f} | "
+            f"{pressed:.0f} | {len(parts)} | {share(parts)} | "
             f"{math.hypot(*parts) / len(parts) ** 0.5:.1f} | {share([part for part, bears in boards if bears])} | "
             f"{share([part for part, _ in along])} | {share([part for part, bears in along if bears])} |")
 
@@ -118,11 +126,11 @@ def draw(out, cases, target):
         at = min(range(len(history)), key=lambda i: abs(history["t"][i] - time))
         tip = -EMBEDMENT - history["depth"][at]
         data += f"${case} << EOD\n" + "".join(
-            f"{(i + 0.5) * CELL_R:.4f} {(j + 0.5) * CELL_Z - FAR:.4f} {p:.2f}\n" for (i, j), p in cells(Frame(file))[0].items()
-            if i < 10) + "EOD\n"
+            "{:.4f} {:.4f} {:.4f} {:.2f}\n".format(*centre(cell), (LINES_R[cell[0] + 1] - LINES_R[cell[0]]) / 2, p)
+            for cell, p in cells(Frame(file))[0].items() if cell[0] < 9) + "EOD\n"
         name = case.removeprefix("blows_flow_").replace("1e", "k = 1e-").replace("_surface", ", surface")
         script += (f"set object 1 rectangle from 0,{tip} to {RADIUS},0 fillcolor rgb '#b8b8b8' fillstyle solid noborder behind\n"
-                   f"set title '{name}' offset 0,-0.7\nplot [0:0.68] [-1.5:0] ${case} using 1:2:({CELL_R}/2):({CELL_Z}/2):3 "
+                   f"set title '{name}' offset 0,-0.7\nplot [0:0.68] [-1.5:0] ${case} using 1:2:3:({CELL_Z}/2):4 "
                    "with boxxyerror fillstyle solid noborder linecolor palette\n")
         if n == len(cases) - 1:
             script += "unset multiplot\n"
@@ -135,14 +143,15 @@ def main():
     parser = command_line(__doc__, "saturated")
     parser.add_argument("--picture", type=pathlib.Path)
     args = parser.parse_args()
-    cases = sorted(p.stem for p in HERE.glob("blows_*.toml"))
-    run_due(args, cases)
-    print("| k | contact | by its weight [mm] | by each blow [mm] | presses with [kPa] | checkerboard, most [kPa] | RMS [kPa] "
-          "| where water bears | one way, most [kPa] | where water bears |\n" + "|---" * 10 + "|")
-    for case in cases:
+    blows = sorted(p.stem for p in HERE.glob("blows_*.toml"))
+    piles = sorted(p.stem for p in HERE.glob("pile_*.toml") if "_dry" not in p.stem)
+    run_due(args, blows + piles)
+    print("| case | contact | by its weight [mm] | blows | by all of them [mm] | presses with [kPa] | cells, of all frames "
+          "| checkerboard, most [kPa] | RMS [kPa] | where water bears | one way, most [kPa] | where water bears |\n" + "|---" * 12 + "|")
+    for case in blows + piles:
         print(row(args.out, case), flush=True)
     if args.picture:
-        draw(args.out, cases, args.picture)
+        draw(args.out, blows, args.picture)
 
 
 if __name__ == "__main__":

@@ -11,8 +11,9 @@
 //   pore water, per body        sum of node records, or of integers             64 a halo node
 //   ...                         sum of cells, of pressures and of strains       24 a halo cell each
 //   ... fixed point             maxima of contributions, eight                  8 each
-//   ... implicit                sum of patches, of cells                        256 a halo cell
-//   ... ..., each change        sums of laws, of cells                          16 a halo cell
+//   ... implicit                sums of patches, and of cells                   256 and 24 a halo cell
+//   ... ..., each change        sums of laws, of cells, and of cells at nodes   16 a halo cell, 24 a halo node
+//   ... ..., ..., fixed point   maximum of moduli                               8
 //   ... ..., ...                whether any pressure is given: maxima, two      8 each
 //   ... ..., each iteration     sums of forces, and of mixed differences        16 and 8 a halo node
 //   ... ..., ..., fixed point   maxima of pressures, too, two                   8 each

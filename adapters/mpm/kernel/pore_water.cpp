@@ -91,17 +91,23 @@ namespace {
 // as the pressure is: particle by particle a steady flow would empty some and fill others.
 double update_pressures(const ParticleView& q, std::ptrdiff_t begin, std::ptrdiff_t end,
                         const PoreWater& water, const WaterCell* cells, const WaterPlace* places,
-                        double per_volume, const double* left, bool fixed_point, WaterSums& sums) {
+                        double per_volume, const ImplicitCells* implicit, bool fixed_point,
+                        WaterSums& sums) {
+    const double quantum = 8.0 / (CellIntegers::scale * per_volume);
     double fastest = 0.0;
     for (std::ptrdiff_t p = begin; p < end; ++p) {
         const auto [V, e, cell] = places[p];
         const WaterCell& mean = cells[cell];
         const double of_cell = mean.volume > 0 ? mean.mean() : 0.0;
+        // Its volume as that of the cell has it: what particles get adds up to what the cell has [m3].
+        const double part =
+            quantum * static_cast<double>(cell_share_rounded(0.125 * V * per_volume));
         if (water.flows && mean.volume > 0)
             q[water.content_column()][p] -=
-                water.density * V *
+                water.density * part *
                 (static_cast<double>(mean.left) / static_cast<double>(mean.volume));
-        const double gone = left && mean.volume > 0 ? left[cell] / mean.total(per_volume) : 0.0;
+        const double gone =
+            implicit && mean.volume > 0 ? implicit->left[cell] / mean.total(per_volume) : 0.0;
         const double strain = of_cell + gone;
         const double e_middle = water.flows ? e : e + 0.5 * (1.0 + e) * of_cell;
         if (!(e_middle > 0.0))
@@ -110,9 +116,8 @@ double update_pressures(const ParticleView& q, std::ptrdiff_t begin, std::ptrdif
             fail(q, p, "water left: more has flowed out of it than was there");
         const double before = water.pressure(q, p);
         // Pores that have opened to the cap stay as they are, and what is cavitated in them.
-        const bool is_held =
-            e >= water.opening_cap && strain > 0.0 && q[water.first][p] <= -water.largest_tension;
-        if (!is_held) q[water.first][p] -= water.stiffness(e_middle) * strain;
+        const bool is_open = e >= water.opening_cap && q[water.first][p] <= -water.largest_tension;
+        if (!(is_open && strain > 0.0)) q[water.first][p] -= water.stiffness(e_middle) * strain;
         const double now = water.pressure(q, p);
         sums.work.add(-0.5 * (before + now) * strain * V, fixed_point);
         sums.half.add(-0.5 * now * of_cell * V, fixed_point);
@@ -121,9 +126,13 @@ double update_pressures(const ParticleView& q, std::ptrdiff_t begin, std::ptrdif
             sums.carried.add(0.5 * (water.mass_of(e, V) - water.mass(q, p)) *
                                  water.speed_squared(q, p),
                              fixed_point);
+        if (!implicit) continue;
+        // What particles of a cell differ by presses nowhere, until one of them comes to the next cell.
+        if (mean.volume > 0 && !is_open)
+            q[water.first][p] += implicit->pic * (implicit->pressure[cell] - before);
         if (gone == 0.0) continue;
         sums.between.add(0.5 * (before + now) * gone * V, fixed_point);
-        if (water.flows) q[water.content_column()][p] -= water.density * gone * V;
+        if (water.flows) q[water.content_column()][p] -= water.density * gone * part;
     }
     return fastest;
 }

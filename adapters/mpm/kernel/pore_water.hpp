@@ -214,11 +214,18 @@ struct WaterGather {
 // The mean pressures of cells, as shares of K_w.
 void add_pressures(const GridView& grid, const ParticleView& particles, std::ptrdiff_t begin,
                    std::ptrdiff_t end, const PoreWater& water, double per_volume, WaterCell* cells);
-// (W1), (W2) of a range, after a gather: each particle with the mean strain of its cell and its share of what else left that
-// [m3] (null: nothing did). Returns what water adds to the square of the speed of waves, at the most [m2/s2].
+// Of cells with an implicit pressure.
+struct ImplicitCells {
+    const double* left;      // in the step, beside what nodes show [m3]
+    const double* pressure;  // mean that bore before it [Pa]
+    double pic;              // share by which particles take that of their cell
+};
+// (W1), (W2) of a range, after a gather: each particle with the mean strain of its cell and its share of what else left that;
+// implicit: null where the pressure is explicit. Returns what water adds to the square of the speed of waves, at the most [m2/s2].
 double update_pressures(const ParticleView& particles, std::ptrdiff_t begin, std::ptrdiff_t end,
                         const PoreWater& water, const WaterCell* cells, const WaterPlace* places,
-                        double per_volume, const double* left, bool fixed_point, WaterSums& sums);
+                        double per_volume, const ImplicitCells* implicit, bool fixed_point,
+                        WaterSums& sums);
 
 struct WaterNodeCall {
     NodeCall grains;      // of the body

@@ -102,7 +102,14 @@ GRIT_INLINE void gather_water(const GatherCall& call, const PoreWater& water, co
     move_water(call, water, of_grains.S, velocities_at(w, of.flowing), p, at);
     // Linear in the nodes' velocities: the sum over all particles is what crosses surfaces and sides.
     const double left = gradient_of<axisymmetric>(g, motion::other_r, call.dt).trace();
-    of.cells[at.cell].left += cell_share_rounded(0.125 * share * left);
+    const double given = 0.125 * share * left;
+    const std::int64_t taken = cell_share_rounded(given);
+    of.cells[at.cell].left += taken;
+    // What rounding does not take stays with the particle, so that no water is lost.
+    if (!(given > -1.0 && given < 1.0)) return;
+    q[water.content_column()][p] -=
+        8.0 * water.density / of.per_volume *
+        (given - static_cast<double>(taken) * (1.0 / CellIntegers::scale));
 }
 
 GRIT_KERNEL_END

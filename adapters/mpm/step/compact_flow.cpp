@@ -10,22 +10,40 @@ CompactFlow::CompactFlow(const GridView& grid, Exchange& processes, bool in_fixe
     : row(static_cast<std::size_t>(grid.nodes_r())), exchange(processes),
       fixed_point(in_fixed_point),
       at_cells((row + 1) + row * (static_cast<std::size_t>(grid.z.cells) + 1)),
-      mixed(at_cells.size() - (row + 1)) {}
+      mixed(at_cells.size() - (row + 1)), around(mixed.size()) {}
 
 void CompactFlow::begin(const std::vector<Cell>& now, const std::vector<CompactAnswer>& answers) {
     cells = now;
     nodes = answers;
-    std::fill(mixed.begin(), mixed.end(), 0.0);
+    Rounding rounding;
+    if (fixed_point) {
+        double largest = 0.0;
+        for (const Cell& cell : cells)
+            if (cell.counted) largest = std::max(largest, cell.skeleton);
+        exchange.max(&largest, 1);
+        rounding = Rounding::of_sums(largest, 3);  // a node has four cells
+    }
+    std::fill(around.begin(), around.end(), Around{});
     for (const Cell& cell : cells)
-        if (cell.bears && cell.counted)
-            for (const std::size_t node : {std::size_t{0}, std::size_t{1}, row, row + 1})
-                mixed[cell.first + node] += 1.0;
-    exchange.sum_nodes(mixed.data(), static_cast<std::ptrdiff_t>(mixed.size()), 1);
+        if (cell.counted)
+            for (const std::size_t node : {std::size_t{0}, std::size_t{1}, row, row + 1}) {
+                Around& at = around[cell.first + node];
+                at.cells += 1.0;
+                at.bearing += cell.bears ? 1.0 : 0.0;
+                at.moduli += rounding(cell.skeleton);
+            }
+    exchange.sum_nodes(&around.data()->cells, static_cast<std::ptrdiff_t>(around.size()), 3);
     // Of a checkerboard of 1 Pa the mixed differences are 4 Pa, of which each of four nodes takes a share.
-    for (std::size_t node = 0; node < nodes.size(); ++node)
-        nodes[node] = mixed[node] == 4.0 ? CompactAnswer{nodes[node].to_change / 16.0,
-                                                         nodes[node].to_pressure / 16.0}
-                                         : CompactAnswer{};
+    constexpr double most = 100.0;
+    for (std::size_t node = 0; node < nodes.size(); ++node) {
+        const Around& at = around[node];
+        CompactAnswer& of = nodes[node];
+        const double change = at.moduli > 0.0 ? std::clamp(4.0 * of.volume / at.moduli,
+                                                           of.to_change, most * of.to_change)
+                                              : most * of.to_change;
+        of.to_change = at.cells == 4.0 ? change / 16.0 : 0.0;
+        of.to_pressure = at.bearing == 4.0 ? of.to_pressure / 16.0 : 0.0;
+    }
 }
 
 // A cell's four nodes have it at the sides + - - + of their differences. Beside a row's last cell, and before its first

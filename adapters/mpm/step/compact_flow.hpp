@@ -12,9 +12,9 @@
 namespace grit::mpm {
 
 // Of a node: the volume that flows in a step for a checkerboard of 1 Pa [m3/Pa], where that is what pressures change by (grains
-// and water start with it), and where it is what they were (water goes through the grains).
+// and water start with it, in stiff grains), and where it is what they were (water goes through the grains); that of the body around it [m3].
 struct CompactAnswer {
-    double to_change = 0.0, to_pressure = 0.0;
+    double to_change = 0.0, to_pressure = 0.0, volume = 0.0;
 };
 
 class CompactFlow {
@@ -22,10 +22,13 @@ class CompactFlow {
     struct Cell {
         std::uint32_t first;  // of its nodes in the grid
         bool bears, counted;
+        double skeleton;  // P-wave modulus of its grains [Pa]
     };
     CompactFlow(const GridView& grid, Exchange& exchange, bool fixed_point);
 
-    // Nodes answer where all four cells bear.
+    // Nodes with four cells answer to changes: what starts in a step, but no less than soft grains give way by, 1 Pa over their
+    // modulus (as White & Borja 2008, doi 10.1016/j.cma.2008.05.015, have it), up to a hundred times the former. To pressures
+    // those where all four bear.
     void begin(const std::vector<Cell>& cells, const std::vector<CompactAnswer>& answers);
     // Adds to out what leaves each cell in a step [m3] by pressures x: symmetric, and of all cells nothing. Every process must
     // call it.
@@ -44,6 +47,11 @@ class CompactFlow {
     std::vector<CompactAnswer> nodes;  // a sixteenth of what they answer
     // At the first node of each cell, behind a row and a node more of nothing; mixed differences at nodes.
     std::vector<double> at_cells, mixed;
+    // The cells at a node: how many, those that bear, the sum of their moduli.
+    struct Around {
+        double cells, bearing, moduli;
+    };
+    std::vector<Around> around;
     void find_mixed();
 };
 

@@ -28,9 +28,10 @@ ImplicitPressure::ImplicitPressure(const GridView& grid, Exchange& processes, bo
     : row(static_cast<std::size_t>(grid.r.cells) + 3), cells_r(grid.r.cells), exchange(processes),
       fixed_point(in_fixed_point),
       of_cells(static_cast<std::size_t>(grid.r.cells) * static_cast<std::size_t>(grid.z.cells)),
-      end_of(of_cells.size()), sums(2 * of_cells.size()),
+      end_of(of_cells.size()), sums(3 * of_cells.size()),
       at_nodes(row * (static_cast<std::size_t>(grid.z.cells) + 3)), moved(at_nodes.size()),
       compact(grid, processes, in_fixed_point), flow_of_grid(of_cells.size()),
+      pressure_of_grid(of_cells.size()),
       rates((row - 2) * (static_cast<std::size_t>(grid.z.cells) + 1)) {
     if (fixed_point) rows_of_patches.resize(4 * of_cells.size(), strips);
     if (exchange.whole()) shared.resize(rates.size());
@@ -79,8 +80,8 @@ void ImplicitPressure::swell(const std::vector<Vector2>& v, double* of) const {
 }
 
 // Those that are here, by cells.
-void ImplicitPressure::find_particles(const PoreWater& water, const GridView& grid,
-                                      Particles& particles) {
+void ImplicitPressure::find_particles(const PoreWater& water, const Material& grains,
+                                      const GridView& grid, Particles& particles) {
     const ParticleView q = particles.view();
     std::fill(end_of.begin(), end_of.end(), 0);
     cell_of.resize(static_cast<std::size_t>(particles.size()));
@@ -96,21 +97,25 @@ void ImplicitPressure::find_particles(const PoreWater& water, const GridView& gr
         begin += count;
     }
     particles_of.resize(begin);
-    double largest[3] = {};  // of V, V K_w/n and V p
+    moduli.resize(static_cast<std::size_t>(particles.size()));
+    grains.wave_moduli({q, 0, particles.size()}, moduli.data());
+    double largest[4] = {};  // of V, V K_w/n, V p and V M
     for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
         const InCell in{q[column::V0][p] * q.J(p), water.stiffness(water.void_ratio(q, p)),
-                        q[water.first][p]};
+                        q[water.first][p], moduli[static_cast<std::size_t>(p)]};
         particles_of[end_of[cell_of[static_cast<std::size_t>(p)]]++] = in;
         largest[0] = std::max(largest[0], in.V);
         largest[1] = std::max(largest[1], in.V * in.stiffness);
         largest[2] = std::max(largest[2], in.V * std::max(std::fabs(in.p), water.largest_tension));
+        largest[3] = std::max(largest[3], in.V * in.skeleton);
     }
     if (!fixed_point) return;
-    exchange.max(largest, 3);
+    exchange.max(largest, 4);
     constexpr int room = 12;  // bits for the particles of a cell
     of_volume = Rounding::of_sums(largest[0], room);
     of_stiffness = Rounding::of_sums(largest[1], room);
     of_pressure = Rounding::of_sums(largest[2], room);
+    of_skeleton = Rounding::of_sums(largest[3], room);
 }
 
 // Those with particles, of any process.
@@ -119,15 +124,16 @@ void ImplicitPressure::find_cells(const PoreWater& water) {
     for (std::size_t at = 0, p = 0; at < end_of.size(); ++at)
         for (; p < end_of[at]; ++p) {
             const InCell& in = particles_of[p];
-            sums[2 * at] += of_volume(in.V);
-            sums[2 * at + 1] += of_pressure(in.V * std::max(in.p, -water.largest_tension));
+            sums[3 * at] += of_volume(in.V);
+            sums[3 * at + 1] += of_pressure(in.V * std::max(in.p, -water.largest_tension));
+            sums[3 * at + 2] += of_skeleton(in.V * in.skeleton);
         }
-    exchange.sum_cells(sums.data(), static_cast<std::ptrdiff_t>(end_of.size()), 2);
+    exchange.sum_cells(sums.data(), static_cast<std::ptrdiff_t>(end_of.size()), 3);
     const std::uint8_t* mine = exchange.counted_cells();
     cells.clear();
     patched.clear();
     for (std::size_t at = 0; at < end_of.size(); ++at) {
-        const double V = sums[2 * at];
+        const double V = sums[3 * at];
         if (V == 0.0) continue;
         const std::size_t of_row = static_cast<std::size_t>(cells_r);
         const double* force = of_cells[at].force;
@@ -139,7 +145,8 @@ void ImplicitPressure::find_cells(const PoreWater& water) {
                          .counted = !mine || mine[at],
                          .reach = reach,
                          .V = V,
-                         .pressure = sums[2 * at + 1] / V,
+                         .pressure = sums[3 * at + 1] / V,
+                         .skeleton = sums[3 * at + 2] / V,
                          .compliance = 0.0,
                          .reached = 0.0,
                          .scale = 1.0});
@@ -199,6 +206,17 @@ double ImplicitPressure::dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
     return sum[0].value();
 }
 
+// Of those that are counted: at the margin of a process's grid, where it has no particles, its numbers of a cell are not those
+// of all.
+double ImplicitPressure::largest_size(const Eigen::VectorXd& a) const {
+    double largest = 0.0;
+    for (std::size_t c = 0; c < cells.size(); ++c)
+        if (cells[c].counted)
+            largest = std::max(largest, std::fabs(a[static_cast<Eigen::Index>(c)]));
+    exchange.max(&largest, 1);
+    return largest;
+}
+
 // What may be left in any case, in a square: a share of what water is compressed by, so that pressures are at most that share
 // of themselves off (all of them together).
 double ImplicitPressure::least_error2(const System& system) const {
@@ -207,8 +225,7 @@ double ImplicitPressure::least_error2(const System& system) const {
     for (std::size_t c = 0; c < cells.size(); ++c)
         compressed[static_cast<Eigen::Index>(c)] =
             system.scale[c] * system.compliance[c] * cells[c].pressure;
-    double largest = compressed.size() > 0 ? compressed.cwiseAbs().maxCoeff() : 0.0;
-    exchange.max(&largest, 1);
+    const double largest = largest_size(compressed);
     if (!(largest > 0.0)) return 0.0;
     const double unit = std::ldexp(1.0, std::ilogb(largest));
     compressed /= unit;
@@ -244,8 +261,7 @@ Eigen::VectorXd ImplicitPressure::solve(const System& system, Eigen::VectorXd b,
     constexpr double tolerance = 1e-5;
     constexpr int most_iterations = 2000;
     // So that products are neither too large nor too small for integers.
-    double largest = b.size() > 0 ? b.cwiseAbs().maxCoeff() : 0.0;
-    exchange.max(&largest, 1);
+    const double largest = largest_size(b);
     Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
     if (!(largest > 0.0)) return x;
     const double unit = std::ldexp(1.0, std::ilogb(largest));
@@ -283,12 +299,12 @@ Eigen::VectorXd ImplicitPressure::solve(const System& system, Eigen::VectorXd b,
     throw std::runtime_error(text);
 }
 
-// Between cells that bear, and by the pressures there were.
+// By the pressures there were.
 void ImplicitPressure::find_compact_flow(const Answers& answers) {
     std::vector<CompactFlow::Cell> of_compact;
     for (std::size_t c = 0; c < cells.size(); ++c) {
         of_compact.push_back({static_cast<std::uint32_t>(first_node(patched[c])),
-                              cells[c].compliance > 0.0, cells[c].counted});
+                              cells[c].compliance > 0.0, cells[c].counted, cells[c].skeleton});
         scaled[c] = cells[c].pressure;
     }
     compact.begin(of_compact, answers.compact);
@@ -296,13 +312,16 @@ void ImplicitPressure::find_compact_flow(const Answers& answers) {
     compact.add(&CompactAnswer::to_pressure, scaled.data(), flow_before.data());
 }
 
-void ImplicitPressure::solve(const PoreWater& water, const GridView& grid, Particles& particles,
-                             double dt, const std::vector<Vector2>& u, const Answers& answers,
-                             bool again, std::vector<Vector2>& impulses) {
+void ImplicitPressure::solve(const PoreWater& water, const Material& grains, const GridView& grid,
+                             Particles& particles, double dt, const std::vector<Vector2>& u,
+                             const Answers& answers, bool again, std::vector<Vector2>& impulses) {
     constexpr int most_changes = 10;
-    if (again) found = values;
-    find_particles(water, grid, particles);
-    find_cells(water);
+    if (again) {
+        found = values;
+    } else {
+        find_particles(water, grains, grid, particles);
+        find_cells(water);
+    }
     kernels().find_own_swelling(patch_call(), answers.nodes.data(), own_swelling.data());
     std::fill(swelling.begin(), swelling.end(), 0.0);
     find_laws(water, dt);
@@ -355,7 +374,10 @@ void ImplicitPressure::solve(const PoreWater& water, const GridView& grid, Parti
     }
     if (!settled) ++not_settled;
     std::fill(flow_of_grid.begin(), flow_of_grid.end(), 0.0);
-    for (std::size_t c = 0; c < cells.size(); ++c) flow_of_grid[patched[c].patch] = flow[c];
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        flow_of_grid[patched[c].patch] = flow[c];
+        pressure_of_grid[patched[c].patch] = cells[c].pressure;
+    }
     push(values.data(), impulses);
     for (Vector2& J : impulses) J = {dt * J[0], dt * J[1]};
 }

@@ -54,11 +54,13 @@ class ImplicitPressure {
     //     p + x = mean over particles of max(p - K_w/n (dt G^T (u + dt A G x) + flow)/V, -largest_tension),
     // u the volume velocity without it, A the answers of nodes, flow that of CompactFlow; and its impulses dt G x [N s]. Every process must
     // call it. again: in the same step, with other answers. Throws std::runtime_error without a solution.
-    void solve(const PoreWater& water, const GridView& grid, Particles& particles, double dt,
-               const std::vector<Vector2>& u, const Answers& answers, bool again,
-               std::vector<Vector2>& impulses);
+    void solve(const PoreWater& water, const Material& grains, const GridView& grid,
+               Particles& particles, double dt, const std::vector<Vector2>& u,
+               const Answers& answers, bool again, std::vector<Vector2>& impulses);
     // What left the cells of the grid beside that [m3].
     const std::vector<double>& flow() const { return flow_of_grid; }
+    // Their mean pressures that bore before it [Pa].
+    const std::vector<double>& pressures() const { return pressure_of_grid; }
     // Once it is solved for good.
     void remember(double dt);
     // Of all solutions since it was built.
@@ -77,12 +79,14 @@ class ImplicitPressure {
         bool counted;            // by this process
         double reach;            // largest force of its patch [m2]
         double V, pressure;      // [m3], mean that bears [Pa]
+        double skeleton;         // P-wave modulus of its grains, mean [Pa]
         // p + x = reached - swelling/compliance, of the particles that bear; compliance 0: none does.
         double compliance, reached;
         double scale;  // 1/sqrt of the diagonal
     };
     struct InCell {
-        double V, stiffness, p;  // K_w/n [Pa], p as it goes on below the largest tension
+        double V, stiffness, p,
+            skeleton;  // K_w/n [Pa], p as it goes on below the largest tension, P-wave modulus of grains
     };
     // The matrix of the system, scaled to a diagonal of 1: never assembled. Of cells one after the other: the scale, nothing
     // where a cell does not bear, and 1 there.
@@ -101,12 +105,14 @@ class ImplicitPressure {
         return cell.patch / n * (n + 1) + cell.patch % n;
     }
     double dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
+    double largest_size(const Eigen::VectorXd& a) const;
     PatchCall patch_call() const { return {of_cells.data(), patched.data(), cells.size(), row}; }
     // G x at nodes, and G^T v of all cells.
     void push(const double* x, std::vector<Vector2>& at);
     void share(std::vector<Vector2>& at);
     void swell(const std::vector<Vector2>& v, double* of) const;
-    void find_particles(const PoreWater& water, const GridView& grid, Particles& particles);
+    void find_particles(const PoreWater& water, const Material& grains, const GridView& grid,
+                        Particles& particles);
     void find_cells(const PoreWater& water);
     bool find_laws(const PoreWater& water, double dt);
     void find_compact_flow(const Answers& answers);
@@ -120,16 +126,18 @@ class ImplicitPressure {
     std::vector<Cell> cells;
     std::vector<PatchedCell> patched;  // ... of each
     std::vector<InCell> particles_of;
-    std::vector<std::uint32_t> cell_of;  // of each particle here
+    std::vector<std::uint32_t> cell_of;  // of each particle here ...
+    std::vector<double> moduli;          // P-wave, of grains [Pa]
     std::vector<std::size_t>
         end_of;                // particles of each cell of the grid, one cell after the other
-    std::vector<double> sums;  // two of each cell of the grid
-    Rounding of_volume, of_stiffness, of_pressure;  // of addends of these
-    std::vector<Vector2> at_nodes, moved, shared;   // shared: of the grid
+    std::vector<double> sums;  // three or two of each cell of the grid
+    Rounding of_volume, of_stiffness, of_pressure, of_skeleton;  // of addends of these
+    std::vector<Vector2> at_nodes, moved, shared;                // shared: of the grid
     CompactFlow compact;
     std::vector<double> values, found, swelling, own_swelling, scaled, pushing;
     std::vector<double> flow_before,
         flow_of_grid;  // what leaves cells by the pressures before [m3]
+    std::vector<double> pressure_of_grid;
     // Of cells, at the first of their nodes: how fast values changed in the last two steps [Pa/s].
     std::vector<Vector2> rates;
     long iterated = 0, not_settled = 0;

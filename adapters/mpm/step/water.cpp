@@ -419,7 +419,7 @@ CompactAnswer Water::compact_answers(std::size_t i, std::size_t node, const Vect
     const double h_z = 0.5 * (model.z[i_z + 1] - model.z[i_z - 1]);
     const NodeRecord& w = bodies[i].records[node];
     const double V = w[water_record::volume], dt = model.dt;
-    CompactAnswer out{compact_answer(V, h_r, h_z, answer, dt), 0.0};
+    CompactAnswer out{compact_answer(V, h_r, h_z, answer, dt), 0.0, V};
     if (!flows(i)) return out;
     const double n = porosity(i, node);
     const double through = n * n / (w[water_record::m] + dt * w[water_record::drag]);
@@ -692,8 +692,9 @@ void Water::change(std::size_t i, std::vector<Pressed>& pressed,
             body.held.hold_free(u);
         }
         naming(i, [&] {
-            body.implicit->solve(*part.body.water, model.grid(), part.body.particles, model.dt, u,
-                                 body.all_answers, again, body.impulse);
+            body.implicit->solve(*part.body.water, *part.body.material, model.grid(),
+                                 part.body.particles, model.dt, u, body.all_answers, again,
+                                 body.impulse);
         });
         again = true;
         settled = body.held.empty() || !body.held.find_impulses(body.impulse);
@@ -746,12 +747,15 @@ void Water::update() {
         Part& part = model.parts[i];
         OfBody& body = bodies[i];
         const auto s = static_cast<std::size_t>(strip);
+        ImplicitCells implicit{};
+        if (is_implicit(i))
+            implicit = {body.implicit->flow().data(), body.implicit->pressures().data(),
+                        std::min(model.settings.pic_rate * model.dt, 1.0)};
         naming(i, [&] {
             body.speed2[s] = update_pressures(
                 part.body.particles.view(), part.strips.begin(strip), part.strips.begin(strip + 1),
                 *part.body.water, body.cells.data(), body.places.data(), 1.0 / part.largest_volume,
-                is_implicit(i) ? body.implicit->flow().data() : nullptr, model.settings.fixed_point,
-                body.sums[s]);
+                is_implicit(i) ? &implicit : nullptr, model.settings.fixed_point, body.sums[s]);
         });
     });
 }
