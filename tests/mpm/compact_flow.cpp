@@ -65,7 +65,7 @@ struct Checkerboard {
 // As Darcy has it between cells, 8/h^2 k/(rho_w g) K_w/n a second, where steps are so short that the inertia of the flow is
 // nothing beside the compressibility of the pores, nor is what the grains give way by.
 TEST(CompactFlow, DrainsACheckerboardAsBetweenCells) {
-    const Checkerboard problem{.conductivity = 1e-8, .cfl = 0.004, .stiffness = 1e10};
+    const Checkerboard problem{.conductivity = 3e-8, .cfl = 0.003, .stiffness = 2e9};
     BuiltCase built = problem.build();
     Simulation& simulation = *built.simulation;
     const double rate = 8.0 * Checkerboard::cells * Checkerboard::cells * problem.conductivity /
@@ -77,7 +77,7 @@ TEST(CompactFlow, DrainsACheckerboardAsBetweenCells) {
                 0.05 * rate * simulation.time());
     EXPECT_NEAR(water_mass(simulation), before, 1e-13 * before);
     const Energy energy = simulation.energy();
-    EXPECT_NEAR(energy.residual(), 0.0, 5e-6 * std::fabs(energy.pore_water));
+    EXPECT_NEAR(energy.residual(), 0.0, 1e-6 * std::fabs(energy.pore_water));
 }
 
 // Where no water goes through the grains what is there stays.
@@ -115,7 +115,7 @@ TEST(CompactFlow, IsThatOfSoftGrainsOrOfAStep) {
     EXPECT_DOUBLE_EQ(own(1e12, 0).second, pores * 3.0 / 16.0);
 }
 
-// What particles of a cell differ by goes as PIC takes velocities, and their mean stays.
+// What particles of a cell differ by goes at the rate of PIC, and their mean stays.
 TEST(ImplicitPressure, LetsParticlesOfACellComeTogether) {
     for (const double rate : {0.0, 200.0}) {
         Case plan = SaturatedColumn{.cells = 8, .closed = true, .implicit = true}.plan();
@@ -137,7 +137,8 @@ TEST(ImplicitPressure, LetsParticlesOfACellComeTogether) {
         }
         for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p)
             EXPECT_NEAR(q[p_w][p], 5e3 + 1e3 * kept * sign(p), 1e-3) << rate;
-        EXPECT_EQ(kept<0.2, rate> 0.0);
+        const bool is_together = kept < 0.2;
+        EXPECT_EQ(is_together, rate > 0.0);
     }
 }
 

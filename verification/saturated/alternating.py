@@ -107,7 +107,8 @@ def row(out, case):
     parts = [part for part, _ in boards]
     pressed = max(history["tip_force"][drive:]) / (math.pi * RADIUS**2)
     blows = history.blows()
-    kind, law = told(case.replace("blows_", "pile_dense_"))
+    kind = told(case.removesuffix("_surface").replace("blows_", "pile_dense_"))
+    law = "surface" if case.endswith("_surface") else "geo"
 
     def share(found):
         return f"{most(found):.1f}, {100 * most(found) / pressed:.2f} %"

@@ -44,18 +44,16 @@ def excess(frame, depth, inside):
 
 
 def told(case):
-    """(sand and water, law of the contact) of pile_SAND_WATER.toml or pile_SAND_WATER_surface.toml."""
-    sand, water = case.removesuffix("_surface").removeprefix("pile_").split("_", 1)
-    water = f"k = 1e-{water[-1]} m/s" if water.startswith("flow_1e") else water
-    return f"{sand}, {water}", "surface" if case.endswith("_surface") else "geo"
+    """Sand and water of pile_SAND_WATER.toml."""
+    sand, water = case.removeprefix("pile_").split("_", 1)
+    return f"{sand}, " + (f"k = 1e-{water[-1]} m/s" if water.startswith("flow_1e") else water)
 
 
 def row(out, case):
     history = History(out / f"{case}.csv")
     blows, depth = history.blows(), history["depth"]
     driven = [f"{1e3 * (depth[blows[n - 1][1]] - depth[history.drive()]):.0f}" if n <= len(blows) else "–" for n in COUNTS]
-    kind, law = told(case)
-    cells = [kind + (", stopped" if history.stopped else ""), law,
+    cells = [told(case) + (", stopped" if history.stopped else ""),
              f"{1e3 * depth[history.drive()]:.0f}", *driven, str(len(blows))]
     first, last = blows[SHOWN - 1]
     peak = max(range(first, last), key=lambda i: history["hammer_force"][i])
@@ -78,9 +76,9 @@ def main():
     args = parser.parse_args()
     cases = chosen(args.cases, sorted(p.stem for p in HERE.glob("pile_*.toml")))
     run_due(args, cases)
-    print("| case | contact | by its weight [mm] | " + " | ".join(f"by {n} blows [mm]" for n in COUNTS) + f" | blows | excess pore pressure at "
+    print("| case | by its weight [mm] | " + " | ".join(f"by {n} blows [mm]" for n in COUNTS) + f" | blows | excess pore pressure at "
           f"the peak of blow {SHOWN}, below the tip [kPa] | beside it [kPa] | tip, most of that blow [kN] | energy residual, most | "
-          "processor [min] |\n" + "|---" * (9 + len(COUNTS)) + "|")
+          "processor [min] |\n" + "|---" * (8 + len(COUNTS)) + "|")
     for case in cases:
         print(row(args.out, case), flush=True)
 

@@ -101,7 +101,8 @@ double update_pressures(const ParticleView& q, std::ptrdiff_t begin, std::ptrdif
         const double of_cell = mean.volume > 0 ? mean.mean() : 0.0;
         // Its volume as that of the cell has it: what particles get adds up to what the cell has [m3].
         const double part =
-            quantum * static_cast<double>(cell_share_rounded(0.125 * V * per_volume));
+            water.flows ? quantum * static_cast<double>(cell_share_rounded(0.125 * V * per_volume))
+                        : 0.0;
         if (water.flows && mean.volume > 0)
             q[water.content_column()][p] -=
                 water.density * part *

@@ -12,17 +12,19 @@ CompactFlow::CompactFlow(const GridView& grid, Exchange& processes, bool in_fixe
       at_cells((row + 1) + row * (static_cast<std::size_t>(grid.z.cells) + 1)),
       mixed(at_cells.size() - (row + 1)), around(mixed.size()) {}
 
+template <class SizeOf> Rounding CompactFlow::of_sums(const SizeOf& size_of) {
+    if (!fixed_point) return {};
+    double largest = 0.0;
+    for (std::size_t c = 0; c < cells.size(); ++c)
+        if (cells[c].counted) largest = std::max(largest, size_of(c));
+    exchange.max(&largest, 1);
+    return Rounding::of_sums(largest, 3);  // a node has four cells
+}
+
 void CompactFlow::begin(const std::vector<Cell>& now, const std::vector<CompactAnswer>& answers) {
     cells = now;
     nodes = answers;
-    Rounding rounding;
-    if (fixed_point) {
-        double largest = 0.0;
-        for (const Cell& cell : cells)
-            if (cell.counted) largest = std::max(largest, cell.skeleton);
-        exchange.max(&largest, 1);
-        rounding = Rounding::of_sums(largest, 3);  // a node has four cells
-    }
+    const Rounding rounding = of_sums([this](std::size_t c) { return cells[c].skeleton; });
     std::fill(around.begin(), around.end(), Around{});
     for (const Cell& cell : cells)
         if (cell.counted)
@@ -56,14 +58,7 @@ void CompactFlow::find_mixed() {
 }
 
 void CompactFlow::add(double CompactAnswer::*answer, const double* x, double* out) {
-    Rounding rounding;
-    if (fixed_point) {
-        double largest = 0.0;
-        for (std::size_t c = 0; c < cells.size(); ++c)
-            if (cells[c].counted) largest = std::max(largest, std::fabs(x[c]));
-        exchange.max(&largest, 1);
-        rounding = Rounding::of_sums(largest, 3);  // a node has four cells
-    }
+    const Rounding rounding = of_sums([x](std::size_t c) { return std::fabs(x[c]); });
     std::fill(at_cells.begin(), at_cells.end(), 0.0);
     double* here = at_cells.data() + row + 1;
     for (std::size_t c = 0; c < cells.size(); ++c)

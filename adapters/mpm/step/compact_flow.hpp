@@ -53,6 +53,8 @@ class CompactFlow {
     };
     std::vector<Around> around;
     void find_mixed();
+    // Of what cells add to their nodes, of this size.
+    template <class SizeOf> Rounding of_sums(const SizeOf& size_of);
 };
 
 // Of a node around which the body has this volume and cells these mean lengths: velocity answers impulses [1/kg] that act for
