@@ -223,13 +223,16 @@ Case of_sand(Case plan) {
     return plan;
 }
 
-// Of 64 by 64 cells with four particles each, under their weight.
+// Of 64 by 64 cells with four particles each, under their weight and a load.
 class Cost {
   public:
-    Cost(bool is_sand, bool has_water, bool implicit, double conductivity) {
+    Cost(bool is_sand, double load, bool has_water, bool implicit, double conductivity) {
         constexpr int cells = 64;
-        const Column column{
-            .cells = cells, .conductivity = conductivity, .implicit = implicit, .gravity = 9.81};
+        const Column column{.cells = cells,
+                            .conductivity = conductivity,
+                            .implicit = implicit,
+                            .load = load,
+                            .gravity = 9.81};
         Case plan = column.plan();
         plan.r = {0.0, {{column.height, cells, 1.0}}};
         plan.bodies[0].outlines[0].corners = {
@@ -260,16 +263,22 @@ void cost() {
     constexpr int trials = 15;
     std::printf("\n| processor's µs per step of 16384 particles, Δt [µs] | dry | undrained | flow "
                 "| undrained, implicit | flow, implicit |\n|---|---|---|---|---|---|\n");
-    for (const bool is_sand : {false, true}) {
+    struct Ground {
+        const char* name;
+        bool is_sand;
+        double load;  // [Pa]
+    };
+    for (const Ground& ground : {Ground{"elastic", false, 0.0}, Ground{"Lausitz sand", true, 0.0},
+                                 Ground{"... under 1 kPa", true, 1e3}}) {
+        const auto& [name, is_sand, load] = ground;
         std::vector<Cost> costs;
-        costs.emplace_back(is_sand, false, false, 0.0);
+        costs.emplace_back(is_sand, load, false, false, 0.0);
         for (const bool implicit : {false, true})
-            for (const double k : {0.0, 1e-4}) costs.emplace_back(is_sand, true, implicit, k);
+            for (const double k : {0.0, 1e-4}) costs.emplace_back(is_sand, load, true, implicit, k);
         for (int trial = 0; trial < trials; ++trial)
             for (Cost& of : costs) of.measure();
         const double dry = costs[0].per_step();
-        std::printf("| %s | %.0f, %.1f |", is_sand ? "Lausitz sand" : "elastic", dry,
-                    costs[0].dt());
+        std::printf("| %s | %.0f, %.1f |", name, dry, costs[0].dt());
         for (std::size_t i = 1; i < costs.size(); ++i)
             std::printf(" %.0f, ×%.2f, %.1f |", costs[i].per_step(), costs[i].per_step() / dry,
                         costs[i].dt());

@@ -10,7 +10,10 @@ CompactFlow::CompactFlow(const GridView& grid, Exchange& processes, bool in_fixe
     : row(static_cast<std::size_t>(grid.nodes_r())), exchange(processes),
       fixed_point(in_fixed_point),
       at_cells((row + 1) + row * (static_cast<std::size_t>(grid.z.cells) + 1)),
-      mixed(at_cells.size() - (row + 1)), around(mixed.size()) {}
+      mixed(at_cells.size()), around(mixed.size() - (row + 1)) {
+    for (std::vector<double>* of_grid : {&scale, &counted_scale, &rest, &right, &found, &change})
+        of_grid->resize(around.size());
+}
 
 template <class SizeOf> Rounding CompactFlow::of_sums(const SizeOf& size_of) {
     if (!fixed_point) return {};
@@ -23,7 +26,8 @@ template <class SizeOf> Rounding CompactFlow::of_sums(const SizeOf& size_of) {
 
 void CompactFlow::begin(const std::vector<Cell>& now, const std::vector<CompactAnswer>& answers) {
     cells = now;
-    nodes = answers;
+    to_change.resize(answers.size());
+    to_pressure.resize(answers.size());
     const Rounding rounding = of_sums([this](std::size_t c) { return cells[c].skeleton; });
     std::fill(around.begin(), around.end(), Around{});
     for (const Cell& cell : cells)
@@ -37,39 +41,82 @@ void CompactFlow::begin(const std::vector<Cell>& now, const std::vector<CompactA
     exchange.sum_nodes(&around.data()->cells, static_cast<std::ptrdiff_t>(around.size()), 3);
     // Of a checkerboard of 1 Pa the mixed differences are 4 Pa, of which each of four nodes takes a share.
     constexpr double most = 100.0;
-    for (std::size_t node = 0; node < nodes.size(); ++node) {
+    for (std::size_t node = 0; node < answers.size(); ++node) {
         const Around& at = around[node];
-        CompactAnswer& of = nodes[node];
-        const double change = at.moduli > 0.0 ? std::clamp(4.0 * of.volume / at.moduli,
-                                                           of.to_change, most * of.to_change)
-                                              : most * of.to_change;
-        of.to_change = at.cells == 4.0 ? change / 16.0 : 0.0;
-        of.to_pressure = at.bearing == 4.0 ? of.to_pressure / 16.0 : 0.0;
+        const CompactAnswer& of = answers[node];
+        const double by_change = at.moduli > 0.0 ? std::clamp(4.0 * of.volume / at.moduli,
+                                                              of.to_change, most * of.to_change)
+                                                 : most * of.to_change;
+        to_change[node] = at.cells == 4.0 ? by_change / 16.0 : 0.0;
+        to_pressure[node] = at.bearing == 4.0 ? of.to_pressure / 16.0 : 0.0;
     }
 }
 
 // A cell's four nodes have it at the sides + - - + of their differences. Beside a row's last cell, and before its first
 // one, is a node without a cell.
-void CompactFlow::find_mixed() {
-    const double* here = at_cells.data() + row + 1;
+void CompactFlow::find_mixed(const std::vector<double>& answer) {
+    const double* here = first_cell();
     const double *left = here - 1, *below = at_cells.data() + 1, *below_left = at_cells.data();
-    for (std::size_t node = 0; node < mixed.size(); ++node)
-        mixed[node] = ((below_left[node] - below[node]) - left[node]) + here[node];
+    double* of = mixed.data();
+    const std::size_t nodes = answer.size();
+    for (std::size_t node = 0; node < nodes; ++node)
+        of[node] = ((below_left[node] - below[node]) - left[node]) + here[node];
+    exchange.sum_nodes(of, static_cast<std::ptrdiff_t>(nodes), 1);
+    for (std::size_t node = 0; node < nodes; ++node) of[node] *= answer[node];
 }
 
-void CompactFlow::add(double CompactAnswer::*answer, const double* x, double* out) {
+void CompactFlow::add(const std::vector<double>& answer, const double* x, double* out) {
     const Rounding rounding = of_sums([x](std::size_t c) { return std::fabs(x[c]); });
     std::fill(at_cells.begin(), at_cells.end(), 0.0);
-    double* here = at_cells.data() + row + 1;
     for (std::size_t c = 0; c < cells.size(); ++c)
-        if (cells[c].counted) here[cells[c].first] = rounding(x[c]);
-    find_mixed();
-    exchange.sum_nodes(mixed.data(), static_cast<std::ptrdiff_t>(mixed.size()), 1);
-    for (std::size_t node = 0; node < mixed.size(); ++node) mixed[node] *= nodes[node].*answer;
+        if (cells[c].counted) first_cell()[cells[c].first] = rounding(x[c]);
+    find_mixed(answer);
+    for (std::size_t c = 0; c < cells.size(); ++c) out[c] += leaving(cells[c].first);
+}
+
+void CompactFlow::scale_by(const double* of_cells) {
+    for (std::vector<double>* of_grid : {&at_cells, &scale, &counted_scale, &rest})
+        std::fill(of_grid->begin(), of_grid->end(), 0.0);
     for (std::size_t c = 0; c < cells.size(); ++c) {
-        const double* at = mixed.data() + cells[c].first;
-        out[c] += (at[0] - at[1]) - (at[row] - at[row + 1]);
+        const std::size_t node = cells[c].first;
+        scale[node] = of_cells[c];
+        counted_scale[node] = cells[c].counted ? of_cells[c] : 0.0;
+        rest[node] = 1.0 - own(c) * of_cells[c] * of_cells[c];
     }
+}
+
+void CompactFlow::precondition(const double* r, double* z) {
+    constexpr int degree = 4;
+    constexpr double least = 0.25, largest = 4.0;  // eigenvalues
+    constexpr double middle = 0.5 * (largest + least), half = 0.5 * (largest - least);
+    std::fill(right.begin(), right.end(), 0.0);
+    for (std::size_t c = 0; c < cells.size(); ++c) right[cells[c].first] = r[c];
+    const std::size_t nodes = right.size();
+    for (std::size_t node = 0; node < nodes; ++node) {
+        change[node] = right[node] / middle;
+        found[node] = change[node];
+    }
+    double rate = half / middle;
+    for (int k = 1; k < degree; ++k) {
+        double* here = first_cell();
+        for (std::size_t node = 0; node < nodes; ++node)
+            here[node] = counted_scale[node] * found[node];
+        if (fixed_point) {
+            const Rounding rounding =
+                of_sums([&](std::size_t c) { return std::fabs(here[cells[c].first]); });
+            for (const Cell& cell : cells) here[cell.first] = rounding(here[cell.first]);
+        }
+        find_mixed(to_change);
+        const double before = rate;
+        rate = 1.0 / (2.0 * middle / half - before);
+        for (std::size_t node = 0; node < nodes; ++node) {
+            const double product = rest[node] * found[node] + scale[node] * leaving(node);
+            change[node] =
+                rate * before * change[node] + 2.0 * rate / half * (right[node] - product);
+        }
+        for (std::size_t node = 0; node < nodes; ++node) found[node] += change[node];
+    }
+    for (std::size_t c = 0; c < cells.size(); ++c) z[c] = found[cells[c].first];
 }
 
 }  // namespace grit::mpm

@@ -30,29 +30,45 @@ class CompactFlow {
     // modulus (as White & Borja 2008, doi 10.1016/j.cma.2008.05.015, have it), up to a hundred times the former. To pressures
     // those where all four bear.
     void begin(const std::vector<Cell>& cells, const std::vector<CompactAnswer>& answers);
-    // Adds to out what leaves each cell in a step [m3] by pressures x: symmetric, and of all cells nothing. Every process must
-    // call it.
-    void add(double CompactAnswer::*answer, const double* x, double* out);
+    // Adds to out what leaves each cell in a step [m3] by changes of pressures, or by pressures: symmetric, and of all cells
+    // nothing. Every process must call it.
+    void add_by_changes(const double* x, double* out) { add(to_change, x, out); }
+    void add_by_pressures(const double* x, double* out) { add(to_pressure, x, out); }
     // ... of it, by a change of 1 Pa of the cell's own pressure [m3/Pa].
     double own(std::size_t cell) const {
-        const CompactAnswer* at = nodes.data() + cells[cell].first;
-        return at[0].to_change + at[1].to_change + at[row].to_change + at[row + 1].to_change;
+        const double* at = to_change.data() + cells[cell].first;
+        return at[0] + at[1] + at[row] + at[row + 1];
     }
+
+    // A preconditioner: z about the solution of (1 + D (F - own) D) z = r of cells, F what add_by_changes has, D their scale, of which
+    // own D^2 < 1. So that it is symmetric and positive it is a polynomial of that matrix, Chebyshev's for eigenvalues from 1/4 to
+    // 4: none is above, for x F x <= 4 x own x. Every process must call it.
+    void scale_by(const double* scale);
+    void precondition(const double* r, double* z);
 
   private:
     std::size_t row;  // nodes of one
     Exchange& exchange;
     bool fixed_point;
     std::vector<Cell> cells;
-    std::vector<CompactAnswer> nodes;  // a sixteenth of what they answer
-    // At the first node of each cell, behind a row and a node more of nothing; mixed differences at nodes.
+    std::vector<double> to_change, to_pressure;  // a sixteenth of what nodes answer
+    // At the first node of each cell, behind a row and a node more of nothing; mixed differences at nodes, before as much.
     std::vector<double> at_cells, mixed;
     // The cells at a node: how many, those that bear, the sum of their moduli.
     struct Around {
         double cells, bearing, moduli;
     };
     std::vector<Around> around;
-    void find_mixed();
+    // At the first node of each cell: D, of those that are counted; 1 - own D^2; r, z, and what z changed by at last.
+    std::vector<double> scale, counted_scale, rest, right, found, change;
+    double* first_cell() { return at_cells.data() + row + 1; }
+    void find_mixed(const std::vector<double>& answer);
+    void add(const std::vector<double>& answer, const double* x, double* out);
+    // Of what leaves it, the cell at a node.
+    double leaving(std::size_t node) const {
+        const double* at = mixed.data() + node;
+        return (at[0] - at[1]) - (at[row] - at[row + 1]);
+    }
     // Of what cells add to their nodes, of this size.
     template <class SizeOf> Rounding of_sums(const SizeOf& size_of);
 };

@@ -189,7 +189,7 @@ void ImplicitPressure::apply(const System& system, const double* x, double* y) {
     system.answers(at_nodes);
     swell(at_nodes, y);
     for (std::size_t c = 0; c < cells.size(); ++c) y[c] *= system.dt * system.dt;
-    compact.add(&CompactAnswer::to_change, scaled.data(), y);
+    compact.add_by_changes(scaled.data(), y);
     for (std::size_t c = 0; c < cells.size(); ++c)
         y[c] = system.scale[c] * (system.compliance[c] * scaled[c] + y[c]) + system.alone[c] * x[c];
 }
@@ -220,7 +220,7 @@ double ImplicitPressure::largest_size(const Eigen::VectorXd& a) const {
 // What may be left in any case, in a square: a share of what water is compressed by, so that pressures are at most that share
 // of themselves off (all of them together).
 double ImplicitPressure::least_error2(const System& system) const {
-    constexpr double share = 1e-7;
+    constexpr double share = 1e-6;
     Eigen::VectorXd compressed(static_cast<Eigen::Index>(cells.size()));
     for (std::size_t c = 0; c < cells.size(); ++c)
         compressed[static_cast<Eigen::Index>(c)] =
@@ -255,7 +255,7 @@ void ImplicitPressure::remember(double dt) {
     rates.swap(now);
 }
 
-// Conjugate gradients. Processes that share a cell have the same numbers of it; products are those of all.
+// Preconditioned conjugate gradients. Processes that share a cell have the same numbers of it; products are those of all.
 Eigen::VectorXd ImplicitPressure::solve(const System& system, Eigen::VectorXd b,
                                         const Eigen::VectorXd& guess) {
     constexpr double tolerance = 1e-5;
@@ -280,16 +280,21 @@ Eigen::VectorXd ImplicitPressure::solve(const System& system, Eigen::VectorXd b,
         b = left;
         left2 = of_guess;
     }
-    Eigen::VectorXd direction = b;
+    compact.scale_by(system.scale.data());
+    Eigen::VectorXd z(b.size()), direction = Eigen::VectorXd::Zero(b.size());
+    double before = 1.0;
     for (int i = 0; i < most_iterations; ++i) {
         if (left2 < enough2) return unit * x;
         ++iterated;
+        compact.precondition(b.data(), z.data());
+        const double now = dot(b, z);
+        direction = z + now / before * direction;
+        before = now;
         apply(system, direction.data(), product.data());
-        const double along = left2 / dot(direction, product), before = left2;
+        const double along = now / dot(direction, product);
         x += along * direction;
         b -= along * product;
         left2 = dot(b, b);
-        direction = b + left2 / before * direction;
     }
     char text[160];
     std::snprintf(text, sizeof text,
@@ -309,7 +314,7 @@ void ImplicitPressure::find_compact_flow(const Answers& answers) {
     }
     compact.begin(of_compact, answers.compact);
     flow_before.assign(cells.size(), 0.0);
-    compact.add(&CompactAnswer::to_pressure, scaled.data(), flow_before.data());
+    compact.add_by_pressures(scaled.data(), flow_before.data());
 }
 
 void ImplicitPressure::solve(const PoreWater& water, const Material& grains, const GridView& grid,
@@ -340,7 +345,7 @@ void ImplicitPressure::solve(const PoreWater& water, const Material& grains, con
             answers(moved);
             for (std::size_t i = 0; i < moved.size(); ++i)
                 moved[i] = {u[i][0] + dt * moved[i][0], u[i][1] + dt * moved[i][1]};
-            compact.add(&CompactAnswer::to_change, values.data(), flow.data());
+            compact.add_by_changes(values.data(), flow.data());
         }
         swell(any > 0.0 ? moved : u, swelling.data());
         for (std::size_t c = 0; c < cells.size(); ++c) swelling[c] += flow[c] / dt;
