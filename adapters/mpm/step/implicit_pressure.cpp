@@ -80,7 +80,7 @@ void ImplicitPressure::swell(const std::vector<Vector2>& v, double* of) const {
 }
 
 // Those that are here, by cells.
-void ImplicitPressure::find_particles(const PoreWater& water, const Material& grains,
+void ImplicitPressure::find_particles(const PoreWater& water, const std::vector<double>& moduli,
                                       const GridView& grid, Particles& particles) {
     const ParticleView q = particles.view();
     std::fill(end_of.begin(), end_of.end(), 0);
@@ -97,8 +97,6 @@ void ImplicitPressure::find_particles(const PoreWater& water, const Material& gr
         begin += count;
     }
     particles_of.resize(begin);
-    moduli.resize(static_cast<std::size_t>(particles.size()));
-    grains.wave_moduli({q, 0, particles.size()}, moduli.data());
     double largest[4] = {};  // of V, V K_w/n, V p and V M
     for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
         const InCell in{q[column::V0][p] * q.J(p), water.stiffness(water.void_ratio(q, p)),
@@ -317,14 +315,15 @@ void ImplicitPressure::find_compact_flow(const Answers& answers) {
     compact.add_by_pressures(scaled.data(), flow_before.data());
 }
 
-void ImplicitPressure::solve(const PoreWater& water, const Material& grains, const GridView& grid,
-                             Particles& particles, double dt, const std::vector<Vector2>& u,
-                             const Answers& answers, bool again, std::vector<Vector2>& impulses) {
+void ImplicitPressure::solve(const PoreWater& water, const std::vector<double>& moduli,
+                             const GridView& grid, Particles& particles, double dt,
+                             const std::vector<Vector2>& u, const Answers& answers, bool again,
+                             std::vector<Vector2>& impulses) {
     constexpr int most_changes = 10;
     if (again) {
         found = values;
     } else {
-        find_particles(water, grains, grid, particles);
+        find_particles(water, moduli, grid, particles);
         find_cells(water);
     }
     kernels().find_own_swelling(patch_call(), answers.nodes.data(), own_swelling.data());
@@ -335,13 +334,15 @@ void ImplicitPressure::solve(const PoreWater& water, const Material& grains, con
         of->resize(cells.size());
     Eigen::VectorXd b(static_cast<Eigen::Index>(cells.size()));
     std::vector<double> flow;
-    // u + dt A G of the values, and the flow beside it.
+    // u + dt A G of the values, of which G is left in impulses, and the flow beside it.
     const auto move = [&] {
         double any = std::any_of(values.begin(), values.end(), [](double x) { return x != 0.0; });
         exchange.max(&any, 1);
         flow = flow_before;
+        std::fill(impulses.begin(), impulses.end(), Vector2{});
         if (any > 0.0) {
-            push(values.data(), moved);
+            push(values.data(), impulses);
+            moved = impulses;
             answers(moved);
             for (std::size_t i = 0; i < moved.size(); ++i)
                 moved[i] = {u[i][0] + dt * moved[i][0], u[i][1] + dt * moved[i][1]};
@@ -383,7 +384,6 @@ void ImplicitPressure::solve(const PoreWater& water, const Material& grains, con
         flow_of_grid[patched[c].patch] = flow[c];
         pressure_of_grid[patched[c].patch] = cells[c].pressure;
     }
-    push(values.data(), impulses);
     for (Vector2& J : impulses) J = {dt * J[0], dt * J[1]};
 }
 

@@ -52,9 +52,9 @@ class ImplicitPressure {
 
     // The change x of the mean pressures of cells [Pa] with
     //     p + x = mean over particles of max(p - K_w/n (dt G^T (u + dt A G x) + flow)/V, -largest_tension),
-    // u the volume velocity without it, A the answers of nodes, flow that of CompactFlow; and its impulses dt G x [N s]. Every process must
+    // moduli the P-wave moduli of the particles' grains [Pa], u the volume velocity without it, A the answers of nodes, flow that of CompactFlow; and its impulses dt G x [N s]. Every process must
     // call it. again: in the same step, with other answers. Throws std::runtime_error without a solution.
-    void solve(const PoreWater& water, const Material& grains, const GridView& grid,
+    void solve(const PoreWater& water, const std::vector<double>& moduli, const GridView& grid,
                Particles& particles, double dt, const std::vector<Vector2>& u,
                const Answers& answers, bool again, std::vector<Vector2>& impulses);
     // What left the cells of the grid beside that [m3].
@@ -111,8 +111,8 @@ class ImplicitPressure {
     void push(const double* x, std::vector<Vector2>& at);
     void share(std::vector<Vector2>& at);
     void swell(const std::vector<Vector2>& v, double* of) const;
-    void find_particles(const PoreWater& water, const Material& grains, const GridView& grid,
-                        Particles& particles);
+    void find_particles(const PoreWater& water, const std::vector<double>& moduli,
+                        const GridView& grid, Particles& particles);
     void find_cells(const PoreWater& water);
     bool find_laws(const PoreWater& water, double dt);
     void find_compact_flow(const Answers& answers);
@@ -127,7 +127,6 @@ class ImplicitPressure {
     std::vector<PatchedCell> patched;  // ... of each
     std::vector<InCell> particles_of;
     std::vector<std::uint32_t> cell_of;  // of each particle here ...
-    std::vector<double> moduli;          // P-wave, of grains [Pa]
     std::vector<std::size_t>
         end_of;                // particles of each cell of the grid, one cell after the other
     std::vector<double> sums;  // three or two of each cell of the grid

@@ -25,6 +25,9 @@ struct Part {
     bool reduces_domains = false;
     double least_mass = 0.0;      // of a node that moves [kg]
     double largest_volume = 0.0;  // of a particle at the start [m3]
+    // P-wave modulus of the grains of each particle as the last step left it [Pa], where an implicit pore pressure asks
+    // for it; none: that step had other particles, or another order of them.
+    std::vector<double> moduli = {};
 
     // Particle with this id; -1: another process has it.
     std::ptrdiff_t find(int id) const { return by_id.find(body.particles, id); }

@@ -683,6 +683,11 @@ void Water::change(std::size_t i, std::vector<Pressed>& pressed,
     hold_platens(i);
     hold_surfaces(i, surfaces);
     Part& part = model.parts[i];
+    if (part.moduli.empty()) {
+        part.moduli.resize(static_cast<std::size_t>(part.body.particles.size()));
+        part.body.material->wave_moduli({part.body.particles.view(), 0, part.body.particles.size()},
+                                        part.moduli.data());
+    }
     bool again = false, settled = false;
     for (int change = 0; change < most_changes && !settled; ++change) {
         if (!body.held.empty()) body.held.factor();
@@ -692,9 +697,8 @@ void Water::change(std::size_t i, std::vector<Pressed>& pressed,
             body.held.hold_free(u);
         }
         naming(i, [&] {
-            body.implicit->solve(*part.body.water, *part.body.material, model.grid(),
-                                 part.body.particles, model.dt, u, body.all_answers, again,
-                                 body.impulse);
+            body.implicit->solve(*part.body.water, part.moduli, model.grid(), part.body.particles,
+                                 model.dt, u, body.all_answers, again, body.impulse);
         });
         again = true;
         settled = body.held.empty() || !body.held.find_impulses(body.impulse);
