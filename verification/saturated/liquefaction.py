@@ -43,6 +43,16 @@ class Column:
     def index(self, level):
         return min(range(len(self.levels)), key=lambda i: abs(self.levels[i] - level))
 
+    def alternating(self):
+        """What of the pressures changes its sign from cell to cell, the most of all frames, by the largest effective stress at the
+        start: fourth differences over 16, of two neighbours with different signs the smaller one."""
+        most = 0.0
+        for _, file in self.frames:
+            p = Frame(file)["pore_pressure"]
+            parts = [(p[i - 2] - 4 * p[i - 1] + 6 * p[i] - 4 * p[i + 1] + p[i + 2]) / 16 for i in range(2, len(p) - 2)]
+            most = max([most, *(min(abs(a), abs(b)) for a, b in zip(parts, parts[1:]) if a * b < 0)])
+        return most / max(self.vertical)
+
     def settlement(self, time):
         frame = self.frame(time)
         return -frame["displacement"][3 * (frame.count - 1) + 1]
@@ -135,6 +145,8 @@ def main():
         draw(columns["k = 1e-4 m/s"], points, args.to / "liquefaction.svg")
     worst = max(abs(columns["undrained"].share(START + n, z) - points[z][n])
                 for z in LEVELS for n in range(1, CYCLES + 1))
+    print("\nalternating from cell to cell, most: " +
+          ", ".join(f"{name} {100 * column.alternating():.2f} %" for name, column in columns.items()))
     print(f"\nundrained: {worst:.4f} off the element tests, at most")
     if worst > TOLERANCE:
         sys.exit(f"liquefaction.py: more than {TOLERANCE}")

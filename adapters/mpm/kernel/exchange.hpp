@@ -13,10 +13,10 @@
 //   ... fixed point             maxima of contributions, eight                  8 each
 //   ... implicit                sums of patches, and of cells                   256 and 24 a halo cell
 //   ... ..., each change        sums of laws, of cells, and of cells at nodes   16 a halo cell, 24 a halo node
-//   ... ..., ..., fixed point   maximum of moduli                               8
+//   ... ..., ..., fixed point   maxima of moduli and of scales                  8 each
 //   ... ..., ...                whether any pressure is given: maxima, two      8 each
 //   ... ..., each iteration     sums of forces, and of mixed differences, four  16 and 8 a halo node
-//   ... ..., ..., fixed point   maxima of what is summed, five                  8 each
+//   ... ..., ..., fixed point   maxima of what is summed, two                   8 each
 //   ... ..., each solution      sum of what cells remember                      16 a halo node
 //   ... ...                     products; fixed point: maximum, too             8 each; fixed point: 40
 //   ... ..., per contact        sums of forces                                  8 each; fixed point: 40

@@ -75,37 +75,35 @@ void CompactFlow::add(const std::vector<double>& answer, const double* x, double
 }
 
 void CompactFlow::scale_by(const double* of_cells) {
-    for (std::vector<double>* of_grid : {&at_cells, &scale, &counted_scale, &rest})
+    for (std::vector<double>* of_grid : {&scale, &counted_scale, &rest, &right})
         std::fill(of_grid->begin(), of_grid->end(), 0.0);
+    largest_scale = 0.0;
     for (std::size_t c = 0; c < cells.size(); ++c) {
         const std::size_t node = cells[c].first;
         scale[node] = of_cells[c];
         counted_scale[node] = cells[c].counted ? of_cells[c] : 0.0;
         rest[node] = 1.0 - own(c) * of_cells[c] * of_cells[c];
+        largest_scale = std::max(largest_scale, counted_scale[node]);
     }
+    if (fixed_point) exchange.max(&largest_scale, 1);
 }
 
-void CompactFlow::precondition(const double* r, double* z) {
+void CompactFlow::precondition(const double* r, double size, double* z) {
     constexpr int degree = 4;
     constexpr double least = 0.25, largest = 4.0;  // eigenvalues
     constexpr double middle = 0.5 * (largest + least), half = 0.5 * (largest - least);
-    std::fill(right.begin(), right.end(), 0.0);
+    // What is found on the way are polynomials times r that are below 3 for every eigenvalue up to the largest.
+    const Rounding rounding =
+        fixed_point ? Rounding::of_sums(3.0 * size * largest_scale, 3) : Rounding{};
     for (std::size_t c = 0; c < cells.size(); ++c) right[cells[c].first] = r[c];
     const std::size_t nodes = right.size();
-    for (std::size_t node = 0; node < nodes; ++node) {
-        change[node] = right[node] / middle;
-        found[node] = change[node];
-    }
+    for (std::size_t node = 0; node < nodes; ++node)
+        found[node] = change[node] = right[node] / middle;
     double rate = half / middle;
     for (int k = 1; k < degree; ++k) {
         double* here = first_cell();
         for (std::size_t node = 0; node < nodes; ++node)
-            here[node] = counted_scale[node] * found[node];
-        if (fixed_point) {
-            const Rounding rounding =
-                of_sums([&](std::size_t c) { return std::fabs(here[cells[c].first]); });
-            for (const Cell& cell : cells) here[cell.first] = rounding(here[cell.first]);
-        }
+            here[node] = rounding(counted_scale[node] * found[node]);
         find_mixed(to_change);
         const double before = rate;
         rate = 1.0 / (2.0 * middle / half - before);

@@ -44,7 +44,8 @@ class CompactFlow {
     // own D^2 < 1. So that it is symmetric and positive it is a polynomial of that matrix, Chebyshev's for eigenvalues from 1/4 to
     // 4: none is above, for x F x <= 4 x own x. Every process must call it.
     void scale_by(const double* scale);
-    void precondition(const double* r, double* z);
+    // size: of r of all processes, the root of its squares.
+    void precondition(const double* r, double size, double* z);
 
   private:
     std::size_t row;  // nodes of one
@@ -52,7 +53,8 @@ class CompactFlow {
     bool fixed_point;
     std::vector<Cell> cells;
     std::vector<double> to_change, to_pressure;  // a sixteenth of what nodes answer
-    // At the first node of each cell, behind a row and a node more of nothing; mixed differences at nodes, before as much.
+    // At the first node of each cell, behind a row and a node more of nothing; mixed differences at nodes, with as much of
+    // nothing behind them.
     std::vector<double> at_cells, mixed;
     // The cells at a node: how many, those that bear, the sum of their moduli.
     struct Around {
@@ -61,6 +63,7 @@ class CompactFlow {
     std::vector<Around> around;
     // At the first node of each cell: D, of those that are counted; 1 - own D^2; r, z, and what z changed by at last.
     std::vector<double> scale, counted_scale, rest, right, found, change;
+    double largest_scale = 0.0;
     double* first_cell() { return at_cells.data() + row + 1; }
     void find_mixed(const std::vector<double>& answer);
     void add(const std::vector<double>& answer, const double* x, double* out);

@@ -30,7 +30,7 @@ void Gather::operator()(unsigned tasks) {
             if (deforms) strip.viscous_loss = strip.half = Total();
         }
     for (std::size_t i = 0; i < bodies.size() && deforms; ++i)
-        if (Part& part = model.parts[i]; keeps_moduli(i))
+        if (Part& part = model.parts[i]; water.is_implicit(i))
             part.moduli.resize(static_cast<std::size_t>(part.body.particles.size()));
     const auto work = [&, this](std::size_t body, int strip) { gather(body, strip, tasks); };
     const bool has_means = means.wanted() && deforms;
@@ -149,11 +149,6 @@ void Gather::add_half(OfStrip& sums, const Increments& d, const Range& range) co
     }
 }
 
-bool Gather::keeps_moduli(std::size_t i) const {
-    const Body& body = model.parts[i].body;
-    return body.water && body.water->implicit;
-}
-
 // Stress of a range, and the largest M / rho in it.
 double Gather::update(std::size_t body, int strip, const Range& range) {
     const auto s = static_cast<std::size_t>(strip);
@@ -167,7 +162,7 @@ double Gather::update(std::size_t body, int strip, const Range& range) {
     double moduli[Increments::capacity], fastest = 0.0;
     material.wave_moduli(range, moduli);
     watch.lap(sums.material_seconds);
-    if (keeps_moduli(body))
+    if (water.is_implicit(body))
         std::copy_n(moduli, range.end - range.begin, model.parts[body].moduli.data() + range.begin);
     for (std::ptrdiff_t p = range.begin; p < range.end; ++p) {
         const double per_density = q[column::V0][p] * q.J(p) / q[column::mass][p];

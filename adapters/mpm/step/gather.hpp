@@ -40,7 +40,6 @@ class Gather {
     void gather(std::size_t body, int strip, unsigned tasks);
     void deform(std::size_t body, int strip);
     double update(std::size_t body, int strip, const Range& range);
-    bool keeps_moduli(std::size_t body) const;
     void add_half(OfStrip& sums, const Increments& increments, const Range& range) const;
     double update_viscosity(OfStrip& sums, const Increments& increments, const Range& range,
                             const double* moduli) const;

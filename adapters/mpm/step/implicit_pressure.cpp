@@ -280,11 +280,12 @@ Eigen::VectorXd ImplicitPressure::solve(const System& system, Eigen::VectorXd b,
     }
     compact.scale_by(system.scale.data());
     Eigen::VectorXd z(b.size()), direction = Eigen::VectorXd::Zero(b.size());
-    double before = 1.0;
+    double before = 1.0;  // there is no direction yet
     for (int i = 0; i < most_iterations; ++i) {
         if (left2 < enough2) return unit * x;
         ++iterated;
-        compact.precondition(b.data(), z.data());
+        if (!std::isfinite(left2)) break;
+        compact.precondition(b.data(), std::sqrt(left2), z.data());
         const double now = dot(b, z);
         direction = z + now / before * direction;
         before = now;

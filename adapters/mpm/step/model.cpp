@@ -57,7 +57,6 @@ void Model::sort() {
     for (Part& part : parts) {
         part.strips.sort(grid(), part.body.particles);
         part.index_ids();
-        part.moduli.clear();
     }
     drift = 0.0;
 }

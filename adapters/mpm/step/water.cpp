@@ -683,11 +683,13 @@ void Water::change(std::size_t i, std::vector<Pressed>& pressed,
     hold_platens(i);
     hold_surfaces(i, surfaces);
     Part& part = model.parts[i];
-    if (part.moduli.empty()) {
-        part.moduli.resize(static_cast<std::size_t>(part.body.particles.size()));
-        part.body.material->wave_moduli({part.body.particles.view(), 0, part.body.particles.size()},
-                                        part.moduli.data());
-    }
+    if (part.moduli.empty())
+        naming(i, [&] {
+            const std::ptrdiff_t particles = part.body.particles.size();
+            part.moduli.resize(static_cast<std::size_t>(particles));
+            part.body.material->wave_moduli({part.body.particles.view(), 0, particles},
+                                            part.moduli.data());
+        });
     bool again = false, settled = false;
     for (int change = 0; change < most_changes && !settled; ++change) {
         if (!body.held.empty()) body.held.factor();

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/alternating.hpp"
 #include "support/contact_kind.hpp"
 #include "support/lausitz.hpp"
 
@@ -247,7 +248,7 @@ struct CavityByPoints : CavityProblem {
     struct Result {
         CavityCurve curve;
         std::vector<Row> rows;
-        double time_of_rows = 0.0;
+        double time_of_rows = 0.0, alternating = 0.0;  // of pore pressures of cells [Pa]
         double work;  // of the wall until 0.075 m [J] per radian and metre
     };
 
@@ -352,6 +353,9 @@ struct CavityByPoints : CavityProblem {
             if (is_wet()) row.p_w += sand.water->pressure(q, p);
         }
         out.time_of_rows += simulation.time();
+        if (is_wet())
+            out.alternating =
+                std::max(out.alternating, mpm_test::alternating(pressures_along_r(simulation, 1)));
     }
     Result watch(Simulation& simulation, double h) const {
         Result out;

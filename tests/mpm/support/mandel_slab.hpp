@@ -9,6 +9,7 @@
 
 #include <adapters/mpm/case/build_case.hpp>
 
+#include "support/alternating.hpp"
 #include "support/saturated_elastic.hpp"
 
 namespace mpm_test {
@@ -47,6 +48,7 @@ struct MandelSlab {
     struct Result {
         double T, pressure, exact;  // of the middle by p_0
         double profile_error;       // of all cells of the lowest row, RMS, by p_0
+        double alternating;         // of them, by p_0
         double residual;            // of the energy, by the work of the load
     };
 
@@ -97,7 +99,8 @@ struct MandelSlab {
             }
             const Energy energy = simulation.energy();
             out.push_back({T, sum[0], exact(0.5 * h, simulation.time() / unit, ramp),
-                           std::sqrt(squares / cells), energy.residual() / energy.external_work});
+                           std::sqrt(squares / cells), alternating(sum),
+                           energy.residual() / energy.external_work});
         }
         return out;
     }

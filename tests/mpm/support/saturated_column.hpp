@@ -9,6 +9,9 @@
 #include <vector>
 
 #include <adapters/mpm/case/build_case.hpp>
+#include <grit/sand_catalogue.h>
+
+#include "support/alternating.hpp"
 
 namespace mpm_test {
 
@@ -124,17 +127,17 @@ inline std::vector<double> pore_pressures(Simulation& simulation, int cells, int
     return sum;
 }
 
-// What alternates from cell to cell: fourth differences, divided so that of (-1)^i a they give a, the smaller of two
-// neighbours whose signs differ. A layer thinner than a cell has one of a single sign.
-inline double alternating(const std::vector<double>& p) {
-    double out = 0.0, before = 0.0;
-    for (std::size_t i = 2; i + 2 < p.size(); ++i) {
-        const double now =
-            (p[i - 2] - 4.0 * p[i - 1] + 6.0 * p[i] - 4.0 * p[i + 1] + p[i + 2]) / 16.0;
-        if (now * before < 0.0) out = std::max(out, std::min(std::fabs(now), std::fabs(before)));
-        before = now;
-    }
-    return out;
+// The same of Lausitz sand.
+inline Case of_sand(Case plan) {
+    SandPlan sand{};
+    grit_sand_parameters_init(&sand.parameters, sizeof sand.parameters);
+    grit_sand_record_parameters(grit_sand_record_find("lausitz"), 1000.0, &sand.parameters);
+    grit_sand_options_init(&sand.options, sizeof sand.options);
+    sand.options.tolerance = 1e-3;
+    sand.void_ratio = 0.7;
+    sand.intergranular_rho = 1.0;
+    plan.bodies[0].material = sand;
+    return plan;
 }
 
 // After a load, all of which came before the end [s]: largest pressure and that of the lowest cell [Pa], what the top has sunk

@@ -8,6 +8,7 @@
 
 #include <adapters/mpm/case/build_case.hpp>
 
+#include "support/alternating.hpp"
 #include "support/saturated_elastic.hpp"
 
 namespace mpm_test {
@@ -46,7 +47,7 @@ struct SaturatedDisk {
     }
 
     struct Result {
-        double T, pressure, exact, residual;
+        double T, pressure, exact, alternating, residual;
     };
 
     // The load comes within T = 0.01, and T counts from the middle of that.
@@ -78,7 +79,8 @@ struct SaturatedDisk {
             out.push_back({T,
                            sand.water->pressure(sand.particles.view(), simulation.find(0, 0)) /
                                (load * p_0()),
-                           exact(T), energy.residual() / energy.external_work});
+                           exact(T), alternating(pressures_along_r(simulation, 0)) / (load * p_0()),
+                           energy.residual() / energy.external_work});
         }
         return out;
     }

@@ -161,6 +161,7 @@ struct CavityErrors {
     double wall_most = 0.0, wall_mean = 0.0;
     double effective = 0.0, pore = 0.0, effective_most = 0.0, pore_most = 0.0;
     double wall, exact_wall;  // at the end [Pa] or [m]
+    double alternating;       // of pore pressures of cells [Pa]
     CavityByPoints::Row innermost;
     UndrainedCavity::State exact_innermost;
 };
@@ -179,6 +180,7 @@ inline CavityErrors compare(const CavityByPoints& points, const UndrainedCavity&
         exact_sum += out.exact_wall;
     }
     out.wall_mean = sum / exact_sum - 1.0;
+    out.alternating = seen.alternating;
     for (std::size_t i = seen.rows.size(); i-- > 0;) {
         const CavityByPoints::Row& row = seen.rows[i];
         if (row.r0 > 2.0 * CavityProblem::a) continue;
