@@ -66,7 +66,7 @@ def row(out, case):
     else:
         cells += ["–", "–"]
     cells += [f"{max(history['tip_force'][first:last]):.0f}", f"{max(abs(x) for x in history['residual_share']):.0e}",
-              f"{processor_seconds(out, case) / 60:.1f}", f"{1e6 * processor_seconds(out, case) / history['step'][-1]:.0f}"]
+              f"{processor_seconds(out, case) / 60:.1f}"]
     return "| " + " | ".join(cells) + " |"
 
 
@@ -78,7 +78,7 @@ def main():
     run_due(args, cases)
     print("| case | by its weight [mm] | " + " | ".join(f"by {n} blows [mm]" for n in COUNTS) + f" | blows | excess pore pressure at "
           f"the peak of blow {SHOWN}, below the tip [kPa] | beside it [kPa] | tip, most of that blow [kN] | energy residual, most | "
-          "processor [min] | ... a step [µs] |\n" + "|---" * (9 + len(COUNTS)) + "|")
+          "processor [min] |\n" + "|---" * (8 + len(COUNTS)) + "|")
     for case in cases:
         print(row(args.out, case), flush=True)
 
