@@ -10,6 +10,7 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "pile"))
+from alternating import fourth  # noqa: E402
 from piles import frames  # noqa: E402
 from results import Frame  # noqa: E402
 from studies import command_line  # noqa: E402
@@ -48,8 +49,8 @@ class Column:
         start: fourth differences over 16, of two neighbours with different signs the smaller one."""
         most = 0.0
         for _, file in self.frames:
-            p = Frame(file)["pore_pressure"]
-            parts = [(p[i - 2] - 4 * p[i - 1] + 6 * p[i] - 4 * p[i + 1] + p[i + 2]) / 16 for i in range(2, len(p) - 2)]
+            cells = {(0, i): p for i, p in enumerate(Frame(file)["pore_pressure"])}
+            parts = [fourth(cells, (0, i), (0, 1)) for i in range(2, len(cells) - 2)]
             most = max([most, *(min(abs(a), abs(b)) for a, b in zip(parts, parts[1:]) if a * b < 0)])
         return most / max(self.vertical)
 

@@ -6,13 +6,13 @@ table of docs/saturated.md: means and standard deviations between runs, the diff
 error ("no": Student's t does not tell it from the scatter of the runs), and the extremes of pressures and residuals of all runs.
 
 What has ended in DIR (results/saturated) is not run again."""
-import json
 import pathlib
 import statistics
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "pile"))
+from ensemble import text  # noqa: E402
 from ensemble_tables import difference, spread  # noqa: E402
 from results import History  # noqa: E402
 from studies import command_line, give_up, processor_seconds, run_all  # noqa: E402
@@ -36,13 +36,12 @@ def members(case):
 
 def write_members(out, case):
     """Case files of those that have not ended."""
-    steps = f"\"numerics.largest_step_s\" = {STEP}\n" if case.endswith(SHORT) else ""
+    steps = {"numerics.largest_step_s": STEP} if case.endswith(SHORT) else {}
     for member, cfl in members(case).items():
         result = out / f"{member}.csv"
         if not result.exists() or History(result).stopped:
             file = out / f"{member}.toml"
-            base = str(HERE / f"{case.removesuffix(SHORT)}.toml")
-            file.write_text(f"base = {json.dumps(base)}\n[override]\n\"numerics.cfl\" = {cfl}\n{steps}")
+            file.write_text(text(HERE / f"{case.removesuffix(SHORT)}.toml", {"numerics.cfl": cfl} | steps))
             yield file
 
 

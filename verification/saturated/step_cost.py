@@ -3,23 +3,17 @@
 """step_cost.py [--grit FILE] [--out DIR]: what a step of a driven pile costs in dry sand and below the water table, the cases
 pile_*.toml until 0.1 s after the hammer has begun, one after the other and with one thread, the best of two rounds; a table of
 docs/saturated.md. To be run on a machine that does nothing else."""
-import json
 import pathlib
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "pile"))
+from ensemble import text  # noqa: E402
 from piles import told  # noqa: E402
 from results import History  # noqa: E402
 from studies import command_line, give_up, processor_seconds, run  # noqa: E402
 
 ROUNDS = 2
-
-
-def member(out, case):
-    file = out / f"{case.removesuffix('.toml')}-one.toml"
-    file.write_text(f"base = {json.dumps(str(HERE / case))}\n[override]\n\"stage.drive.until.time_s\" = 0.1\n")
-    return file
 
 
 def measured(args, file):
@@ -34,8 +28,10 @@ def measured(args, file):
 def main():
     args = command_line(__doc__, "saturated", jobs=False).parse_args()
     args.out.mkdir(parents=True, exist_ok=True)
-    cases = sorted(p.name for p in HERE.glob("pile_*.toml"))
-    files = {case.removesuffix(".toml"): member(args.out, case) for case in cases}
+    files = {}
+    for case in sorted(HERE.glob("pile_*.toml")):
+        files[case.stem] = args.out / f"{case.stem}-begun.toml"
+        files[case.stem].write_text(text(case, {"stage.drive.until.time_s": 0.1}))
     found = {case: [] for case in files}
     for _ in range(ROUNDS):
         for case, file in files.items():

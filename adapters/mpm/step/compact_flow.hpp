@@ -67,12 +67,12 @@ class CompactFlow {
     double* first_cell() { return at_cells.data() + row + 1; }
     void find_mixed(const std::vector<double>& answer);
     void add(const std::vector<double>& answer, const double* x, double* out);
-    // Of what leaves it, the cell at a node.
+    // What leaves the cell whose first node this is.
     double leaving(std::size_t node) const {
         const double* at = mixed.data() + node;
         return (at[0] - at[1]) - (at[row] - at[row + 1]);
     }
-    // Of what cells add to their nodes, of this size.
+    // For sums at nodes of what cells have, of this size.
     template <class SizeOf> Rounding of_sums(const SizeOf& size_of);
 };
 

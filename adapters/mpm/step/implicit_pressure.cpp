@@ -281,10 +281,10 @@ Eigen::VectorXd ImplicitPressure::solve(const System& system, Eigen::VectorXd b,
     compact.scale_by(system.scale.data());
     Eigen::VectorXd z(b.size()), direction = Eigen::VectorXd::Zero(b.size());
     double before = 1.0;  // there is no direction yet
-    for (int i = 0; i < most_iterations; ++i) {
+    int i = 0;
+    for (; i < most_iterations && std::isfinite(left2); ++i) {
         if (left2 < enough2) return unit * x;
         ++iterated;
-        if (!std::isfinite(left2)) break;
         compact.precondition(b.data(), std::sqrt(left2), z.data());
         const double now = dot(b, z);
         direction = z + now / before * direction;
@@ -299,7 +299,7 @@ Eigen::VectorXd ImplicitPressure::solve(const System& system, Eigen::VectorXd b,
     std::snprintf(text, sizeof text,
                   "its implicit pressure was not found in %d iterations: what is left is %g of the "
                   "load, the limit %g",
-                  most_iterations, std::sqrt(left2 / load2), tolerance);
+                  i, std::sqrt(left2 / load2), tolerance);
     throw std::runtime_error(text);
 }
 
@@ -340,7 +340,6 @@ void ImplicitPressure::solve(const PoreWater& water, const std::vector<double>& 
         double any = std::any_of(values.begin(), values.end(), [](double x) { return x != 0.0; });
         exchange.max(&any, 1);
         flow = flow_before;
-        std::fill(impulses.begin(), impulses.end(), Vector2{});
         if (any > 0.0) {
             push(values.data(), impulses);
             moved = impulses;
@@ -348,6 +347,8 @@ void ImplicitPressure::solve(const PoreWater& water, const std::vector<double>& 
             for (std::size_t i = 0; i < moved.size(); ++i)
                 moved[i] = {u[i][0] + dt * moved[i][0], u[i][1] + dt * moved[i][1]};
             compact.add_by_changes(values.data(), flow.data());
+        } else {
+            std::fill(impulses.begin(), impulses.end(), Vector2{});
         }
         swell(any > 0.0 ? moved : u, swelling.data());
         for (std::size_t c = 0; c < cells.size(); ++c) swelling[c] += flow[c] / dt;

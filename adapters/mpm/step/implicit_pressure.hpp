@@ -52,8 +52,9 @@ class ImplicitPressure {
 
     // The change x of the mean pressures of cells [Pa] with
     //     p + x = mean over particles of max(p - K_w/n (dt G^T (u + dt A G x) + flow)/V, -largest_tension),
-    // moduli the P-wave moduli of the particles' grains [Pa], u the volume velocity without it, A the answers of nodes, flow that of CompactFlow; and its impulses dt G x [N s]. Every process must
-    // call it. again: in the same step, with other answers. Throws std::runtime_error without a solution.
+    // u the volume velocity without it, A the answers of nodes, flow that of CompactFlow; and its impulses dt G x [N s]. moduli:
+    // P-wave, of the grains of each particle [Pa]. again: in the same step, with other answers. Every process must call it.
+    // Throws std::runtime_error without a solution.
     void solve(const PoreWater& water, const std::vector<double>& moduli, const GridView& grid,
                Particles& particles, double dt, const std::vector<Vector2>& u,
                const Answers& answers, bool again, std::vector<Vector2>& impulses);

@@ -26,22 +26,22 @@ inline double alternating(const std::vector<double>& p) {
     return out;
 }
 
-// Means of the cells of the lowest row of a body, along r; of those between the first and the last that have particles.
+// Means of those cells that have particles of a body of one row, along r.
 inline std::vector<double> pressures_along_r(Simulation& simulation, std::size_t body) {
     struct Mean {
         double sum = 0.0, count = 0.0;
     };
     const Body& of = simulation.body(body);
     const ParticleView q = simulation.body(body).particles.view();
-    const GridView grid{simulation.axis_r().view(), simulation.axis_z().view()};
-    std::map<int, std::map<int, Mean>> rows;
+    const AxisView r = simulation.axis_r().view();
+    std::map<int, Mean> cells;
     for (std::ptrdiff_t p = 0; p < of.particles.size(); ++p) {
-        Mean& cell = rows[grid.z.cell_of(q[column::z][p])][grid.r.cell_of(q[column::r][p])];
+        Mean& cell = cells[r.cell_of(q[column::r][p])];
         cell.sum += of.water->pressure(q, p);
         cell.count += 1.0;
     }
     std::vector<double> out;
-    for (const auto& [cell, mean] : rows.begin()->second) out.push_back(mean.sum / mean.count);
+    for (const auto& [cell, mean] : cells) out.push_back(mean.sum / mean.count);
     return out;
 }
 

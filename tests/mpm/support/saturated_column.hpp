@@ -9,9 +9,9 @@
 #include <vector>
 
 #include <adapters/mpm/case/build_case.hpp>
-#include <grit/sand_catalogue.h>
 
 #include "support/alternating.hpp"
+#include "support/plans.hpp"
 
 namespace mpm_test {
 
@@ -127,14 +127,9 @@ inline std::vector<double> pore_pressures(Simulation& simulation, int cells, int
     return sum;
 }
 
-// The same of Lausitz sand.
+// A case of a column, whose grains are Lausitz sand.
 inline Case of_sand(Case plan) {
-    SandPlan sand{};
-    grit_sand_parameters_init(&sand.parameters, sizeof sand.parameters);
-    grit_sand_record_parameters(grit_sand_record_find("lausitz"), 1000.0, &sand.parameters);
-    grit_sand_options_init(&sand.options, sizeof sand.options);
-    sand.options.tolerance = 1e-3;
-    sand.void_ratio = 0.7;
+    SandPlan sand = lausitz_plan(0.7);
     sand.intergranular_rho = 1.0;
     plan.bodies[0].material = sand;
     return plan;
