@@ -6,115 +6,131 @@
 
 namespace grit::mpm {
 
+namespace {
+
+// A quarter of it, which is the pressure itself where that changes sign from cell to cell.
+double second_difference(double before, double here, double behind) {
+    return 0.25 * (2.0 * here - before - behind);
+}
+
+}  // namespace
+
 CompactFlow::CompactFlow(const GridView& grid, Exchange& processes, bool in_fixed_point)
     : row(static_cast<std::size_t>(grid.nodes_r())), exchange(processes),
       fixed_point(in_fixed_point),
       at_cells((row + 1) + row * (static_cast<std::size_t>(grid.z.cells) + 1)),
-      mixed(at_cells.size()), around(mixed.size() - (row + 1)) {
-    for (std::vector<double>* of_grid : {&scale, &counted_scale, &rest, &right, &found, &change})
-        of_grid->resize(around.size());
-}
-
-template <class SizeOf> Rounding CompactFlow::of_sums(const SizeOf& size_of) {
-    if (!fixed_point) return {};
-    double largest = 0.0;
-    for (std::size_t c = 0; c < cells.size(); ++c)
-        if (cells[c].counted) largest = std::max(largest, size_of(c));
-    exchange.max(&largest, 1);
-    return Rounding::of_sums(largest, 3);  // a node has four cells
-}
+      mixed(at_cells.size()), around(mixed.size() - (row + 1)), given(around.size() + 2 * row),
+      second(given.size()), alternating(given.size()), leaves(given.size()) {}
 
 void CompactFlow::begin(const std::vector<Cell>& now, const std::vector<CompactAnswer>& answers) {
     cells = now;
-    to_change.resize(answers.size());
-    to_pressure.resize(answers.size());
-    const Rounding rounding = of_sums([this](std::size_t c) { return cells[c].skeleton; });
-    std::fill(around.begin(), around.end(), Around{});
+    std::fill(around.begin(), around.end(), Vector2{});
     for (const Cell& cell : cells)
         if (cell.counted)
             for (const std::size_t node : {std::size_t{0}, std::size_t{1}, row, row + 1}) {
-                Around& at = around[cell.first + node];
-                at.cells += 1.0;
-                at.bearing += cell.bears ? 1.0 : 0.0;
-                at.moduli += rounding(cell.skeleton);
+                around[cell.first + node][0] += 1.0;
+                around[cell.first + node][1] += cell.bears ? 1.0 : 0.0;
             }
-    exchange.sum_nodes(&around.data()->cells, static_cast<std::ptrdiff_t>(around.size()), 3);
+    exchange.sum_nodes(around.data(), static_cast<std::ptrdiff_t>(around.size()));
     // Of a checkerboard of 1 Pa the mixed differences are 4 Pa, of which each of four nodes takes a share.
-    constexpr double most = 100.0;
+    for (std::vector<double>* of_nodes : {&to_change, &to_pressure, &to_root})
+        of_nodes->resize(answers.size());
     for (std::size_t node = 0; node < answers.size(); ++node) {
-        const Around& at = around[node];
-        const CompactAnswer& of = answers[node];
-        const double by_change = at.moduli > 0.0 ? std::clamp(4.0 * of.volume / at.moduli,
-                                                              of.to_change, most * of.to_change)
-                                                 : most * of.to_change;
-        to_change[node] = at.cells == 4.0 ? by_change / 16.0 : 0.0;
-        to_pressure[node] = at.bearing == 4.0 ? of.to_pressure / 16.0 : 0.0;
+        const double to_change_of_four = around[node][0] == 4.0 ? answers[node].to_change : 0.0;
+        to_change[node] = to_change_of_four / 16.0;
+        to_root[node] = std::sqrt(to_change_of_four) / 16.0;
+        to_pressure[node] = around[node][1] == 4.0 ? answers[node].to_pressure / 16.0 : 0.0;
     }
 }
 
 // A cell's four nodes have it at the sides + - - + of their differences. Beside a row's last cell, and before its first
 // one, is a node without a cell.
-void CompactFlow::find_mixed(const std::vector<double>& answer) {
-    const double* here = first_cell();
-    const double *left = here - 1, *below = at_cells.data() + 1, *below_left = at_cells.data();
-    double* of = mixed.data();
-    const std::size_t nodes = answer.size();
-    for (std::size_t node = 0; node < nodes; ++node)
-        of[node] = ((below_left[node] - below[node]) - left[node]) + here[node];
-    exchange.sum_nodes(of, static_cast<std::ptrdiff_t>(nodes), 1);
-    for (std::size_t node = 0; node < nodes; ++node) of[node] *= answer[node];
-}
-
 void CompactFlow::add(const std::vector<double>& answer, const double* x, double* out) {
-    const Rounding rounding = of_sums([x](std::size_t c) { return std::fabs(x[c]); });
+    Rounding rounding;
+    if (fixed_point) {
+        double largest = 0.0;
+        for (std::size_t c = 0; c < cells.size(); ++c)
+            if (cells[c].counted) largest = std::max(largest, std::fabs(x[c]));
+        exchange.max(&largest, 1);
+        rounding = Rounding::of_sums(largest, 3);  // a node has four cells
+    }
     std::fill(at_cells.begin(), at_cells.end(), 0.0);
     for (std::size_t c = 0; c < cells.size(); ++c)
         if (cells[c].counted) first_cell()[cells[c].first] = rounding(x[c]);
-    find_mixed(answer);
-    for (std::size_t c = 0; c < cells.size(); ++c) out[c] += leaving(cells[c].first);
-}
-
-void CompactFlow::scale_by(const double* of_cells) {
-    for (std::vector<double>* of_grid : {&scale, &counted_scale, &rest, &right})
-        std::fill(of_grid->begin(), of_grid->end(), 0.0);
-    largest_scale = 0.0;
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-        const std::size_t node = cells[c].first;
-        scale[node] = of_cells[c];
-        counted_scale[node] = cells[c].counted ? of_cells[c] : 0.0;
-        rest[node] = 1.0 - own(c) * of_cells[c] * of_cells[c];
-        largest_scale = std::max(largest_scale, counted_scale[node]);
-    }
-    if (fixed_point) exchange.max(&largest_scale, 1);
-}
-
-void CompactFlow::precondition(const double* r, double size, double* z) {
-    constexpr int degree = 4;
-    constexpr double least = 0.25, largest = 4.0;  // eigenvalues
-    constexpr double middle = 0.5 * (largest + least), half = 0.5 * (largest - least);
-    // What is found on the way are polynomials times r that are below 3 for every eigenvalue up to the largest.
-    const Rounding rounding =
-        fixed_point ? Rounding::of_sums(3.0 * size * largest_scale, 3) : Rounding{};
-    for (std::size_t c = 0; c < cells.size(); ++c) right[cells[c].first] = r[c];
-    const std::size_t nodes = right.size();
+    const double* here = first_cell();
+    const double *left = here - 1, *below = at_cells.data() + 1, *below_left = at_cells.data();
+    const std::size_t nodes = answer.size();
     for (std::size_t node = 0; node < nodes; ++node)
-        found[node] = change[node] = right[node] / middle;
-    double rate = half / middle;
-    for (int k = 1; k < degree; ++k) {
-        double* here = first_cell();
-        for (std::size_t node = 0; node < nodes; ++node)
-            here[node] = rounding(counted_scale[node] * found[node]);
-        find_mixed(to_change);
-        const double before = rate;
-        rate = 1.0 / (2.0 * middle / half - before);
-        for (std::size_t node = 0; node < nodes; ++node) {
-            const double product = rest[node] * found[node] + scale[node] * leaving(node);
-            change[node] =
-                rate * before * change[node] + 2.0 * rate / half * (right[node] - product);
-        }
-        for (std::size_t node = 0; node < nodes; ++node) found[node] += change[node];
+        mixed[node] = ((below_left[node] - below[node]) - left[node]) + here[node];
+    exchange.sum_nodes(mixed.data(), static_cast<std::ptrdiff_t>(nodes), 1);
+    for (std::size_t node = 0; node < nodes; ++node) mixed[node] *= answer[node];
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        const double* at = mixed.data() + cells[c].first;
+        out[c] += (at[0] - at[1]) - (at[row] - at[row + 1]);
     }
-    for (std::size_t c = 0; c < cells.size(); ++c) z[c] = found[cells[c].first];
+}
+
+// What the process that counts a cell has of it goes to all. A row's last node is not the first of a cell here, and must not be beside
+// the next row's first cell, though others may have a cell there.
+template <class Of> void CompactFlow::share(std::vector<Of>& of_cells) {
+    static_assert(sizeof(Of) % sizeof(double) == 0);
+    exchange.sum_nodes(reinterpret_cast<double*>(of_cells.data() + row),
+                       static_cast<std::ptrdiff_t>(around.size()), sizeof(Of) / sizeof(double));
+    for (std::size_t last = 2 * row - 1; last < row + around.size(); last += row)
+        of_cells[last] = {};
+}
+
+// find(cell, k, step): along r and z, of the cell at that place, its neighbours a step from it.
+template <class Find> void CompactFlow::find_along(const Find& find) {
+    for (const Cell& cell : cells)
+        for (const std::size_t k : {std::size_t{0}, std::size_t{1}})
+            if (cell.counted) find(row + cell.first, k, k == 0 ? 1 : row);
+}
+
+// Fourth differences B p of five cells in a row, by their least compliance, and B of that: 1, -4, 6, -4, 1 over 16.
+void CompactFlow::add_of_alternating(const double* p, double* out) {
+    constexpr double most = 0.9;  // of what alternates along a direction
+    std::vector<double> part(cells.size());
+    add(to_root, p, part.data());
+    add(to_root, part.data(), out);
+
+    std::fill(given.begin(), given.end(), Given{});
+    std::fill(second.begin(), second.end(), Second{});
+    for (std::vector<Vector2>* of_cells : {&alternating, &leaves})
+        std::fill(of_cells->begin(), of_cells->end(), Vector2{});
+    for (std::size_t c = 0; c < cells.size(); ++c)
+        if (cells[c].counted)
+            given[row + cells[c].first] = {p[c], cells[c].compliance,
+                                           cells[c].cavitates ? 1.0 : 0.0};
+    share(given);
+    find_along([this](std::size_t at, std::size_t k, std::size_t step) {
+        const Given &before = given[at - step], &here = given[at], &behind = given[at + step];
+        Second& of = second[at];
+        of.difference[k] = second_difference(before.pressure, here.pressure, behind.pressure);
+        of.least_compliance[k] = std::min({before.compliance, here.compliance, behind.compliance});
+        of.cavitates[k] = std::max({before.cavitates, here.cavitates, behind.cavitates});
+    });
+    share(second);
+    find_along([this](std::size_t at, std::size_t k, std::size_t step) {
+        const Second &before = second[at - step], &here = second[at], &behind = second[at + step];
+        if (before.cavitates[k] + behind.cavitates[k] > 0.0)
+            alternating[at][k] =
+                most *
+                std::min({before.least_compliance[k], here.least_compliance[k],
+                          behind.least_compliance[k]}) *
+                second_difference(before.difference[k], here.difference[k], behind.difference[k]);
+    });
+    share(alternating);
+    find_along([this](std::size_t at, std::size_t k, std::size_t step) {
+        leaves[at][k] = second_difference(alternating[at - step][k], alternating[at][k],
+                                          alternating[at + step][k]);
+    });
+    share(leaves);
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        const Vector2* at = leaves.data() + row + cells[c].first;
+        out[c] += second_difference((at - 1)[0][0], at[0][0], at[1][0]) +
+                  second_difference((at - row)[0][1], at[0][1], at[row][1]);
+    }
 }
 
 }  // namespace grit::mpm

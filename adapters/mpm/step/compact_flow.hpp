@@ -12,68 +12,67 @@
 namespace grit::mpm {
 
 // Of a node: the volume that flows in a step for a checkerboard of 1 Pa [m3/Pa], where that is what pressures change by (grains
-// and water start with it, in stiff grains), and where it is what they were (water goes through the grains); that of the body around it [m3].
+// and water start with it), and where it is what they were (water goes through the grains).
 struct CompactAnswer {
-    double to_change = 0.0, to_pressure = 0.0, volume = 0.0;
+    double to_change = 0.0, to_pressure = 0.0;
 };
 
 class CompactFlow {
   public:
     struct Cell {
-        std::uint32_t first;  // of its nodes in the grid
-        bool bears, counted;
-        double skeleton;  // P-wave modulus of its grains [Pa]
+        std::uint32_t first;             // of its nodes in the grid
+        bool bears, counted, cavitates;  // cavitates: some of its particles
+        double compliance;               // of its water, all of it bearing [m3/Pa]
     };
     CompactFlow(const GridView& grid, Exchange& exchange, bool fixed_point);
 
-    // Nodes with four cells answer to changes: what starts in a step, but no less than soft grains give way by, 1 Pa over their
-    // modulus (as White & Borja 2008, doi 10.1016/j.cma.2008.05.015, have it), up to a hundred times the former. To pressures
-    // those where all four bear.
+    // Nodes with four cells answer to changes, to pressures those where all four bear.
     void begin(const std::vector<Cell>& cells, const std::vector<CompactAnswer>& answers);
-    // Adds to out what leaves each cell in a step [m3] by changes of pressures, or by pressures: symmetric, and of all cells
-    // nothing. Every process must call it.
+    // Adds to out what leaves each cell in a step [m3], and of all cells is nothing. Every process must call it.
+    // By changes of pressures, or by pressures: symmetric.
     void add_by_changes(const double* x, double* out) { add(to_change, x, out); }
     void add_by_pressures(const double* x, double* out) { add(to_pressure, x, out); }
-    // ... of it, by a change of 1 Pa of the cell's own pressure [m3/Pa].
+    // By what of pressures changes sign from cell to cell, symmetric and positive, nothing of smooth ones.
+    // - Checkerboards: M' sqrt(a) M M' sqrt(a) M p / 256, M the mixed differences at nodes, a their answers to changes: of a
+    //   checkerboard as much as a change of it would start, and of no pressures more.
+    // - Beside cavities, along r and along z: 0.9 B k B p, B the fourth differences 1, -4, 6, -4, 1 over 16 of five cells in a
+    //   row of which one cavitates, k the least compliance of their water. No alternating pressure grows by it: in a checkerboard,
+    //   which has both directions, what the cells' own water could bear turns over to 0.8 of itself.
+    void add_of_alternating(const double* p, double* out);
+    // ... of that of changes, by 1 Pa of the cell's own pressure [m3/Pa].
     double own(std::size_t cell) const {
         const double* at = to_change.data() + cells[cell].first;
         return at[0] + at[1] + at[row] + at[row + 1];
     }
-
-    // A preconditioner: z about the solution of (1 + D (F - own) D) z = r of cells, F what add_by_changes has, D their scale, of which
-    // own D^2 < 1. So that it is symmetric and positive it is a polynomial of that matrix, Chebyshev's for eigenvalues from 1/4 to
-    // 4: none is above, for x F x <= 4 x own x. Every process must call it.
-    void scale_by(const double* scale);
-    // size: of r of all processes, the root of its squares.
-    void precondition(const double* r, double size, double* z);
 
   private:
     std::size_t row;  // nodes of one
     Exchange& exchange;
     bool fixed_point;
     std::vector<Cell> cells;
-    std::vector<double> to_change, to_pressure;  // a sixteenth of what nodes answer
+    // A sixteenth of what nodes answer, and of its root.
+    std::vector<double> to_change, to_pressure, to_root;
     // At the first node of each cell, behind a row and a node more of nothing; mixed differences at nodes, with as much of
     // nothing behind them.
     std::vector<double> at_cells, mixed;
-    // The cells at a node: how many, those that bear, the sum of their moduli.
-    struct Around {
-        double cells, bearing, moduli;
+    // The cells at a node: how many, and those that bear.
+    std::vector<Vector2> around;
+    // At the first node of each cell, between rows of nothing. given: what neighbours must know of a cell. second, along r and z:
+    // second differences of the pressure; the least compliance of those three cells; 1 where one of them cavitates. alternating,
+    // along r and z: 0.9 k B p [m3]; leaves: second differences of it.
+    struct Given {
+        double pressure, compliance, cavitates;
     };
-    std::vector<Around> around;
-    // At the first node of each cell: D, of those that are counted; 1 - own D^2; r, z, and what z changed by at last.
-    std::vector<double> scale, counted_scale, rest, right, found, change;
-    double largest_scale = 0.0;
+    struct Second {
+        Vector2 difference, least_compliance, cavitates;
+    };
+    std::vector<Given> given;
+    std::vector<Second> second;
+    std::vector<Vector2> alternating, leaves;
     double* first_cell() { return at_cells.data() + row + 1; }
-    void find_mixed(const std::vector<double>& answer);
     void add(const std::vector<double>& answer, const double* x, double* out);
-    // What leaves the cell whose first node this is.
-    double leaving(std::size_t node) const {
-        const double* at = mixed.data() + node;
-        return (at[0] - at[1]) - (at[row] - at[row + 1]);
-    }
-    // For sums at nodes of what cells have, of this size.
-    template <class SizeOf> Rounding of_sums(const SizeOf& size_of);
+    template <class Of> void share(std::vector<Of>& of_cells);
+    template <class Find> void find_along(const Find& find);
 };
 
 // Of a node around which the body has this volume and cells these mean lengths: velocity answers impulses [1/kg] that act for

@@ -29,9 +29,6 @@ void Gather::operator()(unsigned tasks) {
             if (moves && tasks != (task::position | task::deform_by_other)) strip.sums = {};
             if (deforms) strip.viscous_loss = strip.half = Total();
         }
-    for (std::size_t i = 0; i < bodies.size() && deforms; ++i)
-        if (Part& part = model.parts[i]; water.is_implicit(i))
-            part.moduli.resize(static_cast<std::size_t>(part.body.particles.size()));
     const auto work = [&, this](std::size_t body, int strip) { gather(body, strip, tasks); };
     const bool has_means = means.wanted() && deforms;
     if (!has_means && !water.is_anywhere()) return model.for_strips(work);
@@ -162,8 +159,6 @@ double Gather::update(std::size_t body, int strip, const Range& range) {
     double moduli[Increments::capacity], fastest = 0.0;
     material.wave_moduli(range, moduli);
     watch.lap(sums.material_seconds);
-    if (water.is_implicit(body))
-        std::copy_n(moduli, range.end - range.begin, model.parts[body].moduli.data() + range.begin);
     for (std::ptrdiff_t p = range.begin; p < range.end; ++p) {
         const double per_density = q[column::V0][p] * q.J(p) / q[column::mass][p];
         fastest = std::max(fastest, moduli[p - range.begin] * per_density);

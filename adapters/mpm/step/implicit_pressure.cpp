@@ -28,7 +28,7 @@ ImplicitPressure::ImplicitPressure(const GridView& grid, Exchange& processes, bo
     : row(static_cast<std::size_t>(grid.r.cells) + 3), cells_r(grid.r.cells), exchange(processes),
       fixed_point(in_fixed_point),
       of_cells(static_cast<std::size_t>(grid.r.cells) * static_cast<std::size_t>(grid.z.cells)),
-      end_of(of_cells.size()), sums(3 * of_cells.size()),
+      end_of(of_cells.size()), sums(4 * of_cells.size()),
       at_nodes(row * (static_cast<std::size_t>(grid.z.cells) + 3)), moved(at_nodes.size()),
       compact(grid, processes, in_fixed_point), flow_of_grid(of_cells.size()),
       pressure_of_grid(of_cells.size()),
@@ -80,8 +80,8 @@ void ImplicitPressure::swell(const std::vector<Vector2>& v, double* of) const {
 }
 
 // Those that are here, by cells.
-void ImplicitPressure::find_particles(const PoreWater& water, const std::vector<double>& moduli,
-                                      const GridView& grid, Particles& particles) {
+void ImplicitPressure::find_particles(const PoreWater& water, const GridView& grid,
+                                      Particles& particles) {
     const ParticleView q = particles.view();
     std::fill(end_of.begin(), end_of.end(), 0);
     cell_of.resize(static_cast<std::size_t>(particles.size()));
@@ -97,23 +97,21 @@ void ImplicitPressure::find_particles(const PoreWater& water, const std::vector<
         begin += count;
     }
     particles_of.resize(begin);
-    double largest[4] = {};  // of V, V K_w/n, V p and V M
+    double largest[3] = {};  // of V, V K_w/n and V p
     for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
         const InCell in{q[column::V0][p] * q.J(p), water.stiffness(water.void_ratio(q, p)),
-                        q[water.first][p], moduli[static_cast<std::size_t>(p)]};
+                        q[water.first][p]};
         particles_of[end_of[cell_of[static_cast<std::size_t>(p)]]++] = in;
         largest[0] = std::max(largest[0], in.V);
         largest[1] = std::max(largest[1], in.V * in.stiffness);
         largest[2] = std::max(largest[2], in.V * std::max(std::fabs(in.p), water.largest_tension));
-        largest[3] = std::max(largest[3], in.V * in.skeleton);
     }
     if (!fixed_point) return;
-    exchange.max(largest, 4);
+    exchange.max(largest, 3);
     constexpr int room = 12;  // bits for the particles of a cell
     of_volume = Rounding::of_sums(largest[0], room);
     of_stiffness = Rounding::of_sums(largest[1], room);
     of_pressure = Rounding::of_sums(largest[2], room);
-    of_skeleton = Rounding::of_sums(largest[3], room);
 }
 
 // Those with particles, of any process.
@@ -122,16 +120,17 @@ void ImplicitPressure::find_cells(const PoreWater& water) {
     for (std::size_t at = 0, p = 0; at < end_of.size(); ++at)
         for (; p < end_of[at]; ++p) {
             const InCell& in = particles_of[p];
-            sums[3 * at] += of_volume(in.V);
-            sums[3 * at + 1] += of_pressure(in.V * std::max(in.p, -water.largest_tension));
-            sums[3 * at + 2] += of_skeleton(in.V * in.skeleton);
+            sums[4 * at] += of_volume(in.V);
+            sums[4 * at + 1] += of_pressure(in.V * std::max(in.p, -water.largest_tension));
+            sums[4 * at + 2] += of_stiffness(in.V * in.stiffness);
+            if (in.p <= -water.largest_tension) sums[4 * at + 3] += 1.0;
         }
-    exchange.sum_cells(sums.data(), static_cast<std::ptrdiff_t>(end_of.size()), 3);
+    exchange.sum_cells(sums.data(), static_cast<std::ptrdiff_t>(end_of.size()), 4);
     const std::uint8_t* mine = exchange.counted_cells();
     cells.clear();
     patched.clear();
     for (std::size_t at = 0; at < end_of.size(); ++at) {
-        const double V = sums[3 * at];
+        const double V = sums[4 * at];
         if (V == 0.0) continue;
         const std::size_t of_row = static_cast<std::size_t>(cells_r);
         const double* force = of_cells[at].force;
@@ -141,10 +140,11 @@ void ImplicitPressure::find_cells(const PoreWater& water) {
         cells.push_back({.begin = at == 0 ? 0 : end_of[at - 1],
                          .end = end_of[at],
                          .counted = !mine || mine[at],
+                         .cavitates = sums[4 * at + 3] > 0.0,
                          .reach = reach,
                          .V = V,
-                         .pressure = sums[3 * at + 1] / V,
-                         .skeleton = sums[3 * at + 2] / V,
+                         .pressure = sums[4 * at + 1] / V,
+                         .stiffness = sums[4 * at + 2] / V,
                          .compliance = 0.0,
                          .reached = 0.0,
                          .scale = 1.0});
@@ -253,7 +253,7 @@ void ImplicitPressure::remember(double dt) {
     rates.swap(now);
 }
 
-// Preconditioned conjugate gradients. Processes that share a cell have the same numbers of it; products are those of all.
+// Conjugate gradients. Processes that share a cell have the same numbers of it; products are those of all.
 Eigen::VectorXd ImplicitPressure::solve(const System& system, Eigen::VectorXd b,
                                         const Eigen::VectorXd& guess) {
     constexpr double tolerance = 1e-5;
@@ -278,22 +278,17 @@ Eigen::VectorXd ImplicitPressure::solve(const System& system, Eigen::VectorXd b,
         b = left;
         left2 = of_guess;
     }
-    compact.scale_by(system.scale.data());
-    Eigen::VectorXd z(b.size()), direction = Eigen::VectorXd::Zero(b.size());
-    double before = 1.0;  // there is no direction yet
+    Eigen::VectorXd direction = b;
     int i = 0;
     for (; i < most_iterations && std::isfinite(left2); ++i) {
         if (left2 < enough2) return unit * x;
         ++iterated;
-        compact.precondition(b.data(), std::sqrt(left2), z.data());
-        const double now = dot(b, z);
-        direction = z + now / before * direction;
-        before = now;
         apply(system, direction.data(), product.data());
-        const double along = now / dot(direction, product);
+        const double along = left2 / dot(direction, product), before = left2;
         x += along * direction;
         b -= along * product;
         left2 = dot(b, b);
+        direction = b + left2 / before * direction;
     }
     char text[160];
     std::snprintf(text, sizeof text,
@@ -303,28 +298,32 @@ Eigen::VectorXd ImplicitPressure::solve(const System& system, Eigen::VectorXd b,
     throw std::runtime_error(text);
 }
 
-// By the pressures there were.
-void ImplicitPressure::find_compact_flow(const Answers& answers) {
+// By the pressures there were. again: with other cells that bear, which those that alternate do not ask for.
+void ImplicitPressure::find_compact_flow(const Answers& answers, bool again) {
     std::vector<CompactFlow::Cell> of_compact;
     for (std::size_t c = 0; c < cells.size(); ++c) {
         of_compact.push_back({static_cast<std::uint32_t>(first_node(patched[c])),
-                              cells[c].compliance > 0.0, cells[c].counted, cells[c].skeleton});
+                              cells[c].compliance > 0.0, cells[c].counted, cells[c].cavitates,
+                              cells[c].V / cells[c].stiffness});
         scaled[c] = cells[c].pressure;
     }
     compact.begin(of_compact, answers.compact);
-    flow_before.assign(cells.size(), 0.0);
+    if (!again) {
+        flow_of_alternating.assign(cells.size(), 0.0);
+        compact.add_of_alternating(scaled.data(), flow_of_alternating.data());
+    }
+    flow_before = flow_of_alternating;
     compact.add_by_pressures(scaled.data(), flow_before.data());
 }
 
-void ImplicitPressure::solve(const PoreWater& water, const std::vector<double>& moduli,
-                             const GridView& grid, Particles& particles, double dt,
-                             const std::vector<Vector2>& u, const Answers& answers, bool again,
-                             std::vector<Vector2>& impulses) {
+void ImplicitPressure::solve(const PoreWater& water, const GridView& grid, Particles& particles,
+                             double dt, const std::vector<Vector2>& u, const Answers& answers,
+                             bool again, std::vector<Vector2>& impulses) {
     constexpr int most_changes = 10;
     if (again) {
         found = values;
     } else {
-        find_particles(water, moduli, grid, particles);
+        find_particles(water, grid, particles);
         find_cells(water);
     }
     kernels().find_own_swelling(patch_call(), answers.nodes.data(), own_swelling.data());
@@ -358,7 +357,7 @@ void ImplicitPressure::solve(const PoreWater& water, const std::vector<double>& 
         // Cells that do not bear go to the largest tension, which the others see as a load.
         for (std::size_t c = 0; c < cells.size(); ++c)
             values[c] = cells[c].compliance > 0.0 ? 0.0 : cells[c].reached - cells[c].pressure;
-        find_compact_flow(answers);
+        find_compact_flow(answers, again || change > 0);
         move();
         for (std::size_t c = 0; c < cells.size(); ++c) {
             Cell& cell = cells[c];

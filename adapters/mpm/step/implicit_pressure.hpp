@@ -52,12 +52,11 @@ class ImplicitPressure {
 
     // The change x of the mean pressures of cells [Pa] with
     //     p + x = mean over particles of max(p - K_w/n (dt G^T (u + dt A G x) + flow)/V, -largest_tension),
-    // u the volume velocity without it, A the answers of nodes, flow that of CompactFlow; and its impulses dt G x [N s]. moduli:
-    // P-wave, of the grains of each particle [Pa]. again: in the same step, with other answers. Every process must call it.
-    // Throws std::runtime_error without a solution.
-    void solve(const PoreWater& water, const std::vector<double>& moduli, const GridView& grid,
-               Particles& particles, double dt, const std::vector<Vector2>& u,
-               const Answers& answers, bool again, std::vector<Vector2>& impulses);
+    // u the volume velocity without it, A the answers of nodes, flow that of CompactFlow; and its impulses dt G x [N s].
+    // again: in the same step, with other answers. Every process must call it. Throws std::runtime_error without a solution.
+    void solve(const PoreWater& water, const GridView& grid, Particles& particles, double dt,
+               const std::vector<Vector2>& u, const Answers& answers, bool again,
+               std::vector<Vector2>& impulses);
     // What left the cells of the grid beside that [m3].
     const std::vector<double>& flow() const { return flow_of_grid; }
     // Their mean pressures that bore before it [Pa].
@@ -78,16 +77,16 @@ class ImplicitPressure {
     struct Cell {
         std::size_t begin, end;  // of its particles here
         bool counted;            // by this process
+        bool cavitates;          // some of its particles, before the step
         double reach;            // largest force of its patch [m2]
         double V, pressure;      // [m3], mean that bears [Pa]
-        double skeleton;         // P-wave modulus of its grains, mean [Pa]
+        double stiffness;        // of its water, K_w/n, mean [Pa]
         // p + x = reached - swelling/compliance, of the particles that bear; compliance 0: none does.
         double compliance, reached;
         double scale;  // 1/sqrt of the diagonal
     };
     struct InCell {
-        double V, stiffness, p,
-            skeleton;  // K_w/n [Pa], p as it goes on below the largest tension, P-wave modulus of grains
+        double V, stiffness, p;  // K_w/n [Pa], p as it goes on below the largest tension
     };
     // The matrix of the system, scaled to a diagonal of 1: never assembled. Of cells one after the other: the scale, nothing
     // where a cell does not bear, and 1 there.
@@ -112,11 +111,10 @@ class ImplicitPressure {
     void push(const double* x, std::vector<Vector2>& at);
     void share(std::vector<Vector2>& at);
     void swell(const std::vector<Vector2>& v, double* of) const;
-    void find_particles(const PoreWater& water, const std::vector<double>& moduli,
-                        const GridView& grid, Particles& particles);
+    void find_particles(const PoreWater& water, const GridView& grid, Particles& particles);
     void find_cells(const PoreWater& water);
     bool find_laws(const PoreWater& water, double dt);
-    void find_compact_flow(const Answers& answers);
+    void find_compact_flow(const Answers& answers, bool again);
 
     std::size_t row;  // nodes of one in the arrays of solve
     int cells_r;
@@ -130,13 +128,13 @@ class ImplicitPressure {
     std::vector<std::uint32_t> cell_of;  // of each particle here ...
     std::vector<std::size_t>
         end_of;                // particles of each cell of the grid, one cell after the other
-    std::vector<double> sums;  // three or two of each cell of the grid
-    Rounding of_volume, of_stiffness, of_pressure, of_skeleton;  // of addends of these
-    std::vector<Vector2> at_nodes, moved, shared;                // shared: of the grid
+    std::vector<double> sums;  // four or two of each cell of the grid
+    Rounding of_volume, of_stiffness, of_pressure;  // of addends of these
+    std::vector<Vector2> at_nodes, moved, shared;   // shared: of the grid
     CompactFlow compact;
     std::vector<double> values, found, swelling, own_swelling, scaled, pushing;
-    std::vector<double> flow_before,
-        flow_of_grid;  // what leaves cells by the pressures before [m3]
+    // What leaves cells by the pressures before, and of it what does by those that alternate [m3].
+    std::vector<double> flow_before, flow_of_alternating, flow_of_grid;
     std::vector<double> pressure_of_grid;
     // Of cells, at the first of their nodes: how fast values changed in the last two steps [Pa/s].
     std::vector<Vector2> rates;

@@ -25,17 +25,10 @@ struct Part {
     bool reduces_domains = false;
     double least_mass = 0.0;      // of a node that moves [kg]
     double largest_volume = 0.0;  // of a particle at the start [m3]
-    // P-wave modulus of the grains of each particle as the last step left it [Pa], where an implicit pore pressure asks
-    // for it; none: that step had other particles, or another order of them. Columns say the same, bit for bit: not archived.
-    std::vector<double> moduli = {};
 
     // Particle with this id; -1: another process has it.
     std::ptrdiff_t find(int id) const { return by_id.find(body.particles, id); }
-    // Once there are other particles, or in another order.
-    void index_ids() {
-        by_id.find_all(body.particles);
-        moduli.clear();
-    }
+    void index_ids() { by_id.find_all(body.particles); }
     template <class Self, class Archive> static void visit(Self& part, Archive& archive) {
         Particles::visit(part.body.particles, archive);
         Strips::visit(part.strips, archive);

@@ -419,7 +419,7 @@ CompactAnswer Water::compact_answers(std::size_t i, std::size_t node, const Vect
     const double h_z = 0.5 * (model.z[i_z + 1] - model.z[i_z - 1]);
     const NodeRecord& w = bodies[i].records[node];
     const double V = w[water_record::volume], dt = model.dt;
-    CompactAnswer out{compact_answer(V, h_r, h_z, answer, dt), 0.0, V};
+    CompactAnswer out{compact_answer(V, h_r, h_z, answer, dt), 0.0};
     if (!flows(i)) return out;
     const double n = porosity(i, node);
     const double through = n * n / (w[water_record::m] + dt * w[water_record::drag]);
@@ -683,13 +683,6 @@ void Water::change(std::size_t i, std::vector<Pressed>& pressed,
     hold_platens(i);
     hold_surfaces(i, surfaces);
     Part& part = model.parts[i];
-    if (part.moduli.empty())
-        naming(i, [&] {
-            const std::ptrdiff_t particles = part.body.particles.size();
-            part.moduli.resize(static_cast<std::size_t>(particles));
-            part.body.material->wave_moduli({part.body.particles.view(), 0, particles},
-                                            part.moduli.data());
-        });
     bool again = false, settled = false;
     for (int change = 0; change < most_changes && !settled; ++change) {
         if (!body.held.empty()) body.held.factor();
@@ -699,8 +692,8 @@ void Water::change(std::size_t i, std::vector<Pressed>& pressed,
             body.held.hold_free(u);
         }
         naming(i, [&] {
-            body.implicit->solve(*part.body.water, part.moduli, model.grid(), part.body.particles,
-                                 model.dt, u, body.all_answers, again, body.impulse);
+            body.implicit->solve(*part.body.water, model.grid(), part.body.particles, model.dt, u,
+                                 body.all_answers, again, body.impulse);
         });
         again = true;
         settled = body.held.empty() || !body.held.find_impulses(body.impulse);
