@@ -82,15 +82,17 @@ template <class Of> void CompactFlow::share(std::vector<Of>& of_cells) {
 
 // find(cell, k, step): along r and z, of the cell at that place, its neighbours a step from it.
 template <class Find> void CompactFlow::find_along(const Find& find) {
-    for (const Cell& cell : cells)
-        for (const std::size_t k : {std::size_t{0}, std::size_t{1}})
-            if (cell.counted) find(row + cell.first, k, k == 0 ? 1 : row);
+    for (const Cell& cell : cells) {
+        if (!cell.counted) continue;
+        find(row + cell.first, 0, 1);
+        find(row + cell.first, 1, row);
+    }
 }
 
 // Fourth differences B p of five cells in a row, by their least compliance, and B of that: 1, -4, 6, -4, 1 over 16.
 void CompactFlow::add_of_alternating(const double* p, double* out) {
     constexpr double most = 0.9;  // of what alternates along a direction
-    std::vector<double> part(cells.size());
+    part.assign(cells.size(), 0.0);
     add(to_root, p, part.data());
     add(to_root, part.data(), out);
 

@@ -69,6 +69,7 @@ class CompactFlow {
     std::vector<Given> given;
     std::vector<Second> second;
     std::vector<Vector2> alternating, leaves;
+    std::vector<double> part;  // of cells, on the way to what leaves of checkerboards
     double* first_cell() { return at_cells.data() + row + 1; }
     void add(const std::vector<double>& answer, const double* x, double* out);
     template <class Of> void share(std::vector<Of>& of_cells);
