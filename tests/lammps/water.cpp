@@ -2,6 +2,7 @@
 // Sand below its water table in both hosts: a pile that is driven into it, and one that is pushed.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <span>
@@ -17,7 +18,7 @@ namespace {
 
 // Of the history.
 constexpr std::size_t tip_force = 6, rigid_work = 15, contact_loss = 16, water_work = 28,
-                      drag_loss = 29, largest_pressure = 31;
+                      drag_loss = 29, smallest_pressure = 30, largest_pressure = 31;
 
 const std::string flow =
     "drainage = \"flow\"\nconductivity_m_per_s = 1e-3\nconductivity_law = \"kozeny_carman\"";
@@ -82,6 +83,18 @@ TEST_P(LammpsWater, UnderBlowsHasTheBitsOfTheDriverHoweverTheGridIsCut) {
     EXPECT_GT(driver.rows.back()[contact_loss], 0.0);
     EXPECT_EQ(first_difference(driver, hosts.in_lammps(1, 1)), "");
     expect_bits_however_cut(hosts, driver);
+}
+
+// What alternates beside cavities goes off between the cells of several processes.
+TEST(LammpsCavities, HaveTheBitsOfTheDriverHoweverTheGridIsCut) {
+    for (const std::string& drainage : {undrained, flow}) {
+        const BothHosts hosts(
+            replaced(wet(drainage + implicit), "[body.water]", "[body.water]\ncavitation_kPa = 0"));
+        const Told driver = hosts.in_driver(all);
+        const auto cavitates = [](const auto& row) { return row[smallest_pressure] == 0.0; };
+        EXPECT_GT(std::count_if(driver.rows.begin(), driver.rows.end(), cavitates), 3);
+        expect_bits_however_cut(hosts, driver);
+    }
 }
 
 // A load at the surface that water bears a share of.

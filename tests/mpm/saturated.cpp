@@ -549,8 +549,7 @@ TEST(PoreWater, BearsAgainWhereItsPoresCloseFromTheCap) {
     EXPECT_LT(open(1.2, 1e-7), open(1.1, 0.0) + 1.0);  // what bears opens
     EXPECT_GT(open(1.1, -1e-3), open(1.1, 1e-3));
     // Nor does what other particles of the cell bear, half of which those take that are not open.
-    const double nothing = 0.0, bears = 500.0;
-    const ImplicitCells implicit{&nothing, &bears, 0.5};
+    const ImplicitCell implicit{0.0, 500.0, water.stiffness(1.1), 0.5};
     const auto beside = [&](double e) {
         WaterCell cell{};
         cell.volume = volume;
@@ -560,7 +559,41 @@ TEST(PoreWater, BearsAgainWhereItsPoresCloseFromTheCap) {
         return q[water.first][0];
     };
     EXPECT_EQ(beside(1.2), at_cap);
-    EXPECT_EQ(beside(1.1), at_cap + 0.5 * (bears + water.largest_tension));
+    EXPECT_EQ(beside(1.1), at_cap + 0.5 * (implicit.pressure + water.largest_tension));
+}
+
+// Between particles of unlike pores, one of which has a cavity: what flows from one to the other is neither made nor lost.
+TEST(PoreWater, OfACellComesTogetherWithoutLoss) {
+    PoreWater water;
+    water.void_ratio_column = column::own;
+    water.first = column::own + 1;
+    water.largest_tension = 1e3;
+    constexpr double e[] = {0.6, 0.8, 1.1}, V[] = {1.0, 2.0, 0.5}, p_w[] = {5e3, -2e2, -9e3};
+    Particles particles(2);
+    WaterPlace places[3];
+    ImplicitCell cell{.together = 0.5};
+    cell.stiffness = 0.0;
+    for (int p = 0; p < 3; ++p) {
+        particles.add({0.5, 0.5, 0.5, 0.5, V[p]}, false);
+        places[p] = {V[p], e[p], 0};
+        cell.pressure += V[p] / 3.5 * std::max(p_w[p], -water.largest_tension);
+        cell.stiffness += V[p] / 3.5 * water.stiffness(e[p]);
+    }
+    const ParticleView q = particles.view();
+    for (int p = 0; p < 3; ++p) q[water.first][p] = p_w[p];
+    WaterCell still{};
+    still.volume = std::int64_t{1} << 40;
+    WaterSums sums;
+    update_pressures(q, 0, 3, water, &still, places, 1.0, &cell, false, sums);
+    double gone = 0.0, size = 0.0;
+    for (int p = 0; p < 3; ++p) {
+        const double compressed = V[p] * (q[water.first][p] - p_w[p]) / water.stiffness(e[p]);
+        gone += compressed;
+        size += std::fabs(compressed);
+    }
+    EXPECT_NEAR(gone, 0.0, 1e-14 * size);
+    EXPECT_LT(q[water.first][0], p_w[0]);
+    EXPECT_GT(q[water.first][2], p_w[2]);
 }
 
 // Whatever the porosity does: under a hydrostatic pressure water stays where it is, and under an even one all do.

@@ -144,9 +144,9 @@ inline constexpr CaseWord all[] = {
     choice("numerics", "scheme", schemes, ""),
     number("numerics", "cfl", cfl_range, none,
            "share of the shortest cell that a wave may cross in a step"),
-    number(
-        "numerics", "pic_rate_per_s", pic_range, per_second,
-        "1 − FLIP = rate Δt; particles take an implicit pore pressure of their cell at this rate"),
+    number("numerics", "pic_rate_per_s", pic_range, per_second,
+           "1 − FLIP = rate Δt; particles take an implicit pore pressure of their cell at this "
+           "rate, beside cavities at that of the flow"),
     number("numerics", "local_damping", damping_range, none,
            "share of the nodal force, against the motion"),
     number("numerics", "largest_step_s", above_zero, second, "", "none"),

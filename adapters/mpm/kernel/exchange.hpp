@@ -11,13 +11,13 @@
 //   pore water, per body        sum of node records, or of integers             64 a halo node
 //   ...                         sum of cells, of pressures and of strains       24 a halo cell each
 //   ... fixed point             maxima of contributions, eight                  8 each
-//   ... implicit                sums of patches, and of cells                   256 and 32 a halo cell
+//   ... implicit                sums of patches, and of cells                   256 and 56 a halo cell
 //   ... ..., each change        sums of laws, of cells, and of cells at nodes   16 a halo cell, 16 a halo node
 //   ... ..., ...                sums of forces and mixed differences, two or    16 and 8 a halo node each
 //                               three, and one more of the latter
 //   ... ..., ..., fixed point   maxima of what is summed                        8 each
 //   ... ..., once               what alternates: sums of mixed differences,     8 a halo node each
-//                               two, and what cells are to neighbours, four     24, 48, 16, 16 a halo node
+//                               two, and what cells are to neighbours, six      24, 48, 4 of 16 a halo node
 //   ... ..., ..., fixed point   maxima of what is summed, two                   8 each
 //   ... ..., ...                whether any pressure is given: maxima, two      8 each
 //   ... ..., each iteration     sums of forces, and of mixed differences        16 and 8 a halo node

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "adapters/mpm/kernel/pore_water.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <stdexcept>
 
@@ -91,7 +92,7 @@ namespace {
 // as the pressure is: particle by particle a steady flow would empty some and fill others.
 double update_pressures(const ParticleView& q, std::ptrdiff_t begin, std::ptrdiff_t end,
                         const PoreWater& water, const WaterCell* cells, const WaterPlace* places,
-                        double per_volume, const ImplicitCells* implicit, bool fixed_point,
+                        double per_volume, const ImplicitCell* implicit, bool fixed_point,
                         WaterSums& sums) {
     const double quantum = 8.0 / (CellIntegers::scale * per_volume);
     double fastest = 0.0;
@@ -107,8 +108,8 @@ double update_pressures(const ParticleView& q, std::ptrdiff_t begin, std::ptrdif
             q[water.content_column()][p] -=
                 water.density * part *
                 (static_cast<double>(mean.left) / static_cast<double>(mean.volume));
-        const double gone =
-            implicit && mean.volume > 0 ? implicit->left[cell] / mean.total(per_volume) : 0.0;
+        const ImplicitCell after = implicit ? implicit[cell] : ImplicitCell{};
+        const double gone = mean.volume > 0 ? after.left / mean.total(per_volume) : 0.0;
         const double strain = of_cell + gone;
         const double e_middle = water.flows ? e : e + 0.5 * (1.0 + e) * of_cell;
         if (!(e_middle > 0.0))
@@ -116,9 +117,9 @@ double update_pressures(const ParticleView& q, std::ptrdiff_t begin, std::ptrdif
         if (water.flows && !(q[water.content_column()][p] > 0.0))
             fail(q, p, "water left: more has flowed out of it than was there");
         const double before = water.pressure(q, p);
-        // Pores that have opened to the cap stay as they are, and what is cavitated in them.
-        const bool is_open = e >= water.opening_cap && q[water.first][p] <= -water.largest_tension;
-        if (!(is_open && strain > 0.0)) q[water.first][p] -= water.stiffness(e_middle) * strain;
+        const bool keeps_cavity = water.keeps_cavity(e, q[water.first][p]);
+        if (!(keeps_cavity && strain > 0.0))
+            q[water.first][p] -= water.stiffness(e_middle) * strain;
         const double now = water.pressure(q, p);
         sums.work.add(-0.5 * (before + now) * strain * V, fixed_point);
         sums.half.add(-0.5 * now * of_cell * V, fixed_point);
@@ -128,9 +129,11 @@ double update_pressures(const ParticleView& q, std::ptrdiff_t begin, std::ptrdif
                                  water.speed_squared(q, p),
                              fixed_point);
         if (!implicit) continue;
-        // What particles of a cell differ by presses nowhere, until one of them comes to the next cell.
-        if (mean.volume > 0 && !is_open)
-            q[water.first][p] += implicit->pic * (implicit->pressure[cell] - before);
+        // What particles of a cell differ by presses nowhere, until one of them comes to the next cell. What flows from one to the
+        // other adds up to nothing: the sum of V dp/(K_w/n).
+        if (mean.volume > 0 && !keeps_cavity)
+            q[water.first][p] +=
+                after.together * (water.stiffness(e) / after.stiffness) * (after.pressure - before);
         if (gone == 0.0) continue;
         sums.between.add(0.5 * (before + now) * gone * V, fixed_point);
         if (water.flows) q[water.content_column()][p] -= water.density * gone * part;

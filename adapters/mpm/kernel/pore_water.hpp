@@ -90,6 +90,10 @@ struct PoreWater {
         const double share = e / conductivity_at;
         return conductivity * share * share * share * ((1.0 + conductivity_at) / (1.0 + e));
     }
+    // Pores that have opened to the cap stay as they are, and what is cavitated in them.
+    GRIT_INLINE bool keeps_cavity(double e, double p_w) const {
+        return e >= opening_cap && p_w <= -largest_tension;
+    }
     // n^2 rho_w g/k: force on a volume for a velocity against the grains [N s/m4].
     GRIT_INLINE double drag(double e) const {
         const double largest = density * standard_gravity / conductivity, n = porosity_of(e);
@@ -214,17 +218,18 @@ struct WaterGather {
 // The mean pressures of cells, as shares of K_w.
 void add_pressures(const GridView& grid, const ParticleView& particles, std::ptrdiff_t begin,
                    std::ptrdiff_t end, const PoreWater& water, double per_volume, WaterCell* cells);
-// Of cells with an implicit pressure.
-struct ImplicitCells {
-    const double* left;      // in the step, beside what nodes show [m3]
-    const double* pressure;  // mean that bore before it [Pa]
-    double pic;              // share by which particles take that of their cell
+// A cell with an implicit pressure, after a step.
+struct ImplicitCell {
+    double left = 0.0;  // beside what nodes show [m3]
+    // Mean that bore before it, of particles that do not keep a cavity [Pa]; K_w/n, mean of all [Pa]; the share of the way to that
+    // pressure that those go whose K_w/n is the mean.
+    double pressure = 0.0, stiffness = 1.0, together = 0.0;
 };
 // (W1), (W2) of a range, after a gather: each particle with the mean strain of its cell and its share of what else left that;
 // implicit: null where the pressure is explicit. Returns what water adds to the square of the speed of waves, at the most [m2/s2].
 double update_pressures(const ParticleView& particles, std::ptrdiff_t begin, std::ptrdiff_t end,
                         const PoreWater& water, const WaterCell* cells, const WaterPlace* places,
-                        double per_volume, const ImplicitCells* implicit, bool fixed_point,
+                        double per_volume, const ImplicitCell* implicit, bool fixed_point,
                         WaterSums& sums);
 
 struct WaterNodeCall {

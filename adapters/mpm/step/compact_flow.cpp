@@ -20,7 +20,8 @@ CompactFlow::CompactFlow(const GridView& grid, Exchange& processes, bool in_fixe
       fixed_point(in_fixed_point),
       at_cells((row + 1) + row * (static_cast<std::size_t>(grid.z.cells) + 1)),
       mixed(at_cells.size()), around(mixed.size() - (row + 1)), given(around.size() + 2 * row),
-      second(given.size()), alternating(given.size()), leaves(given.size()) {}
+      second(given.size()), compliance_of_five(given.size()), fourth(given.size()),
+      least_of_three(given.size()), alternating(given.size()), leaves(given.size()) {}
 
 void CompactFlow::begin(const std::vector<Cell>& now, const std::vector<CompactAnswer>& answers) {
     cells = now;
@@ -70,7 +71,8 @@ void CompactFlow::add(const std::vector<double>& answer, const double* x, double
     }
 }
 
-// What the process that counts a cell has of it goes to all. A row's last node is not the first of a cell here, and must not be beside
+// What the process that counts a cell has of it goes to all that have its first node; differences of counted cells need
+// that of the next cell beyond a cut. A row's last node is not the first of a cell here, and must not be beside
 // the next row's first cell, though others may have a cell there.
 template <class Of> void CompactFlow::share(std::vector<Of>& of_cells) {
     static_assert(sizeof(Of) % sizeof(double) == 0);
@@ -89,7 +91,8 @@ template <class Find> void CompactFlow::find_along(const Find& find) {
     }
 }
 
-// Fourth differences B p of five cells in a row, by their least compliance, and B of that: 1, -4, 6, -4, 1 over 16.
+// Fourth differences B p of five cells in a row, 1, -4, 6, -4, 1 over 16, or the least of five of them that change sign, by the least
+// compliance of the five cells, and B of that.
 void CompactFlow::add_of_alternating(const double* p, double* out) {
     constexpr double most = 0.9;  // of what alternates along a direction
     part.assign(cells.size(), 0.0);
@@ -98,7 +101,7 @@ void CompactFlow::add_of_alternating(const double* p, double* out) {
 
     std::fill(given.begin(), given.end(), Given{});
     std::fill(second.begin(), second.end(), Second{});
-    for (std::vector<Vector2>* of_cells : {&alternating, &leaves})
+    for (std::vector<Vector2>* of_cells : {&fourth, &least_of_three, &alternating, &leaves})
         std::fill(of_cells->begin(), of_cells->end(), Vector2{});
     for (std::size_t c = 0; c < cells.size(); ++c)
         if (cells[c].counted)
@@ -115,12 +118,30 @@ void CompactFlow::add_of_alternating(const double* p, double* out) {
     share(second);
     find_along([this](std::size_t at, std::size_t k, std::size_t step) {
         const Second &before = second[at - step], &here = second[at], &behind = second[at + step];
-        if (before.cavitates[k] + behind.cavitates[k] > 0.0)
-            alternating[at][k] =
-                most *
-                std::min({before.least_compliance[k], here.least_compliance[k],
-                          behind.least_compliance[k]}) *
+        compliance_of_five[at][k] = std::min(
+            {before.least_compliance[k], here.least_compliance[k], behind.least_compliance[k]});
+        if (compliance_of_five[at][k] > 0.0)
+            fourth[at][k] =
                 second_difference(before.difference[k], here.difference[k], behind.difference[k]);
+    });
+    share(fourth);
+    find_along([this](std::size_t at, std::size_t k, std::size_t step) {
+        const double before = fourth[at - step][k], here = fourth[at][k],
+                     behind = fourth[at + step][k];
+        least_of_three[at][k] =
+            before * here < 0.0 && here * behind < 0.0
+                ? std::min({std::fabs(before), std::fabs(here), std::fabs(behind)})
+                : 0.0;
+    });
+    share(least_of_three);
+    find_along([this](std::size_t at, std::size_t k, std::size_t step) {
+        const bool cavitates =
+            second[at - step].cavitates[k] + second[at + step].cavitates[k] > 0.0;
+        const double least_of_five =
+                         std::min(least_of_three[at - step][k], least_of_three[at + step][k]),
+                     here = fourth[at][k];
+        alternating[at][k] = most * compliance_of_five[at][k] *
+                             (cavitates ? here : std::copysign(least_of_five, here));
     });
     share(alternating);
     find_along([this](std::size_t at, std::size_t k, std::size_t step) {

@@ -32,12 +32,13 @@ class CompactFlow {
     // By changes of pressures, or by pressures: symmetric.
     void add_by_changes(const double* x, double* out) { add(to_change, x, out); }
     void add_by_pressures(const double* x, double* out) { add(to_pressure, x, out); }
-    // By what of pressures changes sign from cell to cell, symmetric and positive, nothing of smooth ones.
+    // By what of pressures changes sign from cell to cell: positive, but for the last kind symmetric, and nothing of smooth ones.
     // - Checkerboards: M' sqrt(a) M M' sqrt(a) M p / 256, M the mixed differences at nodes, a their answers to changes: of a
     //   checkerboard as much as a change of it would start, and of no pressures more.
-    // - Beside cavities, along r and along z: 0.9 B k B p, B the fourth differences 1, -4, 6, -4, 1 over 16 of five cells in a
-    //   row of which one cavitates, k the least compliance of their water. No alternating pressure grows by it: in a checkerboard,
-    //   which has both directions, what the cells' own water could bear turns over to 0.8 of itself.
+    // - Along r and along z: 0.9 B k B p, B the fourth differences 1, -4, 6, -4, 1 over 16 of five cells in a row, k the least
+    //   compliance of their water, where one of the five cavitates. Elsewhere, where B p changes sign from cell to cell in five of them,
+    //   of the least of the five: nothing beside a jump. No alternating pressure grows by it: in a checkerboard, which has both
+    //   directions, what the cells' own water could bear turns over to 0.8 of itself.
     void add_of_alternating(const double* p, double* out);
     // ... of that of changes, by 1 Pa of the cell's own pressure [m3/Pa].
     double own(std::size_t cell) const {
@@ -57,9 +58,10 @@ class CompactFlow {
     std::vector<double> at_cells, mixed;
     // The cells at a node: how many, and those that bear.
     std::vector<Vector2> around;
-    // At the first node of each cell, between rows of nothing. given: what neighbours must know of a cell. second, along r and z:
-    // second differences of the pressure; the least compliance of those three cells; 1 where one of them cavitates. alternating,
-    // along r and z: 0.9 k B p [m3]; leaves: second differences of it.
+    // At the first node of each cell, between rows of nothing, along r and z but for given: what neighbours must know of a cell.
+    // second: second differences of the pressure; of these three cells the least compliance, and 1 where one cavitates.
+    // compliance_of_five: the least; fourth: second differences of second ones; least_of_three: of these, that change sign. alternating:
+    // 0.9 k B p [m3]; leaves: second differences of it.
     struct Given {
         double pressure, compliance, cavitates;
     };
@@ -68,7 +70,7 @@ class CompactFlow {
     };
     std::vector<Given> given;
     std::vector<Second> second;
-    std::vector<Vector2> alternating, leaves;
+    std::vector<Vector2> compliance_of_five, fourth, least_of_three, alternating, leaves;
     std::vector<double> part;  // of cells, on the way to what leaves of checkerboards
     double* first_cell() { return at_cells.data() + row + 1; }
     void add(const std::vector<double>& answer, const double* x, double* out);

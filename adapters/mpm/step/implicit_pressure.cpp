@@ -28,10 +28,9 @@ ImplicitPressure::ImplicitPressure(const GridView& grid, Exchange& processes, bo
     : row(static_cast<std::size_t>(grid.r.cells) + 3), cells_r(grid.r.cells), exchange(processes),
       fixed_point(in_fixed_point),
       of_cells(static_cast<std::size_t>(grid.r.cells) * static_cast<std::size_t>(grid.z.cells)),
-      end_of(of_cells.size()), sums(4 * of_cells.size()),
+      end_of(of_cells.size()), sums(7 * of_cells.size()),
       at_nodes(row * (static_cast<std::size_t>(grid.z.cells) + 3)), moved(at_nodes.size()),
-      compact(grid, processes, in_fixed_point), flow_of_grid(of_cells.size()),
-      pressure_of_grid(of_cells.size()),
+      compact(grid, processes, in_fixed_point), after_of_grid(of_cells.size()),
       rates((row - 2) * (static_cast<std::size_t>(grid.z.cells) + 1)) {
     if (fixed_point) rows_of_patches.resize(4 * of_cells.size(), strips);
     if (exchange.whole()) shared.resize(rates.size());
@@ -99,8 +98,9 @@ void ImplicitPressure::find_particles(const PoreWater& water, const GridView& gr
     particles_of.resize(begin);
     double largest[3] = {};  // of V, V K_w/n and V p
     for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
-        const InCell in{q[column::V0][p] * q.J(p), water.stiffness(water.void_ratio(q, p)),
-                        q[water.first][p]};
+        const double e = water.void_ratio(q, p);
+        const InCell in{q[column::V0][p] * q.J(p), water.stiffness(e), q[water.first][p],
+                        water.keeps_cavity(e, q[water.first][p])};
         particles_of[end_of[cell_of[static_cast<std::size_t>(p)]]++] = in;
         largest[0] = std::max(largest[0], in.V);
         largest[1] = std::max(largest[1], in.V * in.stiffness);
@@ -120,17 +120,26 @@ void ImplicitPressure::find_cells(const PoreWater& water) {
     for (std::size_t at = 0, p = 0; at < end_of.size(); ++at)
         for (; p < end_of[at]; ++p) {
             const InCell& in = particles_of[p];
-            sums[4 * at] += of_volume(in.V);
-            sums[4 * at + 1] += of_pressure(in.V * std::max(in.p, -water.largest_tension));
-            sums[4 * at + 2] += of_stiffness(in.V * in.stiffness);
-            if (in.p <= -water.largest_tension) sums[4 * at + 3] += 1.0;
+            const double V = of_volume(in.V),
+                         pressed = of_pressure(in.V * std::max(in.p, -water.largest_tension));
+            double* sum = sums.data() + 7 * at;
+            sum[0] += V;
+            sum[1] += pressed;
+            sum[2] += of_stiffness(in.V * in.stiffness);
+            const double cavity = in.p <= -water.largest_tension ? 1.0 : 0.0;
+            sum[3] += cavity;
+            if (in.keeps_cavity) continue;
+            sum[4] += V;
+            sum[5] += pressed;
+            sum[6] += cavity;
         }
-    exchange.sum_cells(sums.data(), static_cast<std::ptrdiff_t>(end_of.size()), 4);
+    exchange.sum_cells(sums.data(), static_cast<std::ptrdiff_t>(end_of.size()), 7);
     const std::uint8_t* mine = exchange.counted_cells();
     cells.clear();
     patched.clear();
     for (std::size_t at = 0; at < end_of.size(); ++at) {
-        const double V = sums[4 * at];
+        const double* sum = sums.data() + 7 * at;
+        const double V = sum[0];
         if (V == 0.0) continue;
         const std::size_t of_row = static_cast<std::size_t>(cells_r);
         const double* force = of_cells[at].force;
@@ -140,11 +149,13 @@ void ImplicitPressure::find_cells(const PoreWater& water) {
         cells.push_back({.begin = at == 0 ? 0 : end_of[at - 1],
                          .end = end_of[at],
                          .counted = !mine || mine[at],
-                         .cavitates = sums[4 * at + 3] > 0.0,
+                         .cavitates = sum[3] > 0.0,
+                         .closes = sum[6] > 0.0,
                          .reach = reach,
                          .V = V,
-                         .pressure = sums[4 * at + 1] / V,
-                         .stiffness = sums[4 * at + 2] / V,
+                         .pressure = sum[1] / V,
+                         .common = sum[4] > 0.0 ? sum[5] / sum[4] : 0.0,
+                         .stiffness = sum[2] / V,
                          .compliance = 0.0,
                          .reached = 0.0,
                          .scale = 1.0});
@@ -333,7 +344,6 @@ void ImplicitPressure::solve(const PoreWater& water, const GridView& grid, Parti
     for (std::vector<double>* of : {&system.scale, &system.compliance, &system.alone})
         of->resize(cells.size());
     Eigen::VectorXd b(static_cast<Eigen::Index>(cells.size()));
-    std::vector<double> flow;
     // u + dt A G of the values, of which G is left in impulses, and the flow beside it.
     const auto move = [&] {
         double any = std::any_of(values.begin(), values.end(), [](double x) { return x != 0.0; });
@@ -380,12 +390,30 @@ void ImplicitPressure::solve(const PoreWater& water, const GridView& grid, Parti
         settled = !find_laws(water, dt);
     }
     if (!settled) ++not_settled;
-    std::fill(flow_of_grid.begin(), flow_of_grid.end(), 0.0);
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-        flow_of_grid[patched[c].patch] = flow[c];
-        pressure_of_grid[patched[c].patch] = cells[c].pressure;
-    }
     for (Vector2& J : impulses) J = {dt * J[0], dt * J[1]};
+}
+
+void ImplicitPressure::find_after(const PoreWater& water, const GridView& grid, double dt,
+                                  double pic) {
+    // No particle goes beyond the mean by it, unless its K_w/n is twice that of the cell.
+    constexpr double most = 0.5;
+    const auto of_row = static_cast<std::size_t>(cells_r);
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        const Cell& cell = cells[c];
+        double flows = 0.0;
+        if (water.flows && cell.closes) {
+            // 4 k/(rho_w g) K_w/n (1/h_r^2 + 1/h_z^2) dt, but for the inertia of the water.
+            const double n = water.bulk_modulus / cell.stiffness,
+                         per_r = grid.r.inverse[patched[c].patch % of_row],
+                         per_z = grid.z.inverse[patched[c].patch / of_row];
+            flows =
+                std::min(4.0 * dt * dt * cell.stiffness * n * n * (per_r * per_r + per_z * per_z) /
+                             (n * water.density + dt * water.drag(n / (1.0 - n))),
+                         most);
+        }
+        after_of_grid[patched[c].patch] = {flow[c], cell.common, cell.stiffness,
+                                           pic + (1.0 - pic) * flows};
+    }
 }
 
 }  // namespace grit::mpm

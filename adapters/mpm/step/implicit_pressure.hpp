@@ -57,11 +57,11 @@ class ImplicitPressure {
     void solve(const PoreWater& water, const GridView& grid, Particles& particles, double dt,
                const std::vector<Vector2>& u, const Answers& answers, bool again,
                std::vector<Vector2>& impulses);
-    // What left the cells of the grid beside that [m3].
-    const std::vector<double>& flow() const { return flow_of_grid; }
-    // Their mean pressures that bore before it [Pa].
-    const std::vector<double>& pressures() const { return pressure_of_grid; }
-    // Once it is solved for good.
+    // Of the cells of the grid, once it is solved for good. Particles come together by the share pic, and where some have a cavity
+    // that they do not keep as water flows through the grains: as fast as between cells whose pressures change sign from one to the next.
+    void find_after(const PoreWater& water, const GridView& grid, double dt, double pic);
+    const ImplicitCell* after() const { return after_of_grid.data(); }
+    // ... for the next step's guess.
     void remember(double dt);
     // Of all solutions since it was built.
     long iterations() const { return iterated; }
@@ -77,9 +77,11 @@ class ImplicitPressure {
     struct Cell {
         std::size_t begin, end;  // of its particles here
         bool counted;            // by this process
-        bool cavitates;          // some of its particles, before the step
+        bool cavitates;          // some of its particles, before the step ...
+        bool closes;             // ... and do not keep their cavity
         double reach;            // largest force of its patch [m2]
         double V, pressure;      // [m3], mean that bears [Pa]
+        double common;           // ... of the particles that do not keep a cavity [Pa]
         double stiffness;        // of its water, K_w/n, mean [Pa]
         // p + x = reached - swelling/compliance, of the particles that bear; compliance 0: none does.
         double compliance, reached;
@@ -87,6 +89,7 @@ class ImplicitPressure {
     };
     struct InCell {
         double V, stiffness, p;  // K_w/n [Pa], p as it goes on below the largest tension
+        bool keeps_cavity;
     };
     // The matrix of the system, scaled to a diagonal of 1: never assembled. Of cells one after the other: the scale, nothing
     // where a cell does not bear, and 1 there.
@@ -128,14 +131,14 @@ class ImplicitPressure {
     std::vector<std::uint32_t> cell_of;  // of each particle here ...
     std::vector<std::size_t>
         end_of;                // particles of each cell of the grid, one cell after the other
-    std::vector<double> sums;  // four or two of each cell of the grid
+    std::vector<double> sums;  // seven or two of each cell of the grid
     Rounding of_volume, of_stiffness, of_pressure;  // of addends of these
     std::vector<Vector2> at_nodes, moved, shared;   // shared: of the grid
     CompactFlow compact;
     std::vector<double> values, found, swelling, own_swelling, scaled, pushing;
-    // What leaves cells by the pressures before, and of it what does by those that alternate [m3].
-    std::vector<double> flow_before, flow_of_alternating, flow_of_grid;
-    std::vector<double> pressure_of_grid;
+    // What leaves cells beside what nodes show, of it what does by the pressures before, and of that by those that alternate [m3].
+    std::vector<double> flow, flow_before, flow_of_alternating;
+    std::vector<ImplicitCell> after_of_grid;
     // Of cells, at the first of their nodes: how fast values changed in the last two steps [Pa/s].
     std::vector<Vector2> rates;
     long iterated = 0, not_settled = 0;

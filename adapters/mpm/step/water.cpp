@@ -741,20 +741,21 @@ void Water::close() {
 void Water::update() {
     if (!is_anywhere()) return;
     sum_cells();
+    const double pic = std::min(model.settings.pic_rate * model.dt, 1.0);
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        if (is_implicit(i))
+            bodies[i].implicit->find_after(*model.parts[i].body.water, model.grid(), model.dt, pic);
     model.for_strips([this](std::size_t i, int strip) {
         if (!has(i)) return;
         Part& part = model.parts[i];
         OfBody& body = bodies[i];
         const auto s = static_cast<std::size_t>(strip);
-        ImplicitCells implicit{};
-        if (is_implicit(i))
-            implicit = {body.implicit->flow().data(), body.implicit->pressures().data(),
-                        std::min(model.settings.pic_rate * model.dt, 1.0)};
         naming(i, [&] {
             body.speed2[s] = update_pressures(
                 part.body.particles.view(), part.strips.begin(strip), part.strips.begin(strip + 1),
                 *part.body.water, body.cells.data(), body.places.data(), 1.0 / part.largest_volume,
-                is_implicit(i) ? &implicit : nullptr, model.settings.fixed_point, body.sums[s]);
+                is_implicit(i) ? body.implicit->after() : nullptr, model.settings.fixed_point,
+                body.sums[s]);
         });
     });
 }

@@ -24,9 +24,9 @@ struct Cut {
 };
 
 // What both hand to each other. Both are at the same call.
-class Meeting {
+class Mailbox {
   public:
-    explicit Meeting(const Cut& where) : cut(where) {}
+    explicit Mailbox(const Cut& where) : cut(where) {}
     // Gives bytes, gets those of the other.
     std::vector<char> swap(int rank, const void* data, std::size_t size) {
         const auto* bytes = static_cast<const char*>(data);
@@ -46,9 +46,9 @@ class Meeting {
 class Neighbour : public Exchange {
   public:
     // along_r, along_z: of the whole grid.
-    Neighbour(Meeting& with, int number, const Axis& along_r, const Axis& along_z)
-        : meeting(with), rank(number), axes{along_r, along_z} {
-        const Cut& cut = meeting.cut;
+    Neighbour(Mailbox& with, int number, const Axis& along_r, const Axis& along_z)
+        : mailbox(with), rank(number), axes{along_r, along_z} {
+        const Cut& cut = mailbox.cut;
         const int cells[] = {along_r.cells(), along_z.cells()};
         for (const int k : {0, 1}) {
             const bool is_cut = k == cut.direction;
@@ -93,7 +93,7 @@ class Neighbour : public Exchange {
     // The lower one's first.
     void gather(std::vector<KeyedNumbers>& items) override {
         const std::vector<char> in =
-            meeting.swap(rank, items.data(), items.size() * sizeof(KeyedNumbers));
+            mailbox.swap(rank, items.data(), items.size() * sizeof(KeyedNumbers));
         std::vector<KeyedNumbers> others(in.size() / sizeof(KeyedNumbers));
         if (!in.empty()) std::memcpy(others.data(), in.data(), in.size());
         items.insert(rank == 0 ? items.end() : items.begin(), others.begin(), others.end());
@@ -118,7 +118,7 @@ class Neighbour : public Exchange {
         std::vector<Number> out;
         for (const std::size_t place : places)
             out.insert(out.end(), x + each * place, x + each * (place + 1));
-        const std::vector<char> in = meeting.swap(rank, out.data(), out.size() * sizeof(Number));
+        const std::vector<char> in = mailbox.swap(rank, out.data(), out.size() * sizeof(Number));
         ASSERT_EQ(in.size(), out.size() * sizeof(Number));
         std::size_t at = 0;
         for (const std::size_t place : places)
@@ -129,7 +129,7 @@ class Neighbour : public Exchange {
                 own = operation(own, other);
             }
     }
-    Meeting& meeting;
+    Mailbox& mailbox;
     int rank;
     Axis axes[2];
     WholeAxes whole_axes;
