@@ -571,8 +571,7 @@ TEST(PoreWater, OfACellComesTogetherWithoutLoss) {
     constexpr double e[] = {0.6, 0.8, 1.1}, V[] = {1.0, 2.0, 0.5}, p_w[] = {5e3, -2e2, -9e3};
     Particles particles(2);
     WaterPlace places[3];
-    ImplicitCell cell{.together = 0.5};
-    cell.stiffness = 0.0;
+    ImplicitCell cell{.stiffness = 0.0, .together = 0.5};
     for (int p = 0; p < 3; ++p) {
         particles.add({0.5, 0.5, 0.5, 0.5, V[p]}, false);
         places[p] = {V[p], e[p], 0};
