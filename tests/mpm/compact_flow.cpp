@@ -112,9 +112,21 @@ TEST(CompactFlow, TakesOffAnUndrainedCheckerboard) {
     EXPECT_NEAR(energy.residual(), 0.0, 1e-4 * std::fabs(energy.pore_water));
 }
 
+constexpr std::size_t block_side = 16, no_cell = block_side * block_side;
+
+// What nodes answer to changes, and cells by themselves [m3/Pa], or less of it, by up to a hundred, unless even.
+struct BlockPlan {
+    double step = 1e-9;
+    double of_nodes = 1.0;  // nodes answer so much of it to changes,
+    double pores = 0.0;     // and this to pressures [m3/Pa]
+    bool even = true, all_cavitate = true;
+    std::size_t dry = no_cell, cavity = no_cell;
+    unsigned hole_of = 0;  // one of so many cells is not there
+};
+
 // A block of so many cells along each side.
 struct Block {
-    static constexpr std::size_t side = 16, row = side + 1, count = side * side;
+    static constexpr std::size_t side = block_side, row = side + 1, count = side * side;
     using Cells = std::array<double, count>;
     Axis axis = Axis::uniform(0.0, 1.0, static_cast<int>(side));
     Exchange alone;
@@ -131,20 +143,18 @@ struct Block {
         return out;
     }
     double number() { return 0.01 + 0.99 * (random() / 4294967296.0); }
-    // step: what nodes answer to changes, and cells by themselves [m3/Pa], or less of it, by up to a hundred. All cells cavitate, or one;
-    // all are there, or all but one of so many; nodes answer so much of that.
-    explicit Block(double step, double pores = 0.0, bool even = true, std::size_t dry = count,
-                   std::size_t cavity = count, unsigned hole_of = 0, double nodes = 1.0) {
+    explicit Block(const BlockPlan& plan) {
+        const auto answer = [&] { return plan.even ? plan.step : plan.step * number(); };
         std::vector<CompactFlow::Cell> cells;
         for (std::size_t c = 0; c < count; ++c) {
-            compliance[c] = even ? step : step * number();
-            if (hole_of > 0 && random() % hole_of == 0) compliance[c] = 0.0;
-            cells.push_back({static_cast<std::uint32_t>(c / side * row + c % side), c != dry,
-                             !is_hole(c), cavity == count || c == cavity, compliance[c]});
+            compliance[c] = answer();
+            if (plan.hole_of > 0 && random() % plan.hole_of == 0) compliance[c] = 0.0;
+            cells.push_back({static_cast<std::uint32_t>(c / side * row + c % side), c != plan.dry,
+                             !is_hole(c), plan.all_cavitate || c == plan.cavity, compliance[c]});
         }
         std::vector<CompactAnswer> answers;
         for (std::size_t n = 0; n < row * row; ++n)
-            answers.push_back({nodes * (even ? step : step * number()), pores});
+            answers.push_back({plan.of_nodes * answer(), plan.pores});
         flow.begin(cells, answers);
     }
     template <class Pressure> static Cells of(const Pressure& pressure) {
@@ -174,7 +184,8 @@ TEST(CompactFlow, IsThatOfNodesWithFourCells) {
         block.flow.add_by_pressures(x.data(), left.data());
         return left[middle];
     };
-    Block wet(step, pores), beside_dry(step, pores, true, 4 * Block::side + 4);
+    Block wet({.step = step, .pores = pores}),
+        beside_dry({.step = step, .pores = pores, .dry = 4 * Block::side + 4});
     EXPECT_DOUBLE_EQ(wet.flow.own(middle), step / 4.0);
     EXPECT_DOUBLE_EQ(wet.flow.own(0), step / 16.0);  // one node of a corner's four has four cells
     EXPECT_DOUBLE_EQ(by_pressures(wet), pores / 4.0);
@@ -199,7 +210,7 @@ TEST(CompactFlow, TakesOffWhatAlternates) {
         {Block::of([&](int i, int j) { return sign(i + j); }), 2.8},
     };
     for (const auto& [p, share] : cases) {
-        const Block::Cells left = Block(step).leaving(p);
+        const Block::Cells left = Block({.step = step}).leaving(p);
         for (std::size_t c = 0; c < Block::count; ++c) {
             if (Block::is_within(c, 4)) {
                 EXPECT_NEAR(left[c], share * step * p[c], 1e-15 * step) << c;
@@ -213,7 +224,7 @@ TEST(CompactFlow, TakesOffJumpsBesideCavities) {
     constexpr std::size_t at = 6;
     const Block::Cells p = Block::of([](int i, int) { return i < 6 ? 1.0 : 0.0; });
     const Block::Cells left =
-        Block(1e-9, 0.0, true, Block::count, at * Block::side + at).leaving(p);
+        Block({.all_cavitate = false, .cavity = at * Block::side + at}).leaving(p);
     for (std::size_t c = 0; c < Block::count; ++c) {
         const std::size_t i = c % Block::side;
         const bool flows = left[c] != 0.0, beside = c / Block::side == at && i >= 2 && i <= 9;
@@ -224,9 +235,8 @@ TEST(CompactFlow, TakesOffJumpsBesideCavities) {
 // Where no cell cavitates, too, but nothing of a jump.
 TEST(CompactFlow, TakesOffWhatAlternatesInFiveCells) {
     constexpr double step = 1e-9;
-    constexpr std::size_t none = Block::count + 1;
     for (const bool along_r : {false, true}) {
-        Block block(step, 0.0, true, Block::count, none);
+        Block block({.step = step, .all_cavitate = false});
         const auto along = [&](int i, int j) { return along_r ? i : j; };
         const Block::Cells p =
             Block::of([&](int i, int j) { return along(i, j) % 2 == 0 ? 1.0 : -1.0; });
@@ -257,7 +267,7 @@ TEST(CompactFlow, LeavesSmoothPressures) {
         {Block::of([&](int i, int j) { return std::cos(k * i) * std::cos(k * j); }), 7e-6, 4},
     };
     for (const auto& [p, most, margin] : cases) {
-        const Block::Cells left = Block(step).leaving(p);
+        const Block::Cells left = Block({.step = step}).leaving(p);
         for (std::size_t c = 0; c < Block::count; ++c) {
             if (Block::is_within(c, margin)) {
                 EXPECT_NEAR(left[c], 0.0, most * step) << c;
@@ -285,15 +295,17 @@ TEST(CompactFlow, KeepsWaterAndDissipates) {
         EXPECT_GT(product(p, left), 0.0);
         EXPECT_LT(product(p, left), product(p, changes) + own_water * product(p, own));
     };
-    Block cavitated(1e-9, 0.0, false), at_a_corner(1e-9, 0.0, false, Block::count, 0),
-        with_holes(1e-9, 0.0, false, Block::count, Block::count, 8),
-        bears(1e-9, 0.0, false, Block::count, Block::count + 1, 8);
+    Block cavitated({.even = false}),
+        at_a_corner({.even = false, .all_cavitate = false, .cavity = 0}),
+        with_holes({.even = false, .hole_of = 8}),
+        bears({.even = false, .all_cavitate = false, .hole_of = 8});
     for (int trial = 0; trial < 50; ++trial)
         for (Block* block : {&cavitated, &with_holes, &bears})
             expect_kept(*block, block->any_pressures(), 1.8);
     // Beside what nodes start, by what compresses their own water pressures have no more energy after it.
-    Block dry_nodes[] = {Block(1e-9, 0.0, false, Block::count, Block::count, 8, 0.0),
-                         Block(1e-9, 0.0, false, Block::count, Block::count + 1, 8, 0.0)};
+    Block dry_nodes[] = {
+        Block({.of_nodes = 0.0, .even = false, .hole_of = 8}),
+        Block({.of_nodes = 0.0, .even = false, .all_cavitate = false, .hole_of = 8})};
     for (Block& block : dry_nodes)
         for (int trial = 0; trial < 50; ++trial) {
             const Block::Cells p = block.any_pressures(), left = block.leaving(p);
@@ -313,7 +325,7 @@ TEST(CompactFlow, KeepsWaterAndDissipates) {
 // Of other pressures q.Ap is p.Aq.
 TEST(CompactFlow, IsSymmetric) {
     for (const unsigned hole_of : {0u, 8u}) {
-        Block block(1e-9, 0.0, false, Block::count, Block::count, hole_of);
+        Block block({.even = false, .hole_of = hole_of});
         for (int trial = 0; trial < 50; ++trial) {
             const Block::Cells p = block.any_pressures(), q = block.any_pressures();
             const double pq = product(p, block.leaving(q)), qp = product(q, block.leaving(p));
