@@ -93,6 +93,10 @@ def most(parts):
     return max(parts, default=float("nan"))
 
 
+def rms(parts):
+    return math.hypot(*parts) / len(parts) ** 0.5 if parts else float("nan")
+
+
 def row(out, case):
     history = History(out / f"{case}.csv")
     drive, t, depth = history.drive(), history["t"], history["depth"]
@@ -115,8 +119,9 @@ def row(out, case):
 
     return (f"| {kind} | {law} | {1e3 * depth[drive]:.0f} | {len(blows)} | {1e3 * (depth[blows[-1][1]] - depth[drive]):.0f} | "
             f"{pressed:.0f} | {len(parts)} | {share(parts)} | "
-            f"{math.hypot(*parts) / len(parts) ** 0.5:.1f} | {share([part for part, bears in boards if bears])} | "
-            f"{share([part for part, _ in along])} | {share([part for part, bears in along if bears])} |")
+            f"{rms(parts):.1f} | {share([part for part, bears in boards if bears])} | "
+            f"{share([part for part, _ in along])} | {rms([part for part, _ in along]):.1f} | "
+            f"{share([part for part, bears in along if bears])} |")
 
 
 def draw(out, cases, target):
@@ -148,7 +153,7 @@ def main():
     piles = sorted(p.stem for p in HERE.glob("pile_*.toml") if "_dry" not in p.stem)
     run_due(args, blows + piles)
     print("| case | contact | by its weight [mm] | blows | by all of them [mm] | presses with [kPa] | cells, of all frames "
-          "| checkerboard, most [kPa] | RMS [kPa] | where water bears | one way, most [kPa] | where water bears |\n" + "|---" * 12 + "|")
+          "| checkerboard, most [kPa] | RMS [kPa] | where water bears | one way, most [kPa] | RMS [kPa] | where water bears |\n" + "|---" * 13 + "|")
     for case in blows + piles:
         print(row(args.out, case), flush=True)
     if args.picture:
