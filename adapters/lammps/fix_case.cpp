@@ -38,6 +38,10 @@ template <class Plan> KeyName fix_words(std::span<const mpm::Member<Plan>> membe
     };
 }
 
+std::string called(const mpm::ContactPlan& contact) {
+    return "contact " + contact.stiff + ' ' + contact.soft;
+}
+
 std::string name_of_body(std::string_view key) {
     if (key.empty()) return {};
     return key == "stiff" ? "the stiffer one" : ": the softer body";
@@ -185,11 +189,7 @@ const std::map<std::string, Reader>& readers() {
         {"grid", [](Words& w, FixCase& c) { read_segment(w, c.plan); }},
         {"boundary", [](Words& w, FixCase& c) { read_boundary(w, c.plan); }},
         {"body", read_body},
-        {"water",
-         [](Words& w, FixCase& c) {
-             refuse_in_space(c.plan, "pore water");
-             read_water(w, c);
-         }},
+        {"water", read_water},
         {"drained",
          [](Words& w, FixCase& c) {
              refuse_in_space(c.plan, "a drained side");
@@ -261,7 +261,7 @@ void check_names(const Case& plan) {
             if (!rigid->from_stage.empty()) plan.stage(rigid->from_stage);
     for (std::size_t i = 0; i < plan.contacts.size(); ++i) {
         const mpm::ContactPlan& contact = plan.contacts[i];
-        const std::string which = "contact " + contact.stiff + ' ' + contact.soft;
+        const std::string which = called(contact);
         refuse(which, mpm::objection_to_contact(plan, i, name_of_body), name_of_body);
         if (!contact.surface_line.points.empty())
             refuse(which + ": stiff_line", mpm::objection_to(plan, contact.surface_line), no_name);
@@ -347,6 +347,8 @@ void read_surfaces(FixCase& plan, const std::function<std::string(const std::str
         const std::string bytes = bytes_of(file);
         plan.plan.contacts[i].surface_mesh =
             std::make_shared<mpm::ClosedSurface>(mpm::surface_of_stl(bytes, file, 1.0, {}));
+        refuse(called(plan.plan.contacts[i]), mpm::objection_to_contact(plan.plan, i, name_of_body),
+               name_of_body);
         plan.fingerprint ^= (i + 1) * mpm::checksum(bytes.data(), bytes.size());
     }
 }

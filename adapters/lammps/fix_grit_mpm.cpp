@@ -42,12 +42,12 @@ std::string next_lines(std::ifstream& file) {
     return out;
 }
 
-// mpm::pore_fields, where any body has water behind the columns of the longest.
-void show_pores(const mpm::PoreWater* water, const mpm::ParticleView& q, std::ptrdiff_t p,
-                double* to) {
-    const double p_w = water ? water->pressure(q, p) : 0.0;
+// The pore_fields of plane or space, where any body has water behind the columns of the longest. value: of a column.
+template <class Value>
+void show_pores(const mpm::PoreWater* water, int first_stress, const Value& value, double* to) {
+    const double p_w = water ? water->bearing(value(water->first)) : 0.0;
     to[0] = p_w;
-    for (int k = 0; k < 3; ++k) to[k + 1] = q[mpm::column::S_rr + k][p] - p_w;
+    for (int k = 0; k < 3; ++k) to[k + 1] = value(first_stress + k) - p_w;
 }
 
 mpm::words::Geometry geometry_of(const mpm::Case& plan) {
@@ -507,7 +507,10 @@ void FixGritMpm::read_points(std::size_t body) {
                         std::vector<PointsFile::Otherwise>{
                             {"p_w",
                              [&plan, body](std::vector<double>& of) {
-                                 return pressure_of_table(plan, body, of[mpm::column::z]);
+                                 const int z =
+                                     plan.space ? int{mpm::space::column::z} : int{mpm::column::z};
+                                 return pressure_of_table(plan, body,
+                                                          of[static_cast<std::size_t>(z)]);
                              }},
                             {"m_w", [this, body](std::vector<double>& of) {
                                  return run->water(body)->mass({of.data(), 1}, 0);
@@ -769,8 +772,8 @@ void FixGritMpm::show_columns() {
             double* to = shown_rows[static_cast<std::size_t>(atom_of(q.ids()[p]))];
             for (int c = 0; c < q.column_count(); ++c) to[c] = q(c, p);
             if (!has_water) continue;
-            mpm::Particles& particles = run->run().simulation().body(b).particles;
-            show_pores(run->water(b), particles.view(), p, to + most_columns);
+            const auto value = [&](int c) { return q(c, p); };
+            show_pores(run->water(b), run->first_stress(), value, to + most_columns);
         }
     });
 }
@@ -779,8 +782,9 @@ void FixGritMpm::show(int i, PointRow& given) {
     set_arrays(i);
     double* to = shown_rows[static_cast<std::size_t>(i)];
     std::copy(given.columns.begin(), given.columns.end(), to);
-    if (has_water)
-        show_pores(run->water(given.body), {given.columns.data(), 1}, 0, to + most_columns);
+    if (!has_water) return;
+    const auto value = [&](int c) { return given.columns[static_cast<std::size_t>(c)]; };
+    show_pores(run->water(given.body), run->first_stress(), value, to + most_columns);
 }
 
 // Atoms keep their rows where LAMMPS sorts or sends them between two steps.

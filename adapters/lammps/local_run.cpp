@@ -24,8 +24,9 @@ LocalRun::LocalRun(FixCase given, VariableAt values)
         for (const mpm::AxisPlan& axis : plan.plan.space->axis)
             axes.push_back(mpm::make_axis(axis));
         for (const mpm::BodyPlan& body : plan.plan.bodies) {
-            waters.emplace_back();
-            names_of.push_back(mpm::space::column_names(mpm::space::material_of(body).get()));
+            const auto material = mpm::space::material_of(body);
+            const auto& water = waters.emplace_back(mpm::space::water_of(body, material.get()));
+            names_of.push_back(mpm::space::column_names(material.get(), water ? &*water : nullptr));
         }
         return;
     }
@@ -281,6 +282,7 @@ mpm::space::Body LocalRun::space_body(std::size_t b) {
     mpm::space::Body body;
     body.name = of_plan.name;
     body.material = mpm::space::material_of(of_plan);
+    body.water = waters[b];
     body.particles = particles_of<mpm::space::Particles>(b, mpm::space::column::own);
     if (!of_plan.rigid()) return body;
     const MotionVariables& names = plan.motion[b];

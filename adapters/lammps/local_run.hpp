@@ -89,6 +89,10 @@ class LocalRun {
     bool started() const { return runner != nullptr; }
     mpm::Runner& run() { return *runner; }
     bool in_space() const { return plan.plan.space.has_value(); }
+    // Of three normal ones that follow each other among the columns.
+    int first_stress() const {
+        return in_space() ? int{mpm::space::column::S_xx} : int{mpm::column::S_rr};
+    }
     double time() const { return runner->subject().time(); }
     long steps() const { return runner->subject().steps(); }
     double next_step() const;

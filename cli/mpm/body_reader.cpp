@@ -247,7 +247,6 @@ BodyPlan read_body(TomlTable table, Case& plan, const std::filesystem::path& san
     if (plan.space) plan.space->bodies.push_back(read_solid(table, plan));
     else read_outlines(table, plan, out);
     read_material(table, out, sand, plan.space.has_value());
-    if (plan.space && table.has("water")) refuse_in_space(table, "water");
     if (auto water = table.table_if("water")) read_water(std::move(*water), plan, out);
     read_density(table, out);
     if (auto rest = table.table_if("stress_at_rest"))

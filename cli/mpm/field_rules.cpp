@@ -21,12 +21,6 @@ double displacement(const ShownParticle& x, int k) {
     return k == 0 ? x(c::r) - x.start[0] : x(c::z) - x.start[1];
 }
 
-double pore_pressure(const ShownParticle& x) { return x.body.water->pressure(x.view(), x.p); }
-
-double total_stress(const ShownParticle& x, int column) {
-    return kilo * (x(column) - pore_pressure(x));
-}
-
 // Of the water against the sand that is at rest, by the volume of both.
 double seepage(const ShownParticle& x, int k) {
     const grit::mpm::PoreWater& water = *x.body.water;
@@ -75,20 +69,16 @@ const std::vector<MpmFieldRule>& rules_around_an_axis() {
          {{"h_rz", "-", "engineering shear", 1, ShownOf::sand},
           [](P x, int) { return x.of_state(GRIT_SAND_H12); }}},
         rules_of_state<ShownParticle>(),
-        {{{"pore_pressure", "kPa", "compression positive", 1, ShownOf::water},
-          [](P x, int) { return kilo * pore_pressure(x); }},
-         {{"total_rr", "kPa", "total stress, effective - pore pressure; rz has none", 1,
+        rules_of_pore_pressure<ShownParticle>(),
+        {{{"total_rr", "kPa", "total stress, effective - pore pressure; rz has none", 1,
            ShownOf::water},
           [](P x, int) { return total_stress(x, c::S_rr); }},
          {{"total_zz", "kPa", "", 1, ShownOf::water},
           [](P x, int) { return total_stress(x, c::S_zz); }},
          {{"total_tt", "kPa", "", 1, ShownOf::water},
-          [](P x, int) { return total_stress(x, c::S_tt); }},
-         {{"porosity", "-", "n", 1, ShownOf::water},
-          [](P x, int) {
-              return mpm::PoreWater::porosity_of(x.body.water->void_ratio(x.view(), x.p));
-          }},
-         {{"seepage", "m/s", "n (v_w - v_s), along r and z", 2, ShownOf::water}, seepage},
+          [](P x, int) { return total_stress(x, c::S_tt); }}},
+        rules_of_porosity<ShownParticle>(),
+        {{{"seepage", "m/s", "n (v_w - v_s), along r and z", 2, ShownOf::water}, seepage},
          {{"saturation", "-",
            "mass of the water that has come and gone by that of full pores; 1 where none flows", 1,
            ShownOf::water},

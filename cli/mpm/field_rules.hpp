@@ -86,6 +86,25 @@ template <class Particle> FieldRules<Particle> rules_of_state() {
              [](P x, int) { return x.of_state(GRIT_SAND_SEPARATION); }}};
 }
 
+template <class Particle> double pore_pressure(const Particle& x) {
+    return x.body.water->pressure(x.view(), x.p);
+}
+// [kPa]
+template <class Particle> double total_stress(const Particle& x, int column) {
+    return kilo * (x(column) - pore_pressure(x));
+}
+
+template <class Particle> FieldRules<Particle> rules_of_pore_pressure() {
+    return {{{"pore_pressure", "kPa", "compression positive", 1, ShownOf::water},
+             [](const Particle& x, int) { return kilo * pore_pressure(x); }}};
+}
+
+template <class Particle> FieldRules<Particle> rules_of_porosity() {
+    return {{{"porosity", "-", "n", 1, ShownOf::water}, [](const Particle& x, int) {
+                 return grit::mpm::PoreWater::porosity_of(x.body.water->void_ratio(x.view(), x.p));
+             }}};
+}
+
 template <class Particle>
 FieldRules<Particle> joined(std::initializer_list<FieldRules<Particle>> parts) {
     FieldRules<Particle> out;

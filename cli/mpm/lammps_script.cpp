@@ -9,6 +9,7 @@
 #include <adapters/mpm/case/case_words.hpp>
 #include <adapters/mpm/case/initial_state.hpp>
 #include <adapters/mpm/run/history.hpp>
+#include <adapters/mpm/space/case/build.hpp>
 #include <adapters/mpm/step/column_names.hpp>
 #include <fmt/format.h>
 #include <grit/contact.h>
@@ -267,17 +268,27 @@ std::string columns_comment(bool in_space) {
 std::string pore_columns_comment(const Case& plan) {
     std::size_t longest = 0;
     bool any = false;
-    if (plan.space) return {};
+    const auto count = [&](const auto& names, bool is_wet) {
+        longest = std::max(longest, names.size());
+        any = any || is_wet;
+    };
     for (const BodyPlan& body : plan.bodies) {
+        if (plan.space) {
+            const auto material = space::material_of(body);
+            const auto water = space::water_of(body, material.get());
+            count(space::column_names(material.get(), water ? &*water : nullptr),
+                  water.has_value());
+            continue;
+        }
         const auto material = make_material(body);
         const auto water =
             body.water ? std::optional(make_water(body, *material)) : std::optional<PoreWater>();
-        longest = std::max(longest, column_names(material.get(), water ? &*water : nullptr).size());
-        any = any || water;
+        count(column_names(material.get(), water ? &*water : nullptr), water.has_value());
     }
     if (!any) return {};
     std::string out = "# Of atoms:";
-    for (const char* name : pore_fields) out += fmt::format(" {} {},", ++longest, name);
+    for (const char* name : plan.space ? space::pore_fields : pore_fields)
+        out += fmt::format(" {} {},", ++longest, name);
     out.back() = '\n';
     return out;
 }

@@ -57,7 +57,8 @@ const std::vector<Rule>& rules_in_space() {
          {{"F_zx", "-", "", 1, ShownOf::every_body}, [](P x, int) { return x(sc::F_zx); }},
          {{"F_zy", "-", "", 1, ShownOf::every_body}, [](P x, int) { return x(sc::F_zy); }},
          {{"F_zz", "-", "", 1, ShownOf::every_body}, [](P x, int) { return x(sc::F_zz); }},
-         {{"stress_xx", "kPa", "Cauchy stress, tension positive", 1, ShownOf::stressed},
+         {{"stress_xx", "kPa", "Cauchy stress, tension positive; with water effective", 1,
+           ShownOf::stressed},
           [](P x, int) { return kilo * x(sc::S_xx); }},
          {{"stress_yy", "kPa", "", 1, ShownOf::stressed},
           [](P x, int) { return kilo * x(sc::S_yy); }},
@@ -79,6 +80,15 @@ const std::vector<Rule>& rules_in_space() {
          {{"h_xz", "-", "", 1, ShownOf::sand}, [](P x, int) { return x.of_state(4); }},
          {{"h_yz", "-", "", 1, ShownOf::sand}, [](P x, int) { return x.of_state(5); }}},
         rules_of_state<SpaceParticle>(),
+        rules_of_pore_pressure<SpaceParticle>(),
+        {{{"total_xx", "kPa", "total stress, effective - pore pressure; shear has none", 1,
+           ShownOf::water},
+          [](P x, int) { return total_stress(x, sc::S_xx); }},
+         {{"total_yy", "kPa", "", 1, ShownOf::water},
+          [](P x, int) { return total_stress(x, sc::S_yy); }},
+         {{"total_zz", "kPa", "", 1, ShownOf::water},
+          [](P x, int) { return total_stress(x, sc::S_zz); }}},
+        rules_of_porosity<SpaceParticle>(),
     });
     return all;
 }
@@ -121,6 +131,7 @@ bool SpaceFields::has(std::size_t body, const MpmField& field) const {
         case ShownOf::every_body: return true;
         case ShownOf::stressed: return !of.rigid();
         case ShownOf::sand: return !of.rigid() && sand_in_space(of);
+        case ShownOf::water: return of.water.has_value();
         default: return false;
     }
 }

@@ -94,7 +94,7 @@ std::vector<std::string> names_of(const Body& body) {
 }
 
 std::vector<std::string> names_of(const space::Body& body) {
-    return space::column_names(body.material.get());
+    return space::column_names(body.material.get(), body.water ? &*body.water : nullptr);
 }
 
 // What the atoms do not have: all columns from F on.

@@ -104,6 +104,23 @@ TEST_F(LammpsSpaceStamp, HasTheBitsOfTheDriverHoweverTheGridIsCut) {
             << bricks[0] << ' ' << bricks[1] << ' ' << bricks[2];
 }
 
+// ... the sand below its water table, whose pressure is that of cells across the cuts, and does not rub.
+TEST_F(LammpsSpaceStamp, HasTheBitsOfTheDriverInWetSandToo) {
+    const BothHosts hosts(replaced(text(), "[body.sand]",
+                                   "[body.water]\nbulk_modulus_kPa = 50000\nwater_table_m = 0\n"
+                                   "[body.sand]"));
+    const Told driver = hosts.in_driver(all);
+    constexpr std::size_t tip = 6, pore_water_work = 28;
+    for (const std::size_t column : {tip, pore_water_work})
+        EXPECT_GT(std::fabs(driver.rows.back()[column]), 1e-3) << column;
+    for (const auto& bricks : {std::array{1, 1, 1}, std::array{1, 1, 2}, std::array{2, 2, 2}})
+        EXPECT_EQ(first_difference(driver, hosts.in_lammps(bricks)), "")
+            << bricks[0] << ' ' << bricks[1] << ' ' << bricks[2];
+    const Told before = hosts.in_lammps({2, 1, 2}, "restart 40 stamp\n" + hosts.script());
+    EXPECT_EQ(first_difference(driver, before), "");
+    expect_rest(driver, hosts.in_lammps({2, 2, 2}, hosts.go_on("stamp.40")), 40);
+}
+
 // In the second stage.
 TEST_F(LammpsSpaceStamp, GoesOnOnOtherBricksFromARestartFile) {
     const BothHosts hosts(text());
@@ -241,8 +258,10 @@ TEST_F(LammpsSpaceRefuses, ABoxOfThePlane) {
 }
 
 TEST_F(LammpsSpaceRefuses, WhatIsNotThere) {
-    expect("driven block", "water block undrained driven block",
-           "pore water is not there in space");
+    expect("driven block", "water block flow porosity 0.4 conductivity 1e-3 driven block",
+           "water that flows is not there in space");
+    expect("driven block", "water block undrained pressure implicit porosity 0.4 driven block",
+           "an implicit one is not there in space");
     expect("scheme usl", "scheme musl", "another scheme than usl is not there in space");
     expect("driven block", "contact block block surface 0.3 after_damping yes driven block",
            "contact after damping is not there in space");

@@ -50,6 +50,29 @@ TEST_F(LammpsSpaceSurfaces, HaveTheBitsOfTheDriverHoweverTheGridIsCut) {
             << bricks[0] << ' ' << bricks[1] << ' ' << bricks[2];
 }
 
+// Ground whose water presses beside it, and does not rub.
+TEST_F(LammpsSpaceSurfaces, HaveTheBitsOfTheDriverOnWetGroundToo) {
+    const BothHosts hosts(replaced(case_with(soft_ground), "name = \"ground\"\ndensity_kg_per_m3",
+                                   "name = \"ground\"\nwater = {porosity = 0.4, bulk_modulus_kPa = "
+                                   "200}\ngrain_density_kg_per_m3"));
+    const Told driver = hosts.in_driver(all);
+    expect_contact(driver);
+    for (const auto& bricks : {std::array{1, 1, 1}, std::array{2, 1, 1}, std::array{2, 2, 2}})
+        EXPECT_EQ(first_difference(driver, hosts.in_lammps(bricks)), "")
+            << bricks[0] << ' ' << bricks[1] << ' ' << bricks[2];
+}
+
+// Triangles that ride do not know whose cell they are in.
+TEST_F(LammpsSpaceSurfaces, AreNotGivenOfWetGround) {
+    const BothHosts hosts = hosts_with_mesh(soft_ground);
+    hosts.folder.write("wet.fix", replaced(hosts.folder.read("both.fix"), "driven ",
+                                           "water ground undrained porosity 0.4 driven "));
+    const Answer answer =
+        hosts.lammps(1, replaced(hosts.folder.read("both.in"), "both.fix", "wet.fix"));
+    EXPECT_NE(answer.status, 0);
+    EXPECT_TRUE(answer.says("stiff_surface: \"ground\" has pore water")) << answer.text;
+}
+
 // The last one of three, from 16 m on; and where the first one counts nodes of which the second alone knows that they are near.
 TEST_F(LammpsSpaceSurfaces, HaveTheBitsOfTheDriverWhereAProcessHasNoneOfThem) {
     const BothHosts hosts(case_with(soft_ground));

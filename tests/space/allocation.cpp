@@ -18,7 +18,8 @@ enum class Contact { nodes, gated_nodes, free_body, surfaces, given_surface };
 void add_slab_on_sand(Simulation& to, Contact contact) {
     to.set_gravity({0.0, 0.0, -9.81});
     constexpr double top = 0.87;
-    Body sand = loose_cube_of_sand(), slab = slab_above();
+    Body sand = wet(loose_cube_of_sand()), slab = slab_above();
+    sand.water->bulk_modulus = 1e7;  // as long a step as of dry sand
     const ParticleView grains = sand.particles.view(), q = slab.particles.view();
     for (std::ptrdiff_t p = 0; p < sand.particles.size(); ++p) {
         for (int k = 0; k < 3; ++k) grains[column::v_x + k][p] = 0.0;

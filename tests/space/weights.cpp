@@ -135,20 +135,39 @@ TEST(SpaceKernels, GiveTheSameBitsWithEveryInstructionSet) {
         Lattice other;
         other.particles = one.particles;
         std::vector<NodeRecord> nodes[2];
-        std::vector<NodeSlope> slopes[2];
+        std::vector<NodeSlope> slopes[2], pores[2];
         std::vector<Increments> increments[2];
+        const grit::mpm::PoreWater water{.porosity = 0.9};
+        std::vector<grit::mpm::CellIntegers> pressures(one.cells());
+        for (grit::mpm::CellIntegers& cell : pressures)
+            grit::mpm::add_share(cell, 1.0, any(generator));
+        std::vector<PorePlace> places[2];
         for (const int i : {0, 1}) {
             Lattice& of = i == 0 ? one : other;
             const Kernels& by = i == 0 ? kernels() : baseline_kernels;
             nodes[i].resize(of.nodes());
             slopes[i].resize(of.nodes());
-            by.scatter(shape, {of.grid(), of.particles.view(), 0, of.particles.size(),
-                               nodes[i].data(), slopes[i].data()});
-            of.gather(by, shape, L, increments[i]);
+            places[i].resize(static_cast<std::size_t>(of.particles.size()));
+            ScatterCall scattered{of.grid(),           of.particles.view(), 0,
+                                  of.particles.size(), nodes[i].data(),     slopes[i].data()};
+            scattered.pore_pressures = {pressures.data(), 1e4};
+            pores[i].resize(of.nodes());
+            scattered.pore_forces = pores[i].data();
+            by.scatter(shape, scattered);
+            of.gather(by, shape, L, increments[i], {&water, places[i].data()});
+        }
+        for (std::size_t p = 0; p < places[0].size(); ++p) {
+            ASSERT_EQ(places[0][p].V, places[1][p].V);
+            ASSERT_EQ(places[0][p].e, places[1][p].e);
+            ASSERT_EQ(places[0][p].strain, places[1][p].strain);
+            ASSERT_EQ(places[0][p].cell, places[1][p].cell);
         }
         for (std::size_t i = 0; i < nodes[0].size(); ++i) {
             for (int k = 0; k < record::size; ++k) ASSERT_EQ(nodes[0][i][k], nodes[1][i][k]);
-            for (int k = 0; k < slope::size; ++k) ASSERT_EQ(slopes[0][i][k], slopes[1][i][k]);
+            for (int k = 0; k < slope::size; ++k) {
+                ASSERT_EQ(slopes[0][i][k], slopes[1][i][k]);
+                ASSERT_EQ(pores[0][i][k], pores[1][i][k]);
+            }
         }
         for (int k = 0; k < column::own; ++k)
             for (std::ptrdiff_t p = 0; p < one.particles.size(); ++p)

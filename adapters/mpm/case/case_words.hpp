@@ -252,8 +252,8 @@ inline constexpr CaseWord all[] = {
     number("body.sand", "tolerance", {GRIT_SAND_LEAST_TOLERANCE, GRIT_SAND_LARGEST_TOLERANCE}, none,
            "of an update, relative", "0.001"),
 
-    choice("body.water", "drainage", drainages, "", "`undrained`"),
-    choice("body.water", "pressure", pore_pressures, "", "`explicit`"),
+    choice("body.water", "drainage", drainages, "in space undrained alone", "`undrained`"),
+    choice("body.water", "pressure", pore_pressures, "in space explicit alone", "`explicit`"),
     number("body.water", "porosity", {0.01, 0.99}, none, "at the start", "needed but for sand"),
     number("body.water", "bulk_modulus_kPa", {1e-3, 1e9}, kilopascal, "K_w", "2200000"),
     number("body.water", "density_kg_per_m3", density_range, kg_per_m3, "", "1000"),

@@ -2,7 +2,6 @@
 #include "adapters/mpm/case/initial_state.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -46,9 +45,22 @@ double void_ratio_of(const BodyPlan& body) {
     return sand ? sand->void_ratio : body.water->porosity / (1.0 - body.water->porosity);
 }
 
+void set_geostatic(const BodyPlan& body, double gravity, Particles& particles) {
+    const ParticleView q = particles.view();
+    const StressAtRest at_rest(body, gravity,
+                               {q[c::z], static_cast<std::size_t>(particles.size())});
+    for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
+        double stress[6];
+        at_rest.find(q[c::z][p], 1, stress);
+        for (int k = 0; k < 4; ++k) q[c::S_rr + k][p] = stress[k];
+    }
+}
+
+}  // namespace
+
 // Effective vertical stresses of a body whose pores are full, compression positive, by depth below its surface:
 // the weight above less the pore pressure that bears, where void ratios follow the stress.
-class EffectiveWeight {
+class StressAtRest::EffectiveWeight {
   public:
     EffectiveWeight(const BodyPlan& of, double gravity_down, double deepest)
         : body(of), gravity(gravity_down), spacing(deepest / levels) {
@@ -100,33 +112,33 @@ class EffectiveWeight {
     std::vector<double> stress;
 };
 
-void set_geostatic(const BodyPlan& body, double gravity, Particles& particles) {
-    const Geostatic& rest = *body.geostatic;
-    const ParticleView q = particles.view();
-    const double unit_weight = body.density * gravity;
-    const auto* plan = std::get_if<SandPlan>(&body.material);
-    const grit_sand sand = plan ? prepared_sand(body, *plan) : grit_sand{};
-    const auto depth_of = [&](std::ptrdiff_t p) {
-        return std::max(0.0, rest.surface - q[c::z][p]);
-    };
-    std::optional<EffectiveWeight> effective;
-    if (body.water) {
-        double deepest = 0.0;
-        for (std::ptrdiff_t p = 0; p < particles.size(); ++p)
-            deepest = std::max(deepest, depth_of(p));
-        effective.emplace(body, gravity, deepest);
-    }
-    for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
-        const double weight = effective ? 0.0 : unit_weight;
-        const double surcharge = effective ? (*effective)(depth_of(p)) : rest.surcharge;
-        double stress[6];
-        find_stress_at_rest(body, plan ? &sand : nullptr, weight, depth_of(p), surcharge, 1,
-                            stress);
-        for (int k = 0; k < 4; ++k) q[c::S_rr + k][p] = stress[k];
-    }
+StressAtRest::StressAtRest(const BodyPlan& of, double gravity, std::span<const double> levels)
+    : body(of), unit_weight(of.density * gravity) {
+    if (const auto* plan = std::get_if<SandPlan>(&body.material)) sand = prepared_sand(body, *plan);
+    if (!body.water) return;
+    double deepest = 0.0;
+    for (const double z : levels) deepest = std::max(deepest, depth(z));
+    effective = std::make_unique<EffectiveWeight>(body, gravity, deepest);
 }
 
-}  // namespace
+StressAtRest::~StressAtRest() = default;
+
+double StressAtRest::depth(double z) const { return std::max(0.0, body.geostatic->surface - z); }
+
+void StressAtRest::find(double z, int vertical, double* stress) const {
+    const Geostatic& rest = *body.geostatic;
+    const double weight = effective ? 0.0 : unit_weight;
+    const double surcharge = effective ? (*effective)(depth(z)) : rest.surcharge;
+    if (sand) {
+        if (grit_sand_stress_at_rest(&*sand, weight, depth(z), surcharge, rest.K0.value_or(-1.0),
+                                     vertical, stress) != GRIT_OK)
+            refuse(body, "no stress at rest for this unit weight, surcharge and K0");
+        return;
+    }
+    std::fill_n(stress, 6, 0.0);
+    const double upright = -(weight * depth(z) + surcharge);
+    for (int k = 0; k < 3; ++k) stress[k] = k == vertical ? upright : K0_of(body, rest) * upright;
+}
 
 grit_sand prepared_sand(const BodyPlan& body, const SandPlan& plan) {
     grit_sand sand;
@@ -153,20 +165,6 @@ void find_start(const BodyPlan& body, const SandPlan& plan, const grit_sand& san
     state[GRIT_SAND_VOID_RATIO] = e;
 }
 
-void find_stress_at_rest(const BodyPlan& body, const grit_sand* sand, double unit_weight,
-                         double depth, double surcharge, int vertical, double* stress) {
-    const Geostatic& rest = *body.geostatic;
-    if (sand) {
-        if (grit_sand_stress_at_rest(sand, unit_weight, depth, surcharge, rest.K0.value_or(-1.0),
-                                     vertical, stress) != GRIT_OK)
-            refuse(body, "no stress at rest for this unit weight, surcharge and K0");
-        return;
-    }
-    std::fill_n(stress, 6, 0.0);
-    const double upright = -(unit_weight * depth + surcharge);
-    for (int k = 0; k < 3; ++k) stress[k] = k == vertical ? upright : K0_of(body, rest) * upright;
-}
-
 std::unique_ptr<Material> make_material(const BodyPlan& body) {
     if (const auto* sand = std::get_if<SandPlan>(&body.material))
         return std::make_unique<Sand>(prepared_sand(body, *sand), sand->options);
@@ -177,7 +175,7 @@ std::unique_ptr<Material> make_material(const BodyPlan& body) {
     return std::make_unique<LinearElastic>(elastic->youngs_modulus, elastic->poissons_ratio);
 }
 
-PoreWater make_water(const BodyPlan& body, const Material& material) {
+PoreWater make_water(const BodyPlan& body, int first_column, const Separation& separation) {
     const WaterPlan& plan = *body.water;
     PoreWater out;
     out.flows = plan.drainage == Drainage::flow;
@@ -188,10 +186,14 @@ PoreWater make_water(const BodyPlan& body, const Material& material) {
     out.porosity = plan.porosity;
     out.conductivity = plan.conductivity;
     out.conductivity_at = conductivity_at(body);
-    out.first = column::own + material.own_columns();
-    out.void_ratio_column = material.separation().void_ratio;
-    if (out.void_ratio_column >= 0) out.opening_cap = material.separation().cap;
+    out.first = first_column;
+    out.void_ratio_column = separation.void_ratio;
+    if (out.void_ratio_column >= 0) out.opening_cap = separation.cap;
     return out;
+}
+
+PoreWater make_water(const BodyPlan& body, const Material& material) {
+    return make_water(body, column::own + material.own_columns(), material.separation());
 }
 
 double pore_pressure_at(const WaterPlan& water, double gravity, double z) {
@@ -204,22 +206,26 @@ double conductivity_at(const BodyPlan& body) {
     return water.conductivity_at > 0.0 ? water.conductivity_at : void_ratio_of(body);
 }
 
+FullPores full_pores(const BodyPlan& body, double gravity, double e, double z) {
+    const WaterPlan& plan = *body.water;
+    const double n = PoreWater::porosity_of(e);
+    const double of_water = plan.drainage == Drainage::flow ? 0.0 : n * plan.density;
+    const FullPores out{(1.0 - n) * plan.grain_density + of_water,
+                        pore_pressure_at(plan, gravity, z)};
+    if (!(out.pressure < plan.bulk_modulus))
+        refuse(body, "the bulk modulus of water, " + std::to_string(plan.bulk_modulus) +
+                         " Pa, must be above the pressure that its table gives at z = " +
+                         std::to_string(z) + " m, " + std::to_string(out.pressure) + " Pa");
+    return out;
+}
+
 void fill_pores(const BodyPlan& body, double gravity, const PoreWater& water,
                 Particles& particles) {
-    const WaterPlan& plan = *body.water;
     const ParticleView q = particles.view();
     for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
-        const double n = PoreWater::porosity_of(water.void_ratio(q, p));
-        const double density =
-            (1.0 - n) * plan.grain_density + (water.flows ? 0.0 : n * plan.density);
-        q[c::mass][p] = density * q[c::V0][p];
-        const double at_start = pore_pressure_at(plan, gravity, q[c::z][p]);
-        if (!(at_start < plan.bulk_modulus))
-            refuse(body, "the bulk modulus of water, " + std::to_string(plan.bulk_modulus) +
-                             " Pa, must be above the pressure that its table gives at z = " +
-                             std::to_string(q[c::z][p]) + " m, " + std::to_string(at_start) +
-                             " Pa");
-        q[water.first][p] = at_start;
+        const FullPores pores = full_pores(body, gravity, water.void_ratio(q, p), q[c::z][p]);
+        q[c::mass][p] = pores.density * q[c::V0][p];
+        q[water.first][p] = pores.pressure;
         if (water.flows) q[water.content_column()][p] = water.mass(q, p);
     }
 }

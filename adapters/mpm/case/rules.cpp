@@ -139,6 +139,10 @@ Objections objection_to(const Case& plan, const MaterialPlan& material, const Wa
         return Objection{"", ": a rigid body has no pores"};
     if (plan.settings.scheme != Scheme::usl)
         return Objection{"", ": pore water needs the scheme usl"};
+    if (plan.space && water.drainage == Drainage::flow)
+        return Objection{"drainage", ": water that flows is not there in space"};
+    if (plan.space && water.implicit)
+        return Objection{"pressure", ": an implicit one is not there in space"};
     const bool is_sand = std::holds_alternative<SandPlan>(material);
     if (is_sand && given("porosity"))
         return Objection{"porosity", ": sand has a void ratio instead"};
@@ -175,6 +179,8 @@ Objections objection_to_contact(const Case& plan, std::size_t contact, const Key
     if (c.stiff == c.soft) return Objection{"soft", " must be another body than " + name("stiff")};
     if (plan.bodies[plan.body(c.stiff)].rigid() && plan.bodies[plan.body(c.soft)].rigid())
         return Objection{"soft", ": both bodies are rigid"};
+    if (c.surface_mesh && plan.bodies[plan.body(c.stiff)].water)
+        return Objection{"stiff_surface", ": \"" + c.stiff + "\" has pore water"};
     for (const std::string& name_of : {c.stiff, c.soft}) {
         const BodyPlan& body = plan.bodies[plan.body(name_of)];
         if (c.at_surfaces && body.rigid() && !body.prescribed())

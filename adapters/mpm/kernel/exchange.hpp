@@ -39,7 +39,9 @@
 //   ... on a line or triangles  in the first step: maxima, of each vertex       32, 40 in space
 //   fixed point, per scatter    maxima of contributions, eight a body           8 each
 //   ... with tractions          maximum of their forces                         8
-//   in space                    records as above, 32 for gradients, loads 24     a halo node
+//   in space                    records as above, 32 for gradients, loads 24,    a halo node
+//                               32 for the force of pore water
+//   ... pore water              sums of cells: pressure; strain                 16 a halo cell, each
 //   ... contact                 minima: surfaces and centres two each, along     48, 80, 8 a node in contact
 //                               five directions two each, overlap
 //   each step, per body         maxima: c, v2, way along z, what water adds     8 each

@@ -71,11 +71,9 @@ void add_pressures(const GridView& grid, const ParticleView& q, std::ptrdiff_t b
                    std::ptrdiff_t end, const PoreWater& water, double per_volume,
                    WaterCell* cells) {
     for (std::ptrdiff_t p = begin; p < end; ++p) {
-        WaterCell& cell = cells[grid.cell_of(q[column::r][p], q[column::z][p])];
-        const double V = q[column::V0][p] * q.J(p) * per_volume;
-        cell.volume += cell_share_rounded(0.125 * V);
-        cell.weighted +=
-            cell_share_rounded(0.125 * V * (water.pressure(q, p) / water.bulk_modulus));
+        add_share(cells[grid.cell_of(q[column::r][p], q[column::z][p])],
+                  q[column::V0][p] * q.J(p) * per_volume,
+                  water.pressure(q, p) / water.bulk_modulus);
     }
 }
 
@@ -88,8 +86,8 @@ namespace {
 
 }  // namespace
 
-// Of undrained water the strain is that of the pores too, whose middle is taken. What has come and gone is that of the cell,
-// as the pressure is: particle by particle a steady flow would empty some and fill others.
+// What has come and gone is that of the cell, as the pressure is: particle by particle a steady flow would empty some and fill
+// others.
 double update_pressures(const ParticleView& q, std::ptrdiff_t begin, std::ptrdiff_t end,
                         const PoreWater& water, const WaterCell* cells, const WaterPlace* places,
                         double per_volume, const ImplicitCell* implicit, bool fixed_point,
@@ -111,15 +109,14 @@ double update_pressures(const ParticleView& q, std::ptrdiff_t begin, std::ptrdif
         const ImplicitCell after = implicit ? implicit[cell] : ImplicitCell{};
         const double gone = mean.volume > 0 ? after.left / mean.total(per_volume) : 0.0;
         const double strain = of_cell + gone;
-        const double e_middle = water.flows ? e : e + 0.5 * (1.0 + e) * of_cell;
+        const double e_middle = water.middle_of(e, of_cell);
         if (!(e_middle > 0.0))
             fail(q, p, "pores left, its void ratio is " + std::to_string(e_middle));
         if (water.flows && !(q[water.content_column()][p] > 0.0))
             fail(q, p, "water left: more has flowed out of it than was there");
         const double before = water.pressure(q, p);
         const bool keeps_cavity = water.keeps_cavity(e, q[water.first][p]);
-        if (!(keeps_cavity && strain > 0.0))
-            q[water.first][p] -= water.stiffness(e_middle) * strain;
+        q[water.first][p] = water.strained(q[water.first][p], e, e_middle, strain);
         const double now = water.pressure(q, p);
         sums.work.add(-0.5 * (before + now) * strain * V, fixed_point);
         sums.half.add(-0.5 * now * of_cell * V, fixed_point);

@@ -58,7 +58,8 @@ struct PoreWater {
     // Its law and each of its numbers, exactly.
     std::vector<std::string> words() const;
 
-    GRIT_INLINE double void_ratio(const ParticleView& q, std::ptrdiff_t p) const {
+    // Views: of the plane or of space.
+    template <class View> GRIT_INLINE double void_ratio(const View& q, std::ptrdiff_t p) const {
         return void_ratio_column >= 0 ? q[void_ratio_column][p] : q.J(p) / (1.0 - porosity) - 1.0;
     }
     static GRIT_INLINE double porosity_of(double e) { return e / (1.0 + e); }
@@ -73,10 +74,21 @@ struct PoreWater {
     double porosity_at(const NodeRecord& w) const {
         return w[water_record::m] / (density * w[water_record::volume]);
     }
-    // What bears, compression positive [Pa].
-    GRIT_INLINE double pressure(const ParticleView& q, std::ptrdiff_t p) const {
-        const double p_w = q[first][p];
+    // What bears of the column p_w, compression positive [Pa].
+    GRIT_INLINE double bearing(double p_w) const {
         return p_w > -largest_tension ? p_w : -largest_tension;
+    }
+    template <class View> GRIT_INLINE double pressure(const View& q, std::ptrdiff_t p) const {
+        return bearing(q[first][p]);
+    }
+    // (W1) after a strain of its cell, of water that does not flow: the strain is that of the pores too, whose middle is taken.
+    GRIT_INLINE double middle_of(double e, double strain) const {
+        return flows ? e : e + 0.5 * (1.0 + e) * strain;
+    }
+    // The column p_w after a strain from this void ratio on, with the stiffness of its middle.
+    GRIT_INLINE double strained(double p_w, double e, double e_middle, double strain) const {
+        if (keeps_cavity(e, p_w) && strain > 0.0) return p_w;
+        return p_w - stiffness(e_middle) * strain;
     }
     // That fills pores of a volume [kg].
     GRIT_INLINE double mass_of(double e, double V) const { return porosity_of(e) * density * V; }
@@ -127,6 +139,12 @@ GRIT_INLINE std::int64_t cell_share_rounded(double x) {
     return x > -1.0 && x < 1.0
                ? static_cast<std::int64_t>(x * CellIntegers::scale + (x < 0.0 ? -0.5 : 0.5))
                : 0;
+}
+
+// A particle to its cell: its volume, as a share of the reference, and what the cell averages, less than eight.
+GRIT_INLINE void add_share(CellIntegers& cell, double volume, double x) {
+    cell.volume += cell_share_rounded(0.125 * volume);
+    cell.weighted += cell_share_rounded(0.125 * volume * x);
 }
 
 // To multiples of a power of two, such that sums of fewer than 2^room numbers up to a largest one are exact, in any order.

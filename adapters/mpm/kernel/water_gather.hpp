@@ -96,8 +96,7 @@ GRIT_INLINE void gather_water(const GatherCall& call, const PoreWater& water, co
         water.flows ? gather_point_values<Stencil, axisymmetric>(w, of.volume) : of_grains;
     const double strain = midpoint_gradient(gradient_of<axisymmetric>(g, 0, call.dt)).trace();
     const double share = V * of.per_volume;
-    of.cells[at.cell].volume += cell_share_rounded(0.125 * share);
-    of.cells[at.cell].weighted += cell_share_rounded(0.125 * share * strain);
+    add_share(of.cells[at.cell], share, strain);
     if (!water.flows) return;
     move_water(call, water, of_grains.S, velocities_at(w, of.flowing), p, at);
     // Linear in the nodes' velocities: the sum over all particles is what crosses surfaces and sides.

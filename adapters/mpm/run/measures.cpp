@@ -124,24 +124,6 @@ ContactForces contact_forces(const Simulation& simulation, std::size_t body) {
     return out;
 }
 
-Extremes pore_pressures(Simulation& simulation) {
-    bool any = false;
-    double largest[] = {-unlimited, -unlimited};  // of what is below zero, and above
-    for (std::size_t i = 0; i < simulation.bodies(); ++i) {
-        Body& body = simulation.body(i);
-        if (!body.water) continue;
-        any = true;
-        for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p) {
-            const double pressure = body.water->pressure(body.particles.view(), p);
-            largest[0] = std::max(largest[0], -pressure);
-            largest[1] = std::max(largest[1], pressure);
-        }
-    }
-    if (!any) return {NAN, NAN};
-    simulation.shared().max(largest, 2);
-    return {-largest[0], largest[1]};
-}
-
 double water_mass(Simulation& simulation) {
     bool any = false;
     std::array<Total, 1> sum;

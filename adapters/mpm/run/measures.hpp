@@ -3,6 +3,8 @@
 // the grid each of them must ask, and gets what holds for all.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "adapters/mpm/case/case.hpp"
@@ -38,7 +40,24 @@ ContactForces contact_forces(const Simulation& simulation, std::size_t body);
 struct Extremes {
     double least, largest;
 };
-Extremes pore_pressures(Simulation& simulation);
+// In the plane or in space.
+template <class Simulated> Extremes pore_pressures(Simulated& simulation) {
+    bool any = false;
+    double largest[] = {-INFINITY, -INFINITY};  // of what is below zero, and above
+    for (std::size_t i = 0; i < simulation.bodies(); ++i) {
+        auto& body = simulation.body(i);
+        if (!body.water) continue;
+        any = true;
+        for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p) {
+            const double pressure = body.water->pressure(body.particles.view(), p);
+            largest[0] = std::max(largest[0], -pressure);
+            largest[1] = std::max(largest[1], pressure);
+        }
+    }
+    if (!any) return {NAN, NAN};
+    simulation.shared().max(largest, 2);
+    return {-largest[0], largest[1]};
+}
 // Of all water that flows, per radian or per metre [kg]; NaN: none does.
 double water_mass(Simulation& simulation);
 

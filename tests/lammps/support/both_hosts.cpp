@@ -62,6 +62,31 @@ template <class Simulated> void add_points(const Simulated& simulation, Told& ou
     }
 }
 
+// ... and the pore_fields behind them, where any body has water.
+template <class Simulated> void add_all(Simulated& simulation, int first_stress, Told& out) {
+    add_points(simulation, out);
+    std::size_t longest = 0;
+    bool has_water = false;
+    for (std::size_t b = 0; b < simulation.bodies(); ++b) {
+        const auto& body = simulation.body(b);
+        longest = std::max(longest, static_cast<std::size_t>(body.particles.column_count()));
+        has_water = has_water || body.water;
+    }
+    int first = 1;
+    for (std::size_t b = 0; has_water && b < simulation.bodies(); ++b) {
+        auto& body = simulation.body(b);
+        const auto q = body.particles.view();
+        for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p) {
+            std::vector<double>& row = out.points[first + body.particles.ids()[p]];
+            row.resize(longest, 0.0);
+            const double p_w = body.water ? body.water->pressure(q, p) : 0.0;
+            row.push_back(p_w);
+            for (int k = 0; k < 3; ++k) row.push_back(q[first_stress + k][p] - p_w);
+        }
+        first += static_cast<int>(body.particles.size());
+    }
+}
+
 }  // namespace
 
 BothHosts::BothHosts(const std::string& toml, const std::map<std::string, std::string>& beside)
@@ -88,33 +113,8 @@ Told BothHosts::in_driver(long steps) const {
         runner.step();
         tell();
     }
-    if (runner.space()) {
-        add_points(*runner.space(), out);
-        return out;
-    }
-    Simulation& simulation = runner.simulation();
-    add_points(simulation, out);
-    std::size_t longest = 0;
-    bool has_water = false;
-    for (std::size_t b = 0; b < simulation.bodies(); ++b) {
-        const Body& body = simulation.body(b);
-        longest = std::max(longest, static_cast<std::size_t>(body.particles.column_count()));
-        has_water = has_water || body.water;
-    }
-    int first = 1;
-    for (std::size_t b = 0; has_water && b < simulation.bodies(); ++b) {
-        Body& body = simulation.body(b);
-        const ParticleView q = body.particles.view();
-        for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p) {
-            std::vector<double>& row = out.points[first + body.particles.ids()[p]];
-            row.resize(longest, 0.0);
-            const double p_w = body.water ? body.water->pressure(q, p) : 0.0;
-            row.push_back(p_w);
-            for (const int c : {column::S_rr, column::S_zz, column::S_tt})
-                row.push_back(q[c][p] - p_w);
-        }
-        first += static_cast<int>(body.particles.size());
-    }
+    if (runner.space()) add_all(*runner.space(), space::column::S_xx, out);
+    else add_all(runner.simulation(), column::S_rr, out);
     return out;
 }
 

@@ -40,6 +40,11 @@ struct Lattice {
                 }
     }
     GridView grid() const { return {{axis[0].view(), axis[1].view(), axis[2].view()}}; }
+    std::size_t cells() const {
+        std::size_t n = 1;
+        for (const auto& one : axis) n *= static_cast<std::size_t>(one.cells());
+        return n;
+    }
     std::size_t nodes() const {
         std::size_t n = 1;
         for (const auto& one : axis) n *= static_cast<std::size_t>(one.nodes());
@@ -56,7 +61,7 @@ struct Lattice {
     }
     // Of the velocity field L x / dt, each particle's gather, in ranges.
     void gather(const Kernels& by, Shape shape, const double (&L)[3][3],
-                std::vector<Increments>& out) {
+                std::vector<Increments>& out, const PoreStrains& pores = {}) {
         std::vector<NodeMotion> motions(nodes());
         for (std::size_t i = 0; i < motions.size(); ++i)
             for (int a = 0; a < 3; ++a) {
@@ -69,8 +74,9 @@ struct Lattice {
             const auto end =
                 std::min<std::ptrdiff_t>(begin + Increments::capacity, particles.size());
             out.emplace_back();
-            by.gather(shape, {grid(), particles.view(), begin, end, motions.data(), 1.0, 0.0},
-                      out.back(), sums);
+            GatherCall call{grid(), particles.view(), begin, end, motions.data(), 1.0, 0.0};
+            call.pores = pores;
+            by.gather(shape, call, out.back(), sums);
         }
     }
 };

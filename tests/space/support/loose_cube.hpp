@@ -2,9 +2,11 @@
 // A cube of particles that move and are stressed at random, and a slab that it meets.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <random>
 #include <utility>
+#include <vector>
 
 #include <adapters/mpm/space/kernel/sand.hpp>
 
@@ -39,6 +41,26 @@ inline Body loose_cube_of_sand() {
 inline Body slab_above() {
     return make_brick({{0.3, 0.3, 0.9}, {0.9, 0.9, 1.2}, {12, 12, 6}},
                       std::make_unique<LinearElastic>(1e7, 0.3));
+}
+
+// ... its pores full of water, whose pressures are as uneven.
+inline Body wet(Body dry) {
+    const int own = dry.material->own_columns();
+    Body out;
+    out.water = grit::mpm::PoreWater{.porosity = 0.4,
+                                     .first = column::own + own,
+                                     .void_ratio_column = dry.material->separation().void_ratio};
+    if (out.water->void_ratio_column >= 0) out.water->opening_cap = dry.material->separation().cap;
+    out.particles = Particles(own + out.water->columns());
+    grit::mpm::ParticleColumns& to = out.particles;
+    for (std::ptrdiff_t p = 0; p < dry.particles.size(); ++p) {
+        std::vector<double> row;
+        for (int c = 0; c < column::own + own; ++c) row.push_back(dry.particles(c, p));
+        row.push_back(1e3 * std::sin(static_cast<double>(p)));
+        to.add(dry.particles.ids()[p], row.data());
+    }
+    out.material = std::move(dry.material);
+    return out;
 }
 
 // Of the slab on the cube, from afar: they press each other from the first step on.

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -28,25 +30,40 @@ std::unique_ptr<Material> material_of(const BodyPlan& body) {
     return std::make_unique<LinearElastic>(elastic->youngs_modulus, elastic->poissons_ratio);
 }
 
+std::optional<PoreWater> water_of(const BodyPlan& body, const Material* material) {
+    if (!body.water) return {};
+    if (body.water->implicit || body.water->drainage == Drainage::flow)
+        throw std::invalid_argument(
+            "body " + body.name + ": in space pore water is undrained, and its pressure explicit");
+    return make_water(body, column::own + material->own_columns(), material->separation());
+}
+
 namespace {
 
-void set_start(const BodyPlan& body, double gravity, Particles& particles) {
+void set_start(const BodyPlan& body, double gravity, const PoreWater* water, Particles& particles) {
     check_stress_at_rest(body);
     const auto* plan = std::get_if<SandPlan>(&body.material);
     const grit_sand sand = plan ? prepared_sand(body, *plan) : grit_sand{};
     const ParticleView q = particles.view();
+    std::optional<StressAtRest> at_rest;
+    if (body.geostatic)
+        at_rest.emplace(
+            body, gravity,
+            std::span<const double>(q[column::z], static_cast<std::size_t>(particles.size())));
     for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
         const double z = q[column::z][p];
         double stress[6] = {};
-        if (body.geostatic)
-            find_stress_at_rest(body, plan ? &sand : nullptr, body.density * gravity,
-                                std::max(0.0, body.geostatic->surface - z),
-                                body.geostatic->surcharge, 2, stress);
+        if (at_rest) at_rest->find(z, 2, stress);
         for (int k = 0; k < 6; ++k) q[column::S_xx + k][p] = stress[k];
-        if (!plan) continue;
-        double state[GRIT_SAND_STATE_SIZE];
-        find_start(body, *plan, sand, -(stress[0] + stress[1] + stress[2]) / 3.0, z, state);
-        for (int k = 0; k < GRIT_SAND_STATE_SIZE; ++k) q[Sand::state + k][p] = state[k];
+        if (plan) {
+            double state[GRIT_SAND_STATE_SIZE];
+            find_start(body, *plan, sand, -(stress[0] + stress[1] + stress[2]) / 3.0, z, state);
+            for (int k = 0; k < GRIT_SAND_STATE_SIZE; ++k) q[Sand::state + k][p] = state[k];
+        }
+        if (!water) continue;
+        const FullPores pores = full_pores(body, gravity, water->void_ratio(q, p), z);
+        q[column::mass][p] = pores.density * q[column::V0][p];
+        q[water->first][p] = pores.pressure;
     }
 }
 
@@ -153,15 +170,15 @@ void add_bodies(const Case& plan, const Axes& axes, const std::shared_ptr<Clock>
                 Simulation& simulation) {
     for (std::size_t b = 0; b < plan.bodies.size(); ++b) {
         const BodyPlan& body_plan = plan.bodies[b];
-        if (body_plan.water)
-            throw std::invalid_argument("body " + body_plan.name +
-                                        ": pore water is not there in space");
         Body body;
         body.name = body_plan.name;
         body.material = material_of(body_plan);
+        body.water = water_of(body_plan, body.material.get());
         body.particles = fill(*plan.space, b, body.name, body_plan.density, axes,
-                              body.material ? body.material->own_columns() : 0);
-        if (!body_plan.rigid()) set_start(body_plan, plan.gravity, body.particles);
+                              (body.material ? body.material->own_columns() : 0) +
+                                  (body.water ? body.water->columns() : 0));
+        if (!body_plan.rigid())
+            set_start(body_plan, plan.gravity, body.water ? &*body.water : nullptr, body.particles);
         else {
             body.make_rigid(course_of(plan, b, clock), plan.settings.fixed_point);
             check_free_at_sides(plan, b, body, nullptr);

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "adapters/mpm/case/since.hpp"
 #include "adapters/mpm/space/step/simulation.hpp"
@@ -15,6 +16,8 @@ std::unique_ptr<Simulation> build(const Case& plan, const std::shared_ptr<Clock>
 
 // The parts of build that need no shapes, for hosts with particles of their own. Null: a rigid body.
 std::unique_ptr<Material> material_of(const BodyPlan& body);
+// Of its material; none: the body is dry.
+std::optional<PoreWater> water_of(const BodyPlan& body, const Material* material);
 RigidCourse course_of(const Case& plan, std::size_t body, const std::shared_ptr<Clock>& clock);
 std::function<Vector3(double)> face_stress(const Case& plan, std::size_t traction,
                                            const std::shared_ptr<Clock>& clock);

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "adapters/mpm/kernel/call.hpp"
+#include "adapters/mpm/kernel/pore_water.hpp"
 #include "adapters/mpm/space/kernel/particles.hpp"
 
 namespace grit::mpm::space {
@@ -24,7 +25,8 @@ namespace slope {
 enum : int { g_x, g_y, g_z, scale, size };
 }  // namespace slope
 
-// ... and, where bodies may meet, the gradient for normals and its size.
+// ... and, where bodies may meet, the gradient for normals and its size; of one with pore water also the force of its pressure
+// [N], in the first three.
 struct alignas(32) NodeSlope {
     double value[slope::size];
     GRIT_INLINE double& operator[](int i) { return value[i]; }
@@ -86,6 +88,16 @@ struct CellMean {
 using FixedRecords = FixedPointOf<record::size>;
 using FixedSlopes = FixedPointOf<slope::size>;
 
+// The mean pore pressures of cells, as shares of the bulk modulus [Pa].
+struct PorePressures {
+    const CellIntegers* cells = nullptr;  // null: no pore water
+    double bulk_modulus = 0.0;
+    // Compression positive [Pa].
+    GRIT_INLINE double of(std::ptrdiff_t cell) const {
+        return cells[cell].volume > 0 ? cells[cell].mean() * bulk_modulus : 0.0;
+    }
+};
+
 struct ScatterCall {
     GridView grid;
     ParticleView particles;
@@ -96,6 +108,10 @@ struct ScatterCall {
     Separation separation = {};
     FixedRecords* fixed_records = nullptr;  // in place of nodes ...
     FixedSlopes* fixed_slopes = nullptr;    // ... and of slopes
+    PorePressures pore_pressures = {};      // which press besides the stresses
+    NodeSlope* pore_forces =
+        nullptr;  // of these, added to, beside slopes; null: nobody asks for them
+    FixedSlopes* fixed_pore_forces = nullptr;
 };
 
 struct MeanStressCall {
@@ -104,6 +120,16 @@ struct MeanStressCall {
     std::ptrdiff_t begin, end;
     CellMean mean;  // without cells, nothing is added
     Separation separation;
+};
+
+// A particle before a gather, and how the nodes strain it: its pore pressure waits for the strain of its cell.
+struct PorePlace {
+    double V, e, strain;  // [m3], void ratio, volumetric strain of the step
+    std::ptrdiff_t cell;
+};
+struct PoreStrains {
+    const PoreWater* water = nullptr;  // null: there is none
+    PorePlace* places = nullptr;       // [particles] out
 };
 
 // Increments of at most so many particles: midpoint strain, engineering shear, and the rotation Q, row-major, before
@@ -124,6 +150,7 @@ struct GatherCall {
     Separation separation = {};
     CellMean mean = {};        // with cells, deformation stops there
     bool fixed_point = false;  // of the sums
+    PoreStrains pores = {};
 };
 
 // The rest of deformation, where the mean is over cells.

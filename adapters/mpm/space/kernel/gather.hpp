@@ -70,6 +70,14 @@ GRIT_INLINE Gradient gradient_of(const Gathered& g, double dt) {
     return L;
 }
 
+// (W1) takes the strain of the cell.
+GRIT_INLINE void strain_pores(const GatherCall& call, const Place& place, std::ptrdiff_t p,
+                              const Gradient& L) {
+    const ParticleView& q = call.particles;
+    call.pores.places[p] = {q.volume(p), call.pores.water->void_ratio(q, p),
+                            midpoint_gradient(L).trace(), cell_of(call.grid, place)};
+}
+
 template <Shape shape, bool mean>
 void gather_by(const GatherCall& call, Increments& increments, GatherSums& sums) {
     using Stencil = typename StencilOf<shape>::type;
@@ -80,6 +88,7 @@ void gather_by(const GatherCall& call, Increments& increments, GatherSums& sums)
         move_position(call, g, p, sums);
         move_velocity(call, g, p, sums);
         const Gradient L = gradient_of(g, call.dt);
+        if (call.pores.water) strain_pores(call, place, p, L);
         if constexpr (mean) defer(call, place, p, L);
         else deform(call.particles, p, L, call.separation, increments, p - call.begin);
     }

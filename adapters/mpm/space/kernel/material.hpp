@@ -32,11 +32,17 @@ class Material {
     virtual Separation separation() const { return {}; }
 };
 
-// Of the columns of a body's particles; null: rigid.
-inline std::vector<std::string> column_names(const Material* material) {
+// Beside columns, where hosts show particles: of water (total: effective - pore pressure, tension positive).
+inline constexpr const char* pore_fields[] = {"pore_pressure", "total_xx", "total_yy", "total_zz"};
+
+// Of the columns of a body's particles; null: rigid, dry.
+inline std::vector<std::string> column_names(const Material* material,
+                                             const PoreWater* water = nullptr) {
     std::vector<std::string> out(std::begin(column::names), std::end(column::names));
     if (material)
         for (const char* name : material->own_column_names()) out.emplace_back(name);
+    if (water)
+        for (const char* name : water->column_names()) out.emplace_back(name);
     return out;
 }
 

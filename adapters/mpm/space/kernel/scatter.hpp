@@ -15,8 +15,12 @@ template <class Vec> struct DoubleSums {
     GRIT_INLINE void add(std::ptrdiff_t node, const Vec& x) { nodes[node] += x; }
 };
 
-template <Shape shape, bool with_slopes, class Records, class Slopes>
-GRIT_INLINE void scatter_by(const ScatterCall& call, Records& records, Slopes& slopes) {
+// What else than records is wanted.
+enum class Besides { nothing, slopes, pore_forces_too };
+
+template <Shape shape, Besides besides, class Records, class Slopes, class Pores>
+GRIT_INLINE void scatter_by(const ScatterCall& call, Records& records, Slopes& slopes,
+                            Pores& pores) {
     using Stencil = typename StencilOf<shape>::type;
     namespace c = column;
     const ParticleView q = call.particles;
@@ -26,6 +30,9 @@ GRIT_INLINE void scatter_by(const ScatterCall& call, Records& records, Slopes& s
         const double V = q.volume(p), m = q[c::mass][p];
         double pressure = q[c::q][p];  // besides that of the stresses
         if (call.mean.cells) pressure -= to_mean_stress(call, place, p);
+        double p_w = 0.0;
+        if (call.pore_pressures.cells) p_w = call.pore_pressures.of(cell_of(call.grid, place));
+        pressure += p_w;
         const double xx = V * (pressure - q[c::S_xx][p]), xy = -V * q[c::S_xy][p];
         const double yy = V * (pressure - q[c::S_yy][p]), xz = -V * q[c::S_xz][p];
         const double zz = V * (pressure - q[c::S_zz][p]), yz = -V * q[c::S_yz][p];
@@ -43,10 +50,12 @@ GRIT_INLINE void scatter_by(const ScatterCall& call, Records& records, Slopes& s
         for (int k = 0; k < Stencil::points; ++k) {
             const double G_x = w.G[0][k], G_y = w.G[1][k], G_z = w.G[2][k];
             w.add(k, w.S(k) * by_S + G_x * by_x + G_y * by_y + G_z * by_z, records);  // (A4)
-            if constexpr (with_slopes) {
+            if constexpr (besides != Besides::nothing) {
                 const double size = std::fabs(G_x) + std::fabs(G_y) + std::fabs(G_z);
                 w.add(k, V * Vec4{G_x, G_y, G_z, size}, slopes);
             }
+            if constexpr (besides == Besides::pore_forces_too)
+                w.add(k, (V * p_w) * Vec4{G_x, G_y, G_z, 0.0}, pores);
         }
     }
 }
@@ -54,15 +63,23 @@ GRIT_INLINE void scatter_by(const ScatterCall& call, Records& records, Slopes& s
 template <Shape shape> void scatter_in_doubles(const ScatterCall& call) {
     DoubleSums<Vec8> records{reinterpret_cast<Vec8*>(call.nodes)};
     DoubleSums<Vec4> slopes{reinterpret_cast<Vec4*>(call.slopes)};
-    call.slopes ? scatter_by<shape, true>(call, records, slopes)
-                : scatter_by<shape, false>(call, records, slopes);
+    DoubleSums<Vec4> pores{reinterpret_cast<Vec4*>(call.pore_forces)};
+    if (!call.slopes) scatter_by<shape, Besides::nothing>(call, records, slopes, pores);
+    else if (!call.pore_forces) scatter_by<shape, Besides::slopes>(call, records, slopes, pores);
+    else scatter_by<shape, Besides::pore_forces_too>(call, records, slopes, pores);
 }
 
 template <Shape shape> void scatter_in_fixed_point(const ScatterCall& call) {
     add_in_fixed_point(*call.fixed_records, [&](auto& records) {
-        if (!call.fixed_slopes) return scatter_by<shape, false>(call, records, records);
-        add_in_fixed_point(*call.fixed_slopes,
-                           [&](auto& slopes) { scatter_by<shape, true>(call, records, slopes); });
+        if (!call.fixed_slopes)
+            return scatter_by<shape, Besides::nothing>(call, records, records, records);
+        add_in_fixed_point(*call.fixed_slopes, [&](auto& slopes) {
+            if (!call.fixed_pore_forces)
+                return scatter_by<shape, Besides::slopes>(call, records, slopes, slopes);
+            add_in_fixed_point(*call.fixed_pore_forces, [&](auto& pores) {
+                scatter_by<shape, Besides::pore_forces_too>(call, records, slopes, pores);
+            });
+        });
     });
 }
 

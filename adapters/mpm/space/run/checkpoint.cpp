@@ -38,6 +38,9 @@ std::string words_of(const Simulation& s) {
         if (!body.material) continue;
         for (const std::string& word : body.material->words())
             out << "body " << i << ": " << word << '\n';
+        if (!body.water) continue;
+        for (const std::string& word : body.water->words())
+            out << "body " << i << ": " << word << '\n';
     }
     const std::vector<double> tractions = s.traction_words();
     out << "tractions: " << s.traction_count() << ", checksum "

@@ -36,8 +36,8 @@ class SpaceSubject : public Subject {
     void add_profile(std::size_t body, const ProfilePlan& profile,
                      std::vector<double>& impulses) override;
     double unbalanced_share(double dt) override;
-    Extremes pore_pressures() override { return {NAN, NAN}; }
-    double water_mass() override { return NAN; }
+    Extremes pore_pressures() override { return mpm::pore_pressures(simulation); }
+    double water_mass() override { return NAN; }  // none flows
     void save(std::ostream& out) const override { space::save(simulation, out); }
     void restore(std::istream& in, OtherBits bits) override {
         space::restore(simulation, in, bits);

@@ -17,6 +17,8 @@ namespace {
 
 constexpr double far = std::numeric_limits<double>::infinity();
 
+Vector3 force_of(const NodeSlope& of) { return {of[0], of[1], of[2]}; }
+
 Vector3 at(const std::vector<double>& of, std::size_t i) {
     return {of[3 * i], of[3 * i + 1], of[3 * i + 2]};
 }
@@ -62,7 +64,8 @@ class FreeMeeting {
         const Row along = row(x, n);
         Row way = Row::Zero();
         if (slides && slope == Slope::tangent) way = row(x, (1.0 / slip) * across);
-        add(m * f * (along + friction * way), along);
+        // Where water bears all that presses, nothing rubs, and a little more does not either.
+        add(m * f * (along + (share > 0.0 ? friction : 0.0) * way), along);
         for (int k = 0; k < 3; ++k) {
             Vector3 t = -n[k] * n;  // I - n n, row by row
             t[k] += 1.0;
@@ -149,6 +152,8 @@ void ContactPair::copy_nodes(const Model& model) {
         one->assign(n, 0.0);
     for (std::vector<double>* of : {&motion_a, &motion_b}) of->resize(motion::size * n);
     for (std::vector<double>* of : {&slope_a, &slope_b}) of->resize(slope::size * n);
+    pores_a.resize(a.body.water ? n : 0);
+    pores_b.resize(b.body.water ? n : 0);
     for (std::vector<double>& each : direction) each.assign(3 * n, 0.0);
     direction_surface.assign(2 * directions * n, far);
     fixed_bits.assign(n, 0);
@@ -164,6 +169,8 @@ void ContactPair::copy_nodes(const Model& model) {
         std::copy_n(b.motions[node].value, motion::size, &motion_b[motion::size * i]);
         std::copy_n(a.slopes[node].value, slope::size, &slope_a[slope::size * i]);
         std::copy_n(b.slopes[node].value, slope::size, &slope_b[slope::size * i]);
+        if (a.body.water) pores_a[i] = force_of(a.pore_forces[node]);
+        if (b.body.water) pores_b[i] = force_of(b.pore_forces[node]);
         std::ptrdiff_t rest = active[i];
         for (int d = 0; d < 3; ++d) {
             const AxisView& axis = grid.axis[d];
@@ -450,6 +457,7 @@ void ContactPair::correct(Model& model) {
     if (any) {
         copy_nodes(model);
         find_normals();
+        find_pore_impulses();
         const bool geo = pair_law.options.law == GRIT_CONTACT_GEO;
         if (geo || pair_law.gated) {
             near.find(model.grid(), active);
@@ -509,7 +517,20 @@ grit_contact_nodes ContactPair::nodes_of() {
     q.previous_velocity_a = grit_view_of(motion_a.data() + motion::other_x, motion::size, 1);
     q.previous_velocity_b = grit_view_of(motion_b.data() + motion::other_x, motion::size, 1);
     q.position = grit_view_of(position.data(), 3, 1);
+    if (!pore_impulse.empty()) q.pore_impulse = grit_view_of(pore_impulse.data(), 1, 1);
     return q;
+}
+
+// What presses out of a body, along the normal: the mean of both, where both have water.
+void ContactPair::find_pore_impulses() {
+    const bool wet_a = !pores_a.empty(), wet_b = !pores_b.empty();
+    pore_impulse.assign(wet_a || wet_b ? active.size() : 0, 0.0);
+    const double share = step_size * (wet_a && wet_b ? 0.5 : 1.0);
+    for (std::size_t i = 0; i < pore_impulse.size(); ++i) {
+        const Vector3 n = at(normal, i);
+        if (wet_a) pore_impulse[i] += share * dot(pores_a[i], n);
+        if (wet_b) pore_impulse[i] -= share * dot(pores_b[i], n);
+    }
 }
 
 // A rigid body that contact moves has the velocity which the impulses that belong to it leave, found by Newton's method

@@ -63,6 +63,7 @@ class ContactPair {
     };
     bool find_active(const Model& model);
     void copy_nodes(const Model& model);
+    void find_pore_impulses();
     void find_normals();
     void find_normals(int source, const std::vector<std::ptrdiff_t>& nodes,
                       std::vector<double>& of);
@@ -95,8 +96,9 @@ class ContactPair {
     std::vector<double> mass_a, mass_b, motion_a, motion_b, slope_a, slope_b;
     std::vector<int> fixed_bits;
     std::vector<double> position, spacing, normal, surface, near_surface, centre, reach, distance,
-        gap, gate_gap, overlap, area;
-    static constexpr int directions = 5;  // that may part two corners
+        gap, gate_gap, overlap, area, pore_impulse;
+    std::vector<Vector3> pores_a, pores_b;  // forces of pore pressures; empty: dry [N]
+    static constexpr int directions = 5;    // that may part two corners
     std::vector<double> direction[directions], direction_surface;
     std::vector<char> closed;  // along its normal
     std::vector<std::ptrdiff_t> places, undefined, asked;

@@ -10,7 +10,15 @@ namespace grit::mpm::space {
 namespace {
 
 // What there is of a body, each in two halves; a part is one of these of body 0 or 1.
-enum Kind { domain_place, domain_sides, node_now, node_before, mesh_vertex, kinds };
+enum Kind {
+    domain_place,
+    domain_sides,
+    node_now,
+    node_before,
+    mesh_vertex,
+    domain_pressure,
+    kinds
+};
 int part_of(Kind kind, int body) { return 2 * kind + body; }
 Vector3 half(const KeyedNumbers& item, int which) {
     const double* from = item.value + 3 * which;
@@ -39,12 +47,12 @@ bool ContactZone::find(const Part& a, const Part& b) {
 // Which cells of particles are near, this process knows: it has the two nodes on both sides of them. Whether a node is,
 // which may be three from the one that both bodies reach, some process knows that has both.
 void ContactZone::gather(const Model& model, const std::array<Part*, 2>& bodies,
-                         const RiddenMesh& mesh_a) {
+                         const RiddenMesh& mesh_a, const std::array<PorePressures, 2>& pressures) {
     items.clear();
     for (const int body : {0, 1}) {
         Part& part = *bodies[static_cast<std::size_t>(body)];
         if (body == 0 && !mesh_a.empty()) add_vertices(part, mesh_a);
-        else add_domains(part, body);
+        else add_domains(part, body, pressures[static_cast<std::size_t>(body)]);
         if (!part.body.rigid()) add_nodes(model, part, body);
     }
     gather_sorted(model.exchange, items);
@@ -65,7 +73,7 @@ void ContactZone::add_vertices(Part& part, const RiddenMesh& mesh) {
     });
 }
 
-void ContactZone::add_domains(Part& part, int body) {
+void ContactZone::add_domains(Part& part, int body, const PorePressures& pressures) {
     Particles& particles = part.body.particles;
     const ParticleView q = particles.view();
     for (std::ptrdiff_t p = 0; p < particles.size(); ++p) {
@@ -75,6 +83,9 @@ void ContactZone::add_domains(Part& part, int body) {
         const int id = particles.ids()[p];
         items.push_back(item_of(key_of(part_of(domain_place, body), id), place.at, r[0]));
         items.push_back(item_of(key_of(part_of(domain_sides, body), id), r[1], r[2]));
+        if (pressures.cells)
+            items.push_back({key_of(part_of(domain_pressure, body), id),
+                             {pressures.of(here.cell_of(place.at))}});
     }
 }
 
@@ -110,6 +121,9 @@ void ContactZone::unpack(int body) {
     for (std::size_t i = 0; i < places.size(); ++i)
         to.domains.push_back(
             {half(places[i], 0), {half(places[i], 1), half(sides[i], 0), half(sides[i], 1)}});
+    to.pressures.clear();
+    for (const KeyedNumbers& item : items_of(part_of(domain_pressure, body)))
+        to.pressures.push_back(item.value[0]);
     const auto now = items_of(part_of(node_now, body));
     const auto before = items_of(part_of(node_before, body));
     to.number.clear();

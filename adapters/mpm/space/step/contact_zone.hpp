@@ -39,8 +39,9 @@ class ContactZone {
     // False where no node of this process is reached by both.
     bool find(const Part& a, const Part& b);
     // After find, by all processes if one of them has found something. mesh_a: of body 0, in the place of its domains,
-    // unless it is empty.
-    void gather(const Model& model, const std::array<Part*, 2>& bodies, const RiddenMesh& mesh_a);
+    // unless it is empty; pressures: of the water of each body.
+    void gather(const Model& model, const std::array<Part*, 2>& bodies, const RiddenMesh& mesh_a,
+                const std::array<PorePressures, 2>& pressures);
 
     const GridView& whole_grid() const { return whole.grid; }
     // Whether a node of this process is the first or the last one of the whole grid along a direction.
@@ -51,6 +52,8 @@ class ContactZone {
     }
     // Of body 0 or 1, in the order of the particles' ids.
     const std::vector<NearDomain>& domains(int body) const { return of[body].domains; }
+    // Of the cells that these are in [Pa]; empty: no water.
+    const std::vector<double>& pressures(int body) const { return of[body].pressures; }
     const std::vector<NearVertex>& vertices_of_mesh() const { return vertices; }
     // By their numbers in the whole grid; of a rigid body there are none.
     std::size_t nodes(int body) const { return of[body].number.size(); }
@@ -66,6 +69,7 @@ class ContactZone {
   private:
     struct OfBody {
         std::vector<NearDomain> domains;
+        std::vector<double> pressures;
         std::vector<std::ptrdiff_t> number;
         std::vector<double> values;
         std::vector<Vector3> gathered;  // velocities
@@ -73,7 +77,7 @@ class ContactZone {
     };
     // Whether a particle of this process is near.
     bool has(const Vector3& at) const { return near.has(here.cell_of(at)); }
-    void add_domains(Part& part, int body);
+    void add_domains(Part& part, int body, const PorePressures& pressures);
     void add_vertices(Part& part, const RiddenMesh& mesh);
     void add_nodes(const Model& model, const Part& part, int body);
     void unpack(int body);

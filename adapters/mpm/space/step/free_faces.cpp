@@ -137,6 +137,7 @@ void FreeFaces::add_face(const NearDomain& q, std::ptrdiff_t i, int direction, d
         }
         out.middle.push_back(place);
     }
+    out.domain.insert(out.domain.end(), 4, i);  // of its four triangles
 }
 
 std::ptrdiff_t FreeFaces::root(std::ptrdiff_t c) {

@@ -2,6 +2,7 @@
 // The faces of domains in space that no neighbour covers, (V6), as triangles.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct TriangleMesh {
     std::vector<std::ptrdiff_t> facet;  // [facets][3] vertices, counter-clockwise from outside
     // [...][4] of the last vertices: each lies in the middle of four others, and moves as their mean.
     std::vector<std::ptrdiff_t> middle;
+    std::vector<std::ptrdiff_t> domain;  // of each facet; empty: the mesh is of no domains
 
     std::ptrdiff_t vertices() const { return static_cast<std::ptrdiff_t>(position.size() / 3); }
     std::ptrdiff_t facets() const { return static_cast<std::ptrdiff_t>(facet.size() / 3); }
@@ -28,6 +30,21 @@ struct TriangleMesh {
         position.clear();
         facet.clear();
         middle.clear();
+        domain.clear();
+    }
+    // Facets that are left out by is_out(facet) make room for those behind them.
+    template <class IsOut> void leave_out(const IsOut& is_out) {
+        const std::ptrdiff_t all = facets();
+        std::size_t kept = 0;
+        for (std::ptrdiff_t f = 0; f < all; ++f) {
+            if (is_out(f)) continue;
+            std::copy_n(facet.begin() + 3 * f, 3,
+                        facet.begin() + 3 * static_cast<std::ptrdiff_t>(kept));
+            if (!domain.empty()) domain[kept] = domain[static_cast<std::size_t>(f)];
+            ++kept;
+        }
+        facet.resize(3 * kept);
+        if (!domain.empty()) domain.resize(kept);
     }
 };
 

@@ -15,14 +15,18 @@ void Gather::operator()() {
     for (std::vector<OfPencil>& body : bodies)
         for (OfPencil& pencil : body) {
             pencil.sums = {};
-            pencil.viscous_loss = {};
+            pencil.viscous_loss = pencil.half = {};
         }
     const auto work = [this](std::size_t body, int pencil) { gather(body, pencil); };
-    if (!means.wanted()) return model.for_pencils(work);
-    means.begin_strains();
-    model.for_pencils_apart(work);
-    means.sum();
-    model.for_pencils([this](std::size_t body, int pencil) { deform(body, pencil); });
+    if (means.wanted()) {
+        means.begin_strains();
+        model.for_pencils_apart(work);
+        means.sum();
+        model.for_pencils([this](std::size_t body, int pencil) { deform(body, pencil); });
+    } else {
+        model.for_pencils(work);
+    }
+    water.update();
 }
 
 void Gather::gather(std::size_t body, int pencil) {
@@ -45,7 +49,8 @@ void Gather::gather(std::size_t body, int pencil) {
                                   std::min(settings.pic_rate * model.dt, 1.0),
                                   part.separation,
                                   means.of(body),
-                                  settings.fixed_point};
+                                  settings.fixed_point,
+                                  water.strains(body)};
             kernels().gather(settings.shape, call, increments, sums.sums);
             if (updates)
                 fastest = std::max(fastest, update(body, sums, {q, begin, stop}, increments));
@@ -105,11 +110,26 @@ double Gather::update(std::size_t body, OfPencil& sums, const Range& range, cons
     double moduli[Increments::capacity], fastest = 0.0;
     of.material->wave_moduli(range, moduli);
     watch.lap(sums.material_seconds);
-    if (model.settings.linear_viscosity > 0.0 || model.settings.quadratic_viscosity > 0.0)
-        return update_viscosity(sums, d, range, moduli);
-    for (std::ptrdiff_t p = range.begin; p < range.end; ++p)
-        fastest = std::max(fastest, moduli[p - range.begin] * q.volume(p) / q[column::mass][p]);
+    if (model.settings.linear_viscosity > 0.0 || model.settings.quadratic_viscosity > 0.0) {
+        fastest = update_viscosity(sums, d, range, moduli);
+    } else {
+        for (std::ptrdiff_t p = range.begin; p < range.end; ++p)
+            fastest = std::max(fastest, moduli[p - range.begin] * q.volume(p) / q[column::mass][p]);
+    }
+    if (water.is_anywhere()) add_half(sums, d, range);
     return fastest;
+}
+
+// Half a step's work of the stresses of the end, by which velocities are behind them (WaterSums::half).
+void Gather::add_half(OfPencil& sums, const Increments& d, const Range& range) const {
+    const ParticleView& q = range.particles;
+    for (std::ptrdiff_t p = range.begin; p < range.end; ++p) {
+        double rate = 0.0;
+        for (int k = 0; k < 6; ++k)
+            rate += (q[column::S_xx + k][p] - (k < 3 ? q[column::q][p] : 0.0)) *
+                    d.strain[k][p - range.begin];
+        sums.half.add(0.5 * q.volume(p) * rate, model.settings.fixed_point);
+    }
 }
 
 // Bulk viscosity of a range, as in the plane.

@@ -5,12 +5,14 @@
 #include <vector>
 
 #include "adapters/mpm/space/step/cell_means.hpp"
+#include "adapters/mpm/space/step/water.hpp"
 
 namespace grit::mpm::space {
 
 class Gather {
   public:
-    Gather(Model& of, CellMeans& of_cells) : model(of), means(of_cells) {}
+    Gather(Model& of, CellMeans& of_cells, Water& in_pores)
+        : model(of), means(of_cells), water(in_pores) {}
     void add_body();
 
     void operator()();
@@ -23,6 +25,7 @@ class Gather {
         GatherSums sums = {};
         double speed = 0.0;             // largest wave speed, viscosity included [m/s]
         Total viscous_loss;             // in this step [J]
+        Total half;                     // half of the stresses' work, where there is pore water [J]
         double material_seconds = 0.0;  // since it was built
     };
     const std::vector<OfPencil>& pencils(std::size_t body) const { return bodies[body]; }
@@ -34,9 +37,11 @@ class Gather {
     double update(std::size_t body, OfPencil& sums, const Range& range, const Increments& d);
     double update_viscosity(OfPencil& sums, const Increments& d, const Range& range,
                             const double* moduli) const;
+    void add_half(OfPencil& sums, const Increments& d, const Range& range) const;
 
     Model& model;
     CellMeans& means;
+    Water& water;
     std::vector<std::vector<OfPencil>> bodies;
 };
 

@@ -22,7 +22,8 @@ struct Part {
     Body body;
     Pencils pencils;
     std::vector<NodeRecord> records = {};
-    std::vector<NodeSlope> slopes = {};  // empty: it meets no other body
+    std::vector<NodeSlope> slopes = {};       // empty: it meets no other body at nodes ...
+    std::vector<NodeSlope> pore_forces = {};  // ... or is dry
     std::vector<NodeMotion> motions = {};
     IdIndex by_id = {};
     Separation separation = {};

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "adapters/mpm/space/step/cell_means.hpp"
+#include "adapters/mpm/space/step/water.hpp"
 #include "adapters/mpm/step/integer_sums.hpp"
 
 namespace grit::mpm::space {
@@ -16,9 +17,10 @@ using BodyForce =
 
 class Scatter {
   public:
-    Scatter(Model& of, CellMeans& of_cells) : model(of), means(of_cells) {}
+    Scatter(Model& of, CellMeans& of_cells, Water& in_pores)
+        : model(of), means(of_cells), water(in_pores) {}
     void add_body();
-    // The body meets another one: gradients for normals are wanted.
+    // The body meets another one at nodes: gradients for normals are wanted, and forces of its pore pressure.
     void add_slopes(std::size_t body);
     void set_body_force(BodyForce force) { body_force = std::move(force); }
 
@@ -27,16 +29,18 @@ class Scatter {
     void operator()();
 
     template <class Self, class Archive> static void visit(Self& scatter, Archive& archive) {
-        for (auto& body : scatter.integers) {
+        for (std::size_t i = 0; i < scatter.integers.size(); ++i) {
+            auto& body = scatter.integers[i];
             IntegerSums<record::size>::visit(body.records, archive);
             IntegerSums<slope::size>::visit(body.slopes, archive);
+            if (scatter.water.has(i)) IntegerSums<slope::size>::visit(body.pore_forces, archive);
         }
     }
 
   private:
     struct OfBody {
         IntegerSums<record::size> records = {};
-        IntegerSums<slope::size> slopes = {};
+        IntegerSums<slope::size> slopes = {}, pore_forces = {};
     };
     void add();
     void begin_fixed();
@@ -46,6 +50,7 @@ class Scatter {
 
     Model& model;
     CellMeans& means;
+    Water& water;
     BodyForce body_force;
     std::vector<OfBody> integers;  // of bodies, in fixed point
 };

@@ -37,6 +37,7 @@ struct Body {
     Particles particles;
     std::unique_ptr<Material> material;
     std::optional<RigidMotion> motion = {};  // of a rigid body; none: it deforms
+    std::optional<PoreWater> water = {};     // its columns follow those of the material
     bool rigid() const { return motion.has_value(); }
     // From now on; what its particles are is known. exchange: of processes that have some of them.
     void make_rigid(const RigidCourse& course, bool fixed_point, Exchange* exchange) {

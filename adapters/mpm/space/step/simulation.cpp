@@ -37,6 +37,7 @@ void Simulation::start() {
     started = true;
     model.sort();
     gather.measure();
+    water.measure();
     finish();
     measure_energy();
     energies.kinetic_0 = energies.kinetic;
@@ -110,7 +111,7 @@ void Simulation::correct_contacts() {
                            pair.velocity_found());
     }
     surface_calls.clear();
-    for (SurfacePair& pair : surfaces) pair.add_call(model, surface_calls);
+    for (SurfacePair& pair : surfaces) pair.add_call(model, water, surface_calls);
     surface_calls.solve();
     for (SurfacePair& pair : surfaces) {
         if (!pair.was_called()) continue;
@@ -177,7 +178,18 @@ void Simulation::finish() {
 
 // In the order of pencils and chunks, which no number of threads changes.
 void Simulation::add_up() {
-    enum { lost, external_work, traction_work, damping, viscosity, pic, transfer, count };
+    enum {
+        lost,
+        external_work,
+        traction_work,
+        damping,
+        viscosity,
+        pic,
+        transfer,
+        pore_water,
+        half,
+        count
+    };
     const bool fixed_point = model.settings.fixed_point;
     std::array<Total, count> step;
     for (std::size_t body = 0; body < model.parts.size(); ++body) {
@@ -186,6 +198,7 @@ void Simulation::add_up() {
             step[lost].add(static_cast<double>(g.outside), fixed_point);
             step[external_work] += g.body_work;
             step[viscosity] += pencil.viscous_loss;
+            step[half] += pencil.half;
             step[pic] += g.pic_loss;
             (step[transfer] += g.pic_loss) -= g.kept;
         }
@@ -195,6 +208,11 @@ void Simulation::add_up() {
             (step[transfer] += n.change) += n.mapped_away;
         }
     }
+    for (std::size_t body = 0; body < model.parts.size(); ++body)
+        for (const Water::OfPencil& pencil : water.pencils(body)) {
+            step[pore_water] += pencil.work;
+            step[half] += pencil.half;
+        }
     step[traction_work] += loads.work();
     model.exchange.sum(step, fixed_point);
     energies.external_work += step[external_work].value() + step[traction_work].value();
@@ -203,6 +221,8 @@ void Simulation::add_up() {
     energies.viscosity += step[viscosity].value();
     energies.pic += step[pic].value();
     energies.transfer += step[transfer].value();
+    energies.pore_water += step[pore_water].value();
+    energies.half = step[half].value();
     if (const double found = step[lost].value(); found > 0.0)
         report_lost(static_cast<std::ptrdiff_t>(found));
     // Sums in fixed point have an end, beyond which they are no numbers.
@@ -228,7 +248,7 @@ void Simulation::report_lost(std::ptrdiff_t count) const {
 }
 
 void Simulation::measure_speeds() {
-    constexpr std::size_t each = 2;                     // c, v2 ...
+    constexpr std::size_t each = 3;                     // c, v2, what pore water adds to c2 ...
     maxima.assign(each * model.parts.size() + 2, 0.0);  // ... and behind them ways along y and z
     double* way = maxima.data() + each * model.parts.size();
     for (std::size_t body = 0; body < model.parts.size(); ++body) {
@@ -238,12 +258,16 @@ void Simulation::measure_speeds() {
             of_body[1] = std::max(of_body[1], pencil.sums.most_v2);
             for (const std::size_t k : {0, 1}) way[k] = std::max(way[k], pencil.sums.farthest[k]);
         }
+        of_body[2] = water.speed2(body);
     }
     model.exchange.max(maxima.data(), static_cast<int>(maxima.size()));
     largest_speed = 0.0;
-    for (std::size_t body = 0; body < model.parts.size(); ++body)
-        largest_speed =
-            std::max(largest_speed, maxima[each * body] + std::sqrt(maxima[each * body + 1]));
+    for (std::size_t body = 0; body < model.parts.size(); ++body) {
+        const double* of_body = &maxima[each * body];
+        const double more = of_body[2];
+        const double c = more > 0.0 ? std::sqrt(of_body[0] * of_body[0] + more) : of_body[0];
+        largest_speed = std::max(largest_speed, c + std::sqrt(of_body[1]));
+    }
     for (const std::size_t k : {0, 1}) model.drift[k] += way[k];
 }
 
@@ -315,6 +339,7 @@ Energy Simulation::energy() {
 std::size_t Simulation::add_body(Body body) {
     model.add_body(std::move(body));
     means.add_body();
+    water.add_body();
     scatter.add_body();
     gather.add_body();
     loads.add_body();
@@ -389,6 +414,7 @@ Seconds Simulation::seconds() const {
 void Simulation::particles_changed(std::size_t body) {
     model.particles_changed(body);
     means.particles_changed(body);
+    water.particles_changed(body);
 }
 
 void Simulation::index_ids() {

@@ -128,8 +128,9 @@ class Simulation {
 
     Model model;
     CellMeans means{model};
-    Scatter scatter{model, means};
-    Gather gather{model, means};
+    Water water{model};
+    Scatter scatter{model, means, water};
+    Gather gather{model, means, water};
     Loads loads{model};
     std::vector<ContactPair> contacts;
     std::vector<SurfacePair> surfaces;

@@ -40,8 +40,7 @@ SurfacePair::SurfacePair(const SurfaceLaw& law, Model& model) : pair_law(law), z
 // In a plane of symmetry a surface has no other one opposite.
 void SurfacePair::leave_out_planes_of_symmetry(TriangleMesh& mesh) const {
     const GridView& grid = zone.whole_grid();
-    std::size_t kept = 0;
-    for (std::size_t f = 0; f < mesh.facet.size(); f += 3) {
+    mesh.leave_out([&](std::ptrdiff_t f) {
         bool lies_in_one = false;
         for (int side = 0; side < 6 && !lies_in_one; ++side) {
             if (!is_held[side]) continue;
@@ -49,18 +48,13 @@ void SurfacePair::leave_out_planes_of_symmetry(TriangleMesh& mesh) const {
             const int cell = side % 2 == 0 ? 0 : axis.cells - 1;
             const double at = axis.node[side % 2 == 0 ? 0 : axis.cells];
             lies_in_one = true;
-            for (std::size_t k = 0; k < 3; ++k)
+            for (int k = 0; k < 3; ++k)
                 lies_in_one =
                     lies_in_one &&
-                    std::fabs(mesh.vertex(mesh.facet[f + k])[side / 2] - at) * axis.inverse[cell] <
-                        1e-3;
+                    std::fabs(mesh.corner(f, k)[side / 2] - at) * axis.inverse[cell] < 1e-3;
         }
-        if (lies_in_one) continue;
-        std::copy_n(mesh.facet.begin() + static_cast<std::ptrdiff_t>(f), 3,
-                    mesh.facet.begin() + static_cast<std::ptrdiff_t>(kept));
-        kept += 3;
-    }
-    mesh.facet.resize(kept);
+        return lies_in_one;
+    });
 }
 
 void SurfacePair::forget() {
@@ -126,22 +120,22 @@ void SurfacePair::find_nodes(int which, const Part& part) {
             }
         }
     }
-    keep_facets(skin);
+    skin.mesh.leave_out([&skin](std::ptrdiff_t f) {
+        const std::ptrdiff_t* corner = &skin.mesh.facet[3 * static_cast<std::size_t>(f)];
+        return std::any_of(corner, corner + 3, [&skin](std::ptrdiff_t v) {
+            return skin.is_lost[static_cast<std::size_t>(v)] != 0;
+        });
+    });
 }
 
-void SurfacePair::keep_facets(Skin& skin) {
-    std::vector<std::ptrdiff_t>& facet = skin.mesh.facet;
-    std::size_t kept = 0;
-    for (std::size_t f = 0; f < facet.size(); f += 3) {
-        const auto lost = [&](std::size_t k) {
-            return skin.is_lost[static_cast<std::size_t>(facet[f + k])] != 0;
-        };
-        if (lost(0) || lost(1) || lost(2)) continue;
-        std::copy_n(facet.begin() + static_cast<std::ptrdiff_t>(f), 3,
-                    facet.begin() + static_cast<std::ptrdiff_t>(kept));
-        kept += 3;
-    }
-    facet.resize(kept);
+// Of the cells that the domains along the surface are in.
+void SurfacePair::find_pressures(int which) {
+    Skin& skin = skins[which];
+    skin.pressure.clear();
+    const std::vector<double>& of_domains = zone.pressures(which);
+    if (of_domains.empty()) return;
+    for (const std::ptrdiff_t domain : skin.mesh.domain)
+        skin.pressure.push_back(of_domains[static_cast<std::size_t>(domain)]);
 }
 
 // By the cells along each facet of a, so that cells elsewhere do not matter.
@@ -193,6 +187,7 @@ grit_surface SurfacePair::surface(int which, bool rigid) {
     s.fixed = zone.fixed(which);
     s.velocity = grit_mutable_view_of(values + near_node::v, near_node::size, 1);
     s.previous_velocity = grit_view_of(values + near_node::before, near_node::size, 1);
+    if (!skin.pressure.empty()) s.pore_pressure = skin.pressure.data();
     return s;
 }
 
@@ -222,7 +217,7 @@ void SurfacePair::add_up() {
     }
 }
 
-void SurfacePair::add_call(Model& model, SurfaceCalls& calls) {
+void SurfacePair::add_call(Model& model, const Water& water, SurfaceCalls& calls) {
     forget();
     Part &a = model.parts[pair_law.a], &b = model.parts[pair_law.b];
     Particles& of_a = a.body.particles;
@@ -230,12 +225,14 @@ void SurfacePair::add_call(Model& model, SurfaceCalls& calls) {
     double is_near = zone.find(a, b) ? 1.0 : 0.0;  // of any process
     model.exchange.max(&is_near, 1);
     if (is_near == 0.0) return;
-    zone.gather(model, {&a, &b}, mesh_a);
+    zone.gather(model, {&a, &b}, mesh_a,
+                {water.pressures(pair_law.a), water.pressures(pair_law.b)});
     for (const int k : {0, 1}) {
         find_mesh(k);
         leave_out_planes_of_symmetry(skins[k].mesh);
         find_nodes(k, k == 0 ? a : b);
         if (skins[k].mesh.facets() == 0) return;
+        find_pressures(k);
     }
     find_spacing();
     pair_law.options.time_step = model.dt;

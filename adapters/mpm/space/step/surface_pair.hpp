@@ -10,6 +10,7 @@
 #include "adapters/mpm/space/step/contact_pair.hpp"
 #include "adapters/mpm/space/step/contact_zone.hpp"
 #include "adapters/mpm/space/step/ridden_mesh.hpp"
+#include "adapters/mpm/space/step/water.hpp"
 #include "adapters/mpm/step/surface_calls.hpp"
 #include "adapters/mpm/step/sweeps.hpp"
 
@@ -28,7 +29,8 @@ class SurfacePair {
   public:
     SurfacePair(const SurfaceLaw& law, Model& model);
     // Adds the call that turns velocities after the momentum update into those after contact, where surfaces are near.
-    void add_call(Model& model, SurfaceCalls& calls);
+    // water: of its bodies, between scatter and gather.
+    void add_call(Model& model, const Water& water, SurfaceCalls& calls);
     bool was_called() const { return is_called; }
     // After it is solved, if it was added: velocities, totals and forces.
     void take_call(Model& model);
@@ -69,6 +71,7 @@ class SurfacePair {
     struct Skin {
         TriangleMesh mesh;
         std::vector<double> weight, velocity;
+        std::vector<double> pressure;  // of water in the body at each facet; empty: dry [Pa]
         std::vector<std::ptrdiff_t> node;
         std::vector<char> is_lost;  // vertices that no node moves
     };
@@ -76,7 +79,7 @@ class SurfacePair {
     void forget();
     void find_mesh(int which);
     void find_nodes(int which, const Part& part);
-    static void keep_facets(Skin& skin);
+    void find_pressures(int which);
     void find_spacing();
     grit_surface surface(int which, bool rigid);
     void add_up();
