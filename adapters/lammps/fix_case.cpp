@@ -44,7 +44,8 @@ std::string called(const mpm::ContactPlan& contact) {
 
 std::string name_of_body(std::string_view key) {
     if (key.empty()) return {};
-    return key == "stiff" ? "the stiffer one" : ": the softer body";
+    if (key == "stiff") return "the stiffer one";
+    return key == "soft" ? ": the softer body" : ": " + std::string(key);
 }
 
 constexpr mpm::Spelling axes[] = {mpm::spelling("r", 0, ""), mpm::spelling("z", 1, "")};
