@@ -97,12 +97,12 @@ class StressAtRest::EffectiveWeight {
     double void_ratio(double vertical) const {
         const auto* plan = std::get_if<SandPlan>(&body.material);
         if (!plan || !plan->at_zero_pressure) return void_ratio_of(body);
-        const grit_sand sand = prepared_sand(body, *plan);
+        const grit_sand law = prepared_sand(body, *plan);
         double at_rest[6] = {}, e = plan->void_ratio;
-        grit_sand_stress_at_rest(&sand, 0.0, 0.0, vertical, body.geostatic->K0.value_or(-1.0), 1,
+        grit_sand_stress_at_rest(&law, 0.0, 0.0, vertical, body.geostatic->K0.value_or(-1.0), 1,
                                  at_rest);
         const double p = -(at_rest[0] + at_rest[1] + at_rest[2]) / 3.0;
-        grit_sand_void_ratio_at_pressure(&sand, plan->void_ratio,
+        grit_sand_void_ratio_at_pressure(&law, plan->void_ratio,
                                          p + plan->parameters.pressure_shift, &e);
         return e;
     }
@@ -209,8 +209,8 @@ double conductivity_at(const BodyPlan& body) {
 FullPores full_pores(const BodyPlan& body, double gravity, double e, double z) {
     const WaterPlan& plan = *body.water;
     const double n = PoreWater::porosity_of(e);
-    const double of_water = plan.drainage == Drainage::flow ? 0.0 : n * plan.density;
-    const FullPores out{(1.0 - n) * plan.grain_density + of_water,
+    const double carried = plan.drainage == Drainage::flow ? 0.0 : n * plan.density;
+    const FullPores out{(1.0 - n) * plan.grain_density + carried,
                         pore_pressure_at(plan, gravity, z)};
     if (!(out.pressure < plan.bulk_modulus))
         refuse(body, "the bulk modulus of water, " + std::to_string(plan.bulk_modulus) +

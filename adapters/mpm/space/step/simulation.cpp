@@ -187,7 +187,7 @@ void Simulation::add_up() {
         pic,
         transfer,
         pore_water,
-        half,
+        half_step,
         count
     };
     const bool fixed_point = model.settings.fixed_point;
@@ -198,7 +198,7 @@ void Simulation::add_up() {
             step[lost].add(static_cast<double>(g.outside), fixed_point);
             step[external_work] += g.body_work;
             step[viscosity] += pencil.viscous_loss;
-            step[half] += pencil.half;
+            step[half_step] += pencil.half;
             step[pic] += g.pic_loss;
             (step[transfer] += g.pic_loss) -= g.kept;
         }
@@ -211,7 +211,7 @@ void Simulation::add_up() {
     for (std::size_t body = 0; body < model.parts.size(); ++body)
         for (const Water::OfPencil& pencil : water.pencils(body)) {
             step[pore_water] += pencil.work;
-            step[half] += pencil.half;
+            step[half_step] += pencil.half;
         }
     step[traction_work] += loads.work();
     model.exchange.sum(step, fixed_point);
@@ -222,7 +222,7 @@ void Simulation::add_up() {
     energies.pic += step[pic].value();
     energies.transfer += step[transfer].value();
     energies.pore_water += step[pore_water].value();
-    energies.half = step[half].value();
+    energies.half = step[half_step].value();
     if (const double found = step[lost].value(); found > 0.0)
         report_lost(static_cast<std::ptrdiff_t>(found));
     // Sums in fixed point have an end, beyond which they are no numbers.
