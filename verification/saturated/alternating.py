@@ -49,9 +49,21 @@ def centre(cell):
     return 0.5 * sum(LINES_R[cell[0]:cell[0] + 2]), LOWEST + (cell[1] + 0.5) * CELL_Z
 
 
+def along(cell, direction, n):
+    return tuple(c + n * d for c, d in zip(cell, direction))
+
+
 def fourth(values, cell, direction):
-    near = [values.get((cell[0] + i * direction[0], cell[1] + i * direction[1])) for i in range(-2, 3)]
+    near = [values.get(along(cell, direction, n)) for n in range(-2, 3)]
     return None if None in near else sum(w * p for w, p in zip(WEIGHTS, near)) / 16
+
+
+def in_a_row(values, cell, direction):
+    """What alternates in the five cells around one; None: nine are not there."""
+    parts = [fourth(values, along(cell, direction, n), direction) for n in range(-2, 3)]
+    if None in parts:
+        return None
+    return min(map(abs, parts)) if all(a * b < 0 for a, b in zip(parts, parts[1:])) else 0.0
 
 
 def around(values, cell):
@@ -71,12 +83,9 @@ def one_way(values, least, tip):
     """(part, whether all nine cells bear)."""
     for cell in near_the_tip(values, tip):
         for direction in ((1, 0), (0, 1)):
-            near = [(cell[0] + n * direction[0], cell[1] + n * direction[1]) for n in range(-4, 5)]
-            parts = [fourth(values, each, direction) for each in near[2:-2]]
-            if None not in parts:
-                alternates = all(a * b < 0 for a, b in zip(parts, parts[1:]))
-                yield (min(abs(part) for part in parts) if alternates else 0.0,
-                       min(least[each] for each in near) > -CAVITATES)
+            part = in_a_row(values, cell, direction)
+            if part is not None:
+                yield part, min(least[along(cell, direction, n)] for n in range(-4, 5)) > -CAVITATES
 
 
 def checkerboards(values, least, tip):
