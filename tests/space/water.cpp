@@ -331,42 +331,68 @@ TEST(SpaceWater, RefusesAGivenSurfaceOfAWetBody) {
     EXPECT_FALSE(mpm::objection_to_contact(plan, 0, same_name));
 }
 
-// Sand that is strained in all directions, each its own way, and back: its grains keep their volume.
+// A cell of saturated sand, whose nodes at 0 are held while those at 1 m have the particle's velocity: it is the gradient.
+class WetSand {
+  public:
+    // p: mean effective pressure, p_w: the column of the pore pressure [Pa].
+    WetSand(double p, double e, double p_w) {
+        Body cell;
+        cell.material =
+            std::make_unique<Sand>(catalogue_sand("lausitz", 1000.0), options_with_tolerance(1e-3));
+        cell.water = PoreWater{.first = column::own + cell.material->own_columns(),
+                               .void_ratio_column = cell.material->separation().void_ratio,
+                               .opening_cap = cell.material->separation().cap};
+        cell.particles = Particles(cell.material->own_columns() + cell.water->columns());
+        add_brick(cell.particles, {{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}, {1, 1, 1}, 2000.0});
+        const ParticleView q = cell.particles.view();
+        for (int k = 0; k < 3; ++k) q[column::S_xx + k][0] = -p;
+        q[cell.water->void_ratio_column][0] = e;
+        q[cell.water->first][0] = p_w;
+        simulation.add_body(std::move(cell));
+        for (const int d : {0, 1, 2}) simulation.fix_below(d, 0.0);
+    }
+    const PoreWater& water() { return *simulation.body(0).water; }
+    double e() { return view()[water().void_ratio_column][0]; }
+    double p_w() { return view()[water().first][0]; }
+    double bears() { return water().pressure(view(), 0); }
+    void strain_by(const Vector3& rates) {
+        for (int k = 0; k < 3; ++k) view()[column::v_x + k][0] = rates[k];
+        simulation.step();
+    }
+
+  private:
+    ParticleView view() { return simulation.body(0).particles.view(); }
+    Simulation simulation{cube_of_cells(1.0, 1), {.cfl = 0.02}};
+};
+
+// Strained in all directions, each its own way, and back: its grains keep their volume.
 TEST(SpaceWater, FollowsTheVoidRatioOfItsSand) {
-    constexpr double p_w0 = 5e4, side = 1.0;
-    Body body = loose_cube_of_sand();
-    const Sand& sand = dynamic_cast<const Sand&>(*body.material);
-    Simulation simulation(cube_of_cells(side, 1), {.cfl = 0.02});
-    Body cell;
-    cell.material = std::make_unique<Sand>(sand.prepared(), sand.update_options());
-    cell.water = PoreWater{.first = column::own + cell.material->own_columns(),
-                           .void_ratio_column = cell.material->separation().void_ratio,
-                           .opening_cap = cell.material->separation().cap};
-    cell.particles = Particles(cell.material->own_columns() + cell.water->columns());
-    add_brick(cell.particles, {{0.0, 0.0, 0.0}, {side, side, side}, {1, 1, 1}, 2000.0});
-    ParticleView q = cell.particles.view();
-    for (int k = 0; k < 3; ++k) q[column::S_xx + k][0] = -1e5;
-    for (int k = 0; k < GRIT_SAND_STATE_SIZE; ++k)
-        q[Sand::state + k][0] = body.particles(Sand::state + k, 0);
-    q[cell.water->first][0] = p_w0;
-    const int first = cell.water->first, e_column = cell.water->void_ratio_column;
-    const double e_0 = q[e_column][0];
-    simulation.add_body(std::move(cell));
-    q = simulation.body(0).particles.view();
-    for (const int d : {0, 1, 2}) simulation.fix_below(d, 0.0);
+    constexpr double p_w0 = 5e4, e_0 = 0.65;
+    WetSand sand(1e5, e_0, p_w0);
     double least = p_w0, most = p_w0;
     for (int i = 0; i < 900; ++i) {
-        // Nodes at 0 are held, those at 1 m have the particle's velocity: it is the gradient.
-        const double sign = i / 300 == 1 ? -1.0 : 1.0, rates[] = {-0.7, 0.4, 0.28};
-        for (int k = 0; k < 3; ++k) q[column::v_x + k][0] = sign * rates[k];
-        simulation.step();
-        q = simulation.body(0).particles.view();
-        const double expected = p_w0 - K_w * std::log(q[e_column][0] / e_0);
-        ASSERT_NEAR(q[first][0], expected, 1e-6 * std::fabs(expected) + 1e-3) << i;
+        const double sign = i / 300 == 1 ? -1.0 : 1.0;
+        sand.strain_by(sign * Vector3{-0.7, 0.4, 0.28});
+        const double expected = p_w0 - K_w * std::log(sand.e() / e_0);
+        ASSERT_NEAR(sand.p_w(), expected, 1e-6 * std::fabs(expected) + 1e-3) << i;
         least = std::fmin(least, expected);
         most = std::fmax(most, expected);
     }
     EXPECT_GT(most - least, 1e5);
+}
+
+// Pores that have opened as far as they go open no cavity further, and their water bears again where they close from there.
+TEST(SpaceWater, KeepsACavityWherePoresAreOpenToTheCap) {
+    constexpr double cavity = -1.2e5, tension = -1e5;
+    const double cap = mpm::opening_cap(catalogue_sand("lausitz", 1000.0));
+    WetSand sand(0.0, cap, cavity);
+    for (int i = 0; i < 5; ++i) sand.strain_by({0.1, 0.2, 0.0});
+    EXPECT_EQ(sand.p_w(), cavity);
+    EXPECT_EQ(sand.bears(), tension);
+    for (int i = 0; i < 200 && sand.bears() <= 0.0; ++i) sand.strain_by({-0.05, 0.0, 0.0});
+    EXPECT_GT(sand.bears(), 0.0);
+    const double expected = cavity - K_w * std::log(sand.e() / cap);
+    EXPECT_NEAR(sand.p_w(), expected, 1e-3 * std::fabs(cavity));
 }
 
 // What has cavitated bears no more than its tension, and bears again where the pores have closed.
