@@ -16,7 +16,7 @@ NOT_RUN = [
     (r"build/\w+/verification/robustness/torture ", "hours; tests Torture.* run fewer trials"),
     (r"build/\w+/verification/calibration/calibration_synthetic ", "a quarter of an hour"),
     (r"verification/(pile|push|saturated|footing|lammps|benchmarks)/\S+ |verification/pile/run$|verification/saturated/pile_figures.py|"
-     r"verification/space/(quarter|phases|plates|py_curves|uplift).py |xvfb-run -a verification/|for [ac] in .* verification/space/(shifted_pile.py|stub_plane|picture.py)|gnuplot -c verification/|cp results/benchmark/", "a campaign of minutes or hours, or what is made of its results"),
+     r"verification/space/(quarter|phases|plates|py_curves|uplift).py |xvfb-run -a verification/|for [acn] in .* (verification/space/(shifted_pile.py|stub_plane|picture.py|phases.py)|results/geo_)|gnuplot -c verification/|cp results/benchmark/", "a campaign of minutes or hours, or what is made of its results"),
     (r"grit mpm verification/space/ten_million.toml ", "ten million particles"),
 ]
 
