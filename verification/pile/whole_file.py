@@ -8,7 +8,9 @@ import tempfile
 
 @contextlib.contextmanager
 def whole_file(target):
-    """A new file beside target, which takes its name where the block ends well and is gone where it does not."""
+    """A new file beside target, which takes its name where the block ends well and is gone where it does not. Folders that are not there
+    are made."""
+    target.parent.mkdir(parents=True, exist_ok=True)
     handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
     os.close(handle)
     path = pathlib.Path(name)
