@@ -4,11 +4,9 @@
 
 #include <cmath>
 
+#include "support/beside_plane.hpp"
 #include "support/loose_cube.hpp"
 #include "support/manufactured.hpp"
-
-#include <adapters/mpm/kernel/elastic.hpp>
-#include <adapters/mpm/step/simulation.hpp>
 
 namespace {
 
@@ -147,55 +145,24 @@ TEST(SpaceThreads, ChangeNoBit) {
 TEST(SpaceSlab, InPlaneStrainIsThatOfThePlane) {
     namespace mpm = grit::mpm;
     namespace pc = grit::mpm::column;
-    constexpr double g = 9.81, width = 0.2;
-    const Axis x = Axis::uniform(0.0, 2.0, 10), z = Axis::uniform(0.0, 1.6, 8);
-    mpm::Settings settings{.axisymmetric = false, .local_damping = 0.05};
-    settings.gravity_z = -g;
-    mpm::Simulation plane(x, z, settings);
-    Simulation space({x, Axis::uniform(0.0, width, 1), z}, settings);
-    space.set_gravity({0.0, 0.0, -g});
-    mpm::Body flat;
-    for (int j = 0; j < 8; ++j)
-        for (int i = 0; i < 10; ++i)
-            flat.particles.add({0.25 + 0.1 * i, 0.05 + 0.1 * j, 0.05, 0.05, 1500.0, 1.0, -2.0},
-                               false);
-    flat.material = std::make_unique<mpm::LinearElastic>(1e6, 0.3);
-    Body brick;
-    for (int j = 0; j < 8; ++j)
-        for (int i = 0; i < 10; ++i)
-            brick.particles.add({{0.25 + 0.1 * i, 0.5 * width, 0.05 + 0.1 * j},
-                                 {0.05, 0.5 * width, 0.05},
-                                 1500.0,
-                                 {1.0, 0.0, -2.0}});
-    brick.material = std::make_unique<LinearElastic>(1e6, 0.3);
-    plane.add_body(std::move(flat));
-    space.add_body(std::move(brick));
-    plane.fix_below(1, 0.0);
-    space.fix_below(2, 0.0);
-    space.fix_below(1, 0.0);
-    space.fix_above(1, width);
-    plane.add_traction({0, 79, mpm::Edge::top, [](double t) {
-                            return grit::Vector2{1e4 * t, -2e4};
-                        }});
-    space.add_traction({0, 79, {2, true}, [](double t) { return Vector3{1e4 * t, 0.0, -2e4}; }});
-    for (int i = 0; i < 100; ++i) {
-        plane.step();
-        space.step();
-    }
-    EXPECT_NEAR(space.time(), plane.time(), 1e-12 * plane.time());
-    const mpm::Particles& a = plane.body(0).particles;
-    const Particles& b = space.body(0).particles;
-    for (int id = 0; id < 80; ++id) {
-        const std::ptrdiff_t p = plane.find(0, id), s = space.find(0, id);
-        EXPECT_NEAR(b(column::x, s), a(pc::r, p), 1e-11);
-        EXPECT_NEAR(b(column::z, s), a(pc::z, p), 1e-11);
-        EXPECT_NEAR(b(column::S_xx, s), a(pc::S_rr, p), 1e-4);
-        EXPECT_NEAR(b(column::S_zz, s), a(pc::S_zz, p), 1e-4);
-        EXPECT_NEAR(b(column::S_yy, s), a(pc::S_tt, p), 1e-4);
-        EXPECT_NEAR(b(column::S_xz, s), a(pc::S_rz, p), 1e-4);
-        EXPECT_GT(std::fabs(a(pc::S_zz, p)), 10.0);
-    }
-    EXPECT_NEAR(space.energy().residual() / width, plane.energy().residual(), 1e-6);
+    BesidePlane both({.axisymmetric = false, .local_damping = 0.05});
+    both.add<mpm::LinearElastic, LinearElastic>({0.25, 0.05, 10, 8, 1500.0, 1.0, -2.0}, 1e6, 0.3);
+    both.plane.add_traction({0, 79, mpm::Edge::top, [](double t) {
+                                 return grit::Vector2{1e4 * t, -2e4};
+                             }});
+    both.space.add_traction({0, 79, {2, true}, [](double t) {
+                                 return Vector3{1e4 * t, 0.0, -2e4};
+                             }});
+    for (int i = 0; i < 100; ++i) both.step();
+    both.expect_same(
+        [](const mpm::Particles& a, std::ptrdiff_t p, const Particles& b, std::ptrdiff_t s) {
+            EXPECT_NEAR(b(column::S_xx, s), a(pc::S_rr, p), 1e-4);
+            EXPECT_NEAR(b(column::S_zz, s), a(pc::S_zz, p), 1e-4);
+            EXPECT_NEAR(b(column::S_yy, s), a(pc::S_tt, p), 1e-4);
+            EXPECT_NEAR(b(column::S_xz, s), a(pc::S_rz, p), 1e-4);
+            EXPECT_GT(std::fabs(a(pc::S_zz, p)), 10.0);
+        });
+    EXPECT_NEAR(both.space.energy().residual() / both.width, both.plane.energy().residual(), 1e-6);
 }
 
 TEST(SpaceSimulation, RefusesWhatIsNotThere) {
