@@ -232,7 +232,7 @@ TEST(CompactFlow, TakesOffJumpsBesideCavities) {
     }
 }
 
-// Where no cell cavitates, too, but nothing of a jump.
+// Where no cell cavitates, too, but nothing of a jump; of a row of cells that stands out a sixteenth.
 TEST(CompactFlow, TakesOffWhatAlternatesInFiveCells) {
     constexpr double step = 1e-9;
     for (const bool along_r : {false, true}) {
@@ -251,6 +251,12 @@ TEST(CompactFlow, TakesOffWhatAlternatesInFiveCells) {
         }
         EXPECT_NE(left[6 * Block::side + 6], 0.0);
     }
+    const Block::Cells left =
+        Block({.step = step, .all_cavitate = false}).leaving(Block::of([](int i, int) {
+            return i == 6 ? 1.0 : 0.0;
+        }));
+    EXPECT_NEAR(left[6 * Block::side + 6], 0.9 * step / 16.0, 1e-15 * step);
+    EXPECT_NEAR(left[6 * Block::side + 7], -0.9 * step / 16.0 * 15.0 / 16.0, 1e-15 * step);
 }
 
 // Of linear pressures and cubic ones along r or z nothing, of half a wave in eight cells a few millionths.
@@ -444,13 +450,10 @@ TEST(ImplicitPressure, LetsParticlesOfACellComeTogether) {
     }
 }
 
-// Particles of a cell, two that bear and two with a cavity: from those to these water flows through the grains as in a checkerboard of
-// cells, 8/h^2 k/(rho_w g) K_w/n a second but for the inertia of the water, and half of it in a step at most. Pores that are open to the
-// cap keep their cavity, and nothing flows.
-TEST(ImplicitPressure, LetsWaterFlowIntoTheCavitiesOfACell) {
-    constexpr double n = SaturatedColumn::n, weight = SaturatedColumn::rho_w * standard_gravity,
-                     h = 1.0 / Checkerboard::cells;
-    for (const double conductivity : {0.0, 1e-7, 1e-6, 1e-2})
+// Particles of a cell, two that bear and two with a cavity: water goes from those to these, half of the way in a step, whatever the
+// conductivity. Pores that are open to the cap keep their cavity, and nothing goes.
+TEST(ImplicitPressure, FillsTheCavitiesOfACellWithItsWater) {
+    for (const double conductivity : {0.0, 1e-7, 1e-2})
         for (const bool open : {false, true}) {
             BuiltCase built = Checkerboard{.conductivity = conductivity, .cfl = 0.1}.build();
             Simulation& simulation = *built.simulation;
@@ -469,28 +472,15 @@ TEST(ImplicitPressure, LetsWaterFlowIntoTheCavitiesOfACell) {
                 q[body.water->first][p] = first[place(p)];
             std::array<double, 4> p_w = first;
             for (int i = 0; i < 10; ++i) {
-                const double t = simulation.time();
                 simulation.step();
-                const double dt = simulation.time() - t;
-                double share = 0.0;
-                if (conductivity > 0.0 && !open &&
-                    *std::min_element(p_w.begin(), p_w.end()) <= -tension)
-                    share = std::min(8.0 / (h * h) * dt * dt * SaturatedColumn::K_w /
-                                         (SaturatedColumn::rho_w + dt * n * weight / conductivity),
-                                     0.5);
+                if (open || *std::min_element(p_w.begin(), p_w.end()) > -tension) continue;
                 double mean = 0.0;
                 for (const double p : p_w) mean += 0.25 * std::max(p, -tension);
-                for (double& p : p_w) p += share * (mean - std::max(p, -tension));
+                for (double& p : p_w) p += 0.5 * (mean - std::max(p, -tension));
             }
+            EXPECT_EQ(*std::min_element(p_w.begin(), p_w.end()) > -tension, !open);
             for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p)
                 EXPECT_NEAR(q[body.water->first][p], p_w[place(p)], 1.0) << conductivity << open;
-            const bool fills = conductivity > 0.0 && !open;
-            for (std::ptrdiff_t p = 0; p < body.particles.size(); ++p) {
-                const double now = q[body.water->first][p];
-                EXPECT_EQ(std::fabs(now - first[place(p)]) > 10.0, fills) << conductivity;
-                if (place(p) != 3) continue;
-                EXPECT_EQ(now > -tension, fills && conductivity > 1e-7) << conductivity;
-            }
         }
 }
 

@@ -21,7 +21,8 @@ CompactFlow::CompactFlow(const GridView& grid, Exchange& processes, bool in_fixe
       at_cells((row + 1) + row * (static_cast<std::size_t>(grid.z.cells) + 1)),
       mixed(at_cells.size()), around(mixed.size() - (row + 1)), given(around.size() + 2 * row),
       second(given.size()), compliance_of_five(given.size()), fourth(given.size()),
-      least_of_three(given.size()), alternating(given.size()), leaves(given.size()) {}
+      least_of_three(given.size()), least_of_five(given.size()), most_of_three(given.size()),
+      alternating(given.size()), leaves(given.size()) {}
 
 void CompactFlow::begin(const std::vector<Cell>& now, const std::vector<CompactAnswer>& answers) {
     cells = now;
@@ -91,8 +92,8 @@ template <class Find> void CompactFlow::find_along(const Find& find) {
     }
 }
 
-// Fourth differences B p of five cells in a row, 1, -4, 6, -4, 1 over 16, or the least of five of them that change sign, by the least
-// compliance of the five cells, and B of that.
+// Fourth differences B p of five cells in a row, 1, -4, 6, -4, 1 over 16, or of five of them in a row that change sign the least, by the
+// least compliance of the five cells, and B of that.
 void CompactFlow::add_of_alternating(const double* p, double* out) {
     constexpr double most = 0.9;  // of what alternates along a direction
     part.assign(cells.size(), 0.0);
@@ -101,7 +102,8 @@ void CompactFlow::add_of_alternating(const double* p, double* out) {
 
     std::fill(given.begin(), given.end(), Given{});
     std::fill(second.begin(), second.end(), Second{});
-    for (std::vector<Vector2>* of_cells : {&fourth, &least_of_three, &alternating, &leaves})
+    for (std::vector<Vector2>* of_cells :
+         {&fourth, &least_of_three, &least_of_five, &most_of_three, &alternating, &leaves})
         std::fill(of_cells->begin(), of_cells->end(), Vector2{});
     for (std::size_t c = 0; c < cells.size(); ++c)
         if (cells[c].counted)
@@ -135,13 +137,22 @@ void CompactFlow::add_of_alternating(const double* p, double* out) {
     });
     share(least_of_three);
     find_along([this](std::size_t at, std::size_t k, std::size_t step) {
+        least_of_five[at][k] = std::min(least_of_three[at - step][k], least_of_three[at + step][k]);
+    });
+    share(least_of_five);
+    find_along([this](std::size_t at, std::size_t k, std::size_t step) {
+        most_of_three[at][k] = std::max(
+            {least_of_five[at - step][k], least_of_five[at][k], least_of_five[at + step][k]});
+    });
+    share(most_of_three);
+    find_along([this](std::size_t at, std::size_t k, std::size_t step) {
         const bool cavitates =
             second[at - step].cavitates[k] + second[at + step].cavitates[k] > 0.0;
-        const double least_of_five =
-                         std::min(least_of_three[at - step][k], least_of_three[at + step][k]),
+        const double most_of_five =
+                         std::max(most_of_three[at - step][k], most_of_three[at + step][k]),
                      here = fourth[at][k];
         alternating[at][k] = most * compliance_of_five[at][k] *
-                             (cavitates ? here : std::copysign(least_of_five, here));
+                             (cavitates ? here : std::copysign(most_of_five, here));
     });
     share(alternating);
     find_along([this](std::size_t at, std::size_t k, std::size_t step) {

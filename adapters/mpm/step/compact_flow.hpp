@@ -36,9 +36,10 @@ class CompactFlow {
     // - Checkerboards: M' sqrt(a) M M' sqrt(a) M p / 256, M the mixed differences at nodes, a their answers to changes: of a
     //   checkerboard as much as a change of it would start, and of no pressures more.
     // - Along r and along z: 0.9 B k B p, B the fourth differences 1, -4, 6, -4, 1 over 16 of five cells in a row, k the least
-    //   compliance of their water, where one of the five cavitates. Elsewhere, where B p changes sign from cell to cell in five of them,
-    //   of the least of the five: nothing beside a jump. No alternating pressure grows by it: in a checkerboard, which has both
-    //   directions, what the cells' own water could bear turns over to 0.8 of itself.
+    //   compliance of their water, where one of the five cavitates. Elsewhere 0.9 B k b: b has in all five cells of a row along which
+    //   B p changes sign from cell to cell the least of the five (of all such rows that a cell is in the most), with the sign of B p:
+    //   nothing beside a jump. No alternating pressure grows by it: in a checkerboard, which has both directions, what the cells' own
+    //   water could bear turns over to 0.8 of itself.
     void add_of_alternating(const double* p, double* out);
     // ... of that of changes, by 1 Pa of the cell's own pressure [m3/Pa].
     double own(std::size_t cell) const {
@@ -60,8 +61,8 @@ class CompactFlow {
     std::vector<Vector2> around;
     // At the first node of each cell, between rows of nothing, along r and z but for given: what neighbours must know of a cell.
     // second: second differences of the pressure; of these three cells the least compliance, and 1 where one cavitates.
-    // compliance_of_five: the least; fourth: second differences of second ones; least_of_three: of these, that change sign. alternating:
-    // 0.9 k B p [m3]; leaves: second differences of it.
+    // compliance_of_five: the least; fourth: second differences of second ones; least_of_three, least_of_five: of these, that change sign;
+    // most_of_three: of the latter. alternating: 0.9 k B p [m3]; leaves: second differences of it.
     struct Given {
         double pressure, compliance, cavitates;
     };
@@ -70,7 +71,8 @@ class CompactFlow {
     };
     std::vector<Given> given;
     std::vector<Second> second;
-    std::vector<Vector2> compliance_of_five, fourth, least_of_three, alternating, leaves;
+    std::vector<Vector2> compliance_of_five, fourth, least_of_three, least_of_five, most_of_three,
+        alternating, leaves;
     std::vector<double> part;  // of cells, on the way to what leaves of checkerboards
     double* first_cell() { return at_cells.data() + row + 1; }
     void add(const std::vector<double>& answer, const double* x, double* out);

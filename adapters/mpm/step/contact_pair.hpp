@@ -57,11 +57,14 @@ class ContactPair {
             work(node, Vector2{normal[2 * node], normal[2 * node + 1]});
         }
     }
-    // ... and that press: until correct as in the step before.
+    // work(node, normal, f_p) for those of them that press, after correct.
     template <class Work> void each_pressed(const Work& work) const {
-        each_found([&](std::size_t node, const Vector2& n) {
-            if (touched[node]) work(node, n);
-        });
+        for (std::size_t i = 0; i < active.size(); ++i) {
+            const auto node = static_cast<std::size_t>(active[i]);
+            if (touched[node])
+                work(node, Vector2{normal[2 * node], normal[2 * node + 1]},
+                     reports[i].penalty_factor);
+        }
     }
     // What pore water presses with at a node that find has found, which does not rub [N s].
     void bear(std::size_t node, double impulse) {

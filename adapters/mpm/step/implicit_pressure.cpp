@@ -393,26 +393,14 @@ void ImplicitPressure::solve(const PoreWater& water, const GridView& grid, Parti
     for (Vector2& J : impulses) J = {dt * J[0], dt * J[1]};
 }
 
-void ImplicitPressure::find_after(const PoreWater& water, const GridView& grid, double dt,
-                                  double pic) {
+void ImplicitPressure::find_after(double pic) {
     // No particle goes beyond the mean by it, unless its K_w/n is twice that of the cell.
-    constexpr double most = 0.5;
-    const auto of_row = static_cast<std::size_t>(cells_r);
+    constexpr double where_some_cavitate = 0.5;
     for (std::size_t c = 0; c < cells.size(); ++c) {
         const Cell& cell = cells[c];
-        double flows = 0.0;
-        if (water.flows && cell.closes) {
-            // What drains from a checkerboard of the cell in a step, 4 k/(rho_w g) K_w/n (1/h_r^2 + 1/h_z^2) dt but for the inertia of
-            // the water.
-            const double n = water.bulk_modulus / cell.stiffness;
-            const double through = n * n / (n * water.density + dt * water.drag(n / (1.0 - n)));
-            const double drains = compact_answer(
-                1.0, 1.0 / grid.r.inverse[patched[c].patch % of_row],
-                1.0 / grid.z.inverse[patched[c].patch / of_row], {through, through}, dt);
-            flows = std::min(drains * cell.stiffness, most);
-        }
         after_of_grid[patched[c].patch] = {flow[c], cell.common, cell.stiffness,
-                                           pic + (1.0 - pic) * flows};
+                                           cell.closes ? pic + (1.0 - pic) * where_some_cavitate
+                                                       : pic};
     }
 }
 

@@ -57,9 +57,9 @@ class ImplicitPressure {
     void solve(const PoreWater& water, const GridView& grid, Particles& particles, double dt,
                const std::vector<Vector2>& u, const Answers& answers, bool again,
                std::vector<Vector2>& impulses);
-    // Of the cells of the grid, once it is solved for good. Particles come together by the share pic, and where some have a cavity
-    // that they do not keep as water flows through the grains: as fast as between cells whose pressures change sign from one to the next.
-    void find_after(const PoreWater& water, const GridView& grid, double dt, double pic);
+    // Of the cells of the grid, once it is solved for good. Particles come together by the share pic, and by half of the way where
+    // some have a cavity that they do not keep.
+    void find_after(double pic);
     const ImplicitCell* after() const { return after_of_grid.data(); }
     // ... for the next step's guess.
     void remember(double dt);

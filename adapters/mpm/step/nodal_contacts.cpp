@@ -28,8 +28,9 @@ void NodalContacts::part(const ContactPair& contact) {
     const ContactLaw& law = contact.law();
     for (const std::size_t i : {law.a, law.b})
         if (water.flows(i))
-            contact.each_pressed(
-                [&](std::size_t node, const Vector2& normal) { water.part(i, node, normal); });
+            contact.each_pressed([&](std::size_t node, const Vector2& normal, double) {
+                water.part(i, node, normal);
+            });
 }
 
 void NodalContacts::change_pressures(SurfaceContacts& surfaces) {
@@ -41,8 +42,8 @@ void NodalContacts::change_pressures(SurfaceContacts& surfaces) {
         for (std::size_t i = 0; i < contacts.size(); ++i) {
             const ContactLaw& law = contacts[i].law();
             if (law.a != body && law.b != body) continue;
-            contacts[i].each_pressed([&](std::size_t node, const Vector2& normal) {
-                pressed.push_back({node, law.a == body ? law.b : law.a, normal});
+            contacts[i].each_pressed([&](std::size_t node, const Vector2& normal, double share) {
+                pressed.push_back({node, law.a == body ? law.b : law.a, normal, share});
                 of.push_back(i);
             });
         }

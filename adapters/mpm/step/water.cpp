@@ -427,7 +427,8 @@ CompactAnswer Water::compact_answers(std::size_t i, std::size_t node, const Vect
     return out;
 }
 
-// Where another body presses, all that meets there moves alike across; beside, what is free answers as it did.
+// Where another body presses, what the contact takes of an approach moves all that meets there alike, and what it leaves grains and water,
+// alike as well; beside, what is free answers as it did.
 std::vector<Water::Together> Water::hold_together(std::size_t i, std::vector<Pressed>& pressed) {
     OfBody& body = bodies[i];
     std::vector<Together> out;
@@ -441,9 +442,10 @@ std::vector<Water::Together> Water::hold_together(std::size_t i, std::vector<Pre
         const double size = std::sqrt(along(n, n));
         if (size == 0.0) continue;
         n = {n[0] / size, n[1] / size};
-        const double mass = model.parts[i].records[p.node][record::m] + water_mass(i, p.node) +
-                            m_o + water_mass(p.other, p.node);
-        out.push_back({&p, n, other.body.rigid() ? 0.0 : 1.0 / mass});
+        const double mass = model.parts[i].records[p.node][record::m] + water_mass(i, p.node);
+        const double alike =
+            other.body.rigid() ? 0.0 : p.share / (mass + m_o + water_mass(p.other, p.node));
+        out.push_back({&p, n, alike + (1.0 - p.share) / mass, alike});
     }
     const auto node_of = [](const Together& t) { return t.at->node; };
     std::stable_sort(out.begin(), out.end(),
@@ -475,20 +477,23 @@ void Water::push_by(std::size_t i, std::size_t node, const Vector2& J) {
     }
 }
 
-// ... across which all move alike: what is left along it moves grains and water, what they do not take bears on the other.
+// ... across which grains and water move alike, and the other one as far as the contact lets it: what is left along it moves grains and
+// water, what they do not take bears on the other.
 Water::Wall Water::push_together(std::size_t i, const Together& together, const Vector2& J) {
     const Vector2& n = together.normal;
     const std::size_t node = together.at->node, other = together.at->other;
     const double across = along(J, n), way = together.per_mass * across;
     push_by(i, node, {J[0] - across * n[0], J[1] - across * n[1]});
-    const auto move = [&](NodeMotion& v) {
-        v[motion::v_r] += way * n[0];
-        v[motion::v_z] += way * n[1];
+    const auto move = [&](std::size_t body, double by) {
+        for (const bool of_water : {false, true}) {
+            if (of_water ? !flows(body) : model.parts[body].body.rigid()) continue;
+            NodeMotion& v = of_water ? bodies[body].flowing[node] : model.parts[body].motions[node];
+            v[motion::v_r] += by * n[0];
+            v[motion::v_z] += by * n[1];
+        }
     };
-    move(model.parts[i].motions[node]);
-    if (flows(i)) move(bodies[i].flowing[node]);
-    if (!model.parts[other].body.rigid()) move(model.parts[other].motions[node]);
-    if (flows(other)) move(bodies[other].flowing[node]);
+    move(i, way);
+    move(other, together.other_per_mass * across);
     const double porosity_there = porosity(i, node);
     const Wall wall{i,
                     other,
@@ -743,8 +748,7 @@ void Water::update() {
     sum_cells();
     const double pic = std::min(model.settings.pic_rate * model.dt, 1.0);
     for (std::size_t i = 0; i < bodies.size(); ++i)
-        if (is_implicit(i))
-            bodies[i].implicit->find_after(*model.parts[i].body.water, model.grid(), model.dt, pic);
+        if (is_implicit(i)) bodies[i].implicit->find_after(pic);
     model.for_strips([this](std::size_t i, int strip) {
         if (!has(i)) return;
         Part& part = model.parts[i];

@@ -90,10 +90,11 @@ class Water {
     void follow(std::size_t body, std::size_t node, const Vector2& grains, const Vector2& seepage);
     // What bears in the cell of a particle, its mean, between push and update [Pa].
     double pressure_at(std::size_t body, std::ptrdiff_t particle) const;
-    // A node of a body where another one presses on it now: across, they have one velocity.
+    // A node of a body where another one presses on it now.
     struct Pressed {
         std::size_t node, other;
         Vector2 normal;
+        double share;  // of the approach that the contact takes: 1 leaves them one velocity across
         double impulse = 0.0;  // out: on the other body along the normal [N s]
     };
     bool has(std::size_t body) const { return model.parts[body].body.water.has_value(); }
@@ -189,11 +190,11 @@ class Water {
     double porosity(std::size_t body, std::size_t node) const;
     double water_mass(std::size_t body, std::size_t node) const;
     bool has_pores(std::size_t body, std::size_t node) const;
-    // A node that another body presses on: the normal along which it is free, and what an impulse moves all by.
+    // A node that another body presses on: the normal along which it is free, and what an impulse on this body moves both by.
     struct Together {
         Pressed* at;
         Vector2 normal;
-        double per_mass;  // [1/kg]
+        double per_mass, other_per_mass;  // [1/kg]
     };
     // Lanes of the volume velocity (1 - n) v_s + n v_w of a node, their sum [m/s].
     double volume_velocity(std::size_t body, std::size_t node, int lane, int other_lane) const;

@@ -41,13 +41,22 @@ inline Case under_a_piston(const SaturatedColumn& column, bool at_surfaces = fal
     return plan;
 }
 
-// A block, dry or not, hits the top of a free column at 0.1 m/s.
+// A Geo-contact of that power that nodes answer to wherever both bodies are.
+inline void make_geo(ContactPlan& contact, double power) {
+    contact.law = GRIT_CONTACT_GEO;
+    contact.penalty_power = power;
+    contact.gated = false;
+}
+
+// A block, dry or not, hits the top of a free column at 0.1 m/s. power: of a Geo-contact, 0.3 of a cell away from nodes; 0:
+// frictional contact at nodes.
 inline BuiltCase hit_by_a_block(const SaturatedColumn& column, bool at_surfaces = false,
-                                const std::optional<WaterPlan>& in_block = {}) {
+                                const std::optional<WaterPlan>& in_block = {}, double power = 0.0) {
     Case plan = column.plan();
     const double h = column.cell(), L = column.height;
     plan.boundary[static_cast<int>(Side::bottom)] = Boundary::free;
-    plan.z = {-4.0 * h, {{2.0 * L, 36, 1.0}}};
+    const double lower = (power > 0.0 ? -4.3 : -4.0) * h;
+    plan.z = {lower, {{lower + 36 * h, 36, 1.0}}};
     BodyPlan block{};
     block.name = "block";
     block.outlines = {Outline{{{0.0, L}, {h, L}, {h, 1.5 * L}, {0.0, 1.5 * L}}}};
@@ -56,6 +65,7 @@ inline BuiltCase hit_by_a_block(const SaturatedColumn& column, bool at_surfaces 
     block.water = in_block;
     plan.bodies.push_back(block);
     plan.contacts = {contact_with("block", "sand", at_surfaces)};
+    if (power > 0.0) make_geo(plan.contacts[0], power);
     BuiltCase built = build_case(plan);
     Body& falling = built.simulation->body(1);
     for (std::ptrdiff_t p = 0; p < falling.particles.size(); ++p)
