@@ -26,7 +26,7 @@ LocalRun::LocalRun(FixCase given, VariableAt values)
         for (const mpm::BodyPlan& body : plan.plan.bodies) {
             const auto material = mpm::space::material_of(body);
             const auto& water = waters.emplace_back(mpm::space::water_of(body, material.get()));
-            names_of.push_back(mpm::space::column_names(material.get(), water ? &*water : nullptr));
+            names_of.push_back(mpm::space::column_names(material.get(), water));
         }
         return;
     }
@@ -37,7 +37,7 @@ LocalRun::LocalRun(FixCase given, VariableAt values)
         const auto material = mpm::make_material(body);
         auto& water = waters.emplace_back();
         if (body.water) water = mpm::make_water(body, *material);
-        names_of.push_back(mpm::column_names(material.get(), water ? &*water : nullptr));
+        names_of.push_back(mpm::column_names(material.get(), water));
     }
 }
 

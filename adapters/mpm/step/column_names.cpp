@@ -3,7 +3,8 @@
 
 namespace grit::mpm {
 
-std::vector<std::string> column_names(const Material* material, const PoreWater* water) {
+std::vector<std::string> column_names(const Material* material,
+                                      const std::optional<PoreWater>& water) {
     std::vector<std::string> out(std::begin(column::names), std::end(column::names));
     if (material)
         for (const char* name : material->own_column_names()) out.emplace_back(name);

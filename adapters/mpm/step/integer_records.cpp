@@ -6,8 +6,8 @@
 namespace grit::mpm {
 
 void fail_share(const Body& body, const char* of_what, double t) {
-    fail_share(body.name, body.particles,
-               column_names(body.material.get(), body.water ? &*body.water : nullptr), of_what, t);
+    fail_share(body.name, body.particles, column_names(body.material.get(), body.water), of_what,
+               t);
 }
 
 void IntegerRecords::add_to(std::vector<NodeRecord>& records, Exchange& exchange) {

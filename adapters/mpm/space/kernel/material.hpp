@@ -2,6 +2,7 @@
 // What a body in space is made of: stress from increments or from F, a range of particles at a time.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,9 +36,9 @@ class Material {
 // Beside columns, where hosts show particles: of water (total: effective - pore pressure, tension positive).
 inline constexpr const char* pore_fields[] = {"pore_pressure", "total_xx", "total_yy", "total_zz"};
 
-// Of the columns of a body's particles; null: rigid, dry.
+// Of the columns of a body's particles; null: rigid; no water: dry.
 inline std::vector<std::string> column_names(const Material* material,
-                                             const PoreWater* water = nullptr) {
+                                             const std::optional<PoreWater>& water = {}) {
     std::vector<std::string> out(std::begin(column::names), std::end(column::names));
     if (material)
         for (const char* name : material->own_column_names()) out.emplace_back(name);

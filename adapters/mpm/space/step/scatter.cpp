@@ -13,8 +13,8 @@ const char* name_of_record(int component) {
 }
 
 [[noreturn]] void fail(const Body& body, const char* of_what, double t) {
-    fail_share(body.name, body.particles,
-               column_names(body.material.get(), body.water ? &*body.water : nullptr), of_what, t);
+    fail_share(body.name, body.particles, column_names(body.material.get(), body.water), of_what,
+               t);
 }
 
 }  // namespace
