@@ -146,7 +146,7 @@ inline constexpr CaseWord all[] = {
            "share of the shortest cell that a wave may cross in a step"),
     number("numerics", "pic_rate_per_s", pic_range, per_second,
            "1 − FLIP = rate Δt; particles take an implicit pore pressure of their cell at this "
-           "rate, beside cavities at that of the flow"),
+           "rate, beside cavities by half of the way in each step"),
     number("numerics", "local_damping", damping_range, none,
            "share of the nodal force, against the motion"),
     number("numerics", "largest_step_s", above_zero, second, "", "none"),

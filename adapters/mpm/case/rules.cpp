@@ -204,7 +204,7 @@ Objections objection_to_contact(const Case& plan, std::size_t contact, const Key
             return Objection{"after_damping", std::string(": ") + what + ", in \"" + body +
                                                   "\", knows surface contact before damping alone"};
         if (!water->implicit) continue;
-        if (c.at_surfaces && c.contact_stiffness_multiple > 0.0)
+        if (c.contact_stiffness_multiple > 0.0)
             return Objection{"contact_stiffness_multiple", ": implicit pore pressure, in \"" +
                                                                body +
                                                                "\", knows rigid surfaces alone"};

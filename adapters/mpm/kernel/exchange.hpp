@@ -17,7 +17,7 @@
 //                               three, and one more of the latter
 //   ... ..., ..., fixed point   maxima of what is summed                        8 each
 //   ... ..., once               what alternates: sums of mixed differences,     8 a halo node each
-//                               two, and what cells are to neighbours, six      24, 48, 4 of 16 a halo node
+//                               two, and what cells are to neighbours, eight    24, 48, 6 of 16 a halo node
 //   ... ..., ..., fixed point   maxima of what is summed, two                   8 each
 //   ... ..., ...                whether any pressure is given: maxima, two      8 each
 //   ... ..., each iteration     sums of forces, and of mixed differences        16 and 8 a halo node

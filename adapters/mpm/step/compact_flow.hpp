@@ -38,8 +38,8 @@ class CompactFlow {
     // - Along r and along z: 0.9 B k B p, B the fourth differences 1, -4, 6, -4, 1 over 16 of five cells in a row, k the least
     //   compliance of their water, where one of the five cavitates. Elsewhere 0.9 B k b: b has in all five cells of a row along which
     //   B p changes sign from cell to cell the least of the five (of all such rows that a cell is in the most), with the sign of B p:
-    //   nothing beside a jump. No alternating pressure grows by it: in a checkerboard, which has both directions, what the cells' own
-    //   water could bear turns over to 0.8 of itself.
+    //   nothing beside a jump between pressures that are even, or linear. B p of five cells needs nine in a row. The energy of what the
+    //   cells' own water could bear does not grow by it: of a checkerboard, which has both directions, 0.8 is left, turned over.
     void add_of_alternating(const double* p, double* out);
     // ... of that of changes, by 1 Pa of the cell's own pressure [m3/Pa].
     double own(std::size_t cell) const {
@@ -62,7 +62,7 @@ class CompactFlow {
     // At the first node of each cell, between rows of nothing, along r and z but for given: what neighbours must know of a cell.
     // second: second differences of the pressure; of these three cells the least compliance, and 1 where one cavitates.
     // compliance_of_five: the least; fourth: second differences of second ones; least_of_three, least_of_five: of these, that change sign;
-    // most_of_three: of the latter. alternating: 0.9 k B p [m3]; leaves: second differences of it.
+    // most_of_three: of the latter. alternating: 0.9 k B p or 0.9 k b [m3]; leaves: second differences of it.
     struct Given {
         double pressure, compliance, cavitates;
     };

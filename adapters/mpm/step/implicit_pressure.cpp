@@ -394,7 +394,7 @@ void ImplicitPressure::solve(const PoreWater& water, const GridView& grid, Parti
 }
 
 void ImplicitPressure::find_after(double pic) {
-    // No particle goes beyond the mean by it, unless its K_w/n is twice that of the cell.
+    // Without pic no particle goes beyond the mean by it, unless its K_w/n is twice that of the cell.
     constexpr double where_some_cavitate = 0.5;
     for (std::size_t c = 0; c < cells.size(); ++c) {
         const Cell& cell = cells[c];

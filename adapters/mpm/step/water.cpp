@@ -443,14 +443,17 @@ std::vector<Water::Together> Water::hold_together(std::size_t i, std::vector<Pre
         if (size == 0.0) continue;
         n = {n[0] / size, n[1] / size};
         const double mass = model.parts[i].records[p.node][record::m] + water_mass(i, p.node);
+        // Along a direction that is free beside one that is not the contact takes what its normal has of it.
+        const double share = p.share * size * size;
         const double alike =
-            other.body.rigid() ? 0.0 : p.share / (mass + m_o + water_mass(p.other, p.node));
-        out.push_back({&p, n, alike + (1.0 - p.share) / mass, alike});
+            other.body.rigid() ? 0.0 : share / (mass + m_o + water_mass(p.other, p.node));
+        out.push_back({&p, n, alike + (1.0 - share) / mass, alike});
     }
     const auto node_of = [](const Together& t) { return t.at->node; };
-    std::stable_sort(out.begin(), out.end(),
-                     [&](const Together& a, const Together& b) { return node_of(a) < node_of(b); });
-    // Of several bodies the first one.
+    // Of several bodies the one whose contact takes most, of these the first one.
+    std::stable_sort(out.begin(), out.end(), [&](const Together& a, const Together& b) {
+        return node_of(a) != node_of(b) ? node_of(a) < node_of(b) : a.at->share > b.at->share;
+    });
     out.erase(
         std::unique(out.begin(), out.end(),
                     [&](const Together& a, const Together& b) { return node_of(a) == node_of(b); }),
