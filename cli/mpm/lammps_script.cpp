@@ -276,14 +276,13 @@ std::string pore_columns_comment(const Case& plan) {
         if (plan.space) {
             const auto material = space::material_of(body);
             const auto water = space::water_of(body, material.get());
-            count(space::column_names(material.get(), water ? &*water : nullptr),
-                  water.has_value());
+            count(space::column_names(material.get(), water), water.has_value());
             continue;
         }
         const auto material = make_material(body);
         const auto water =
             body.water ? std::optional(make_water(body, *material)) : std::optional<PoreWater>();
-        count(column_names(material.get(), water ? &*water : nullptr), water.has_value());
+        count(column_names(material.get(), water), water.has_value());
     }
     if (!any) return {};
     std::string out = "# Of atoms:";

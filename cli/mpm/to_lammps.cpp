@@ -90,11 +90,11 @@ void write_data(const Case& plan, Simulated& simulation, std::FILE* file) {
 }
 
 std::vector<std::string> names_of(const Body& body) {
-    return column_names(body.material.get(), body.water ? &*body.water : nullptr);
+    return column_names(body.material.get(), body.water);
 }
 
 std::vector<std::string> names_of(const space::Body& body) {
-    return space::column_names(body.material.get(), body.water ? &*body.water : nullptr);
+    return space::column_names(body.material.get(), body.water);
 }
 
 // What the atoms do not have: all columns from F on.
