@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""alternating.py [--grit FILE] [--out DIR] [--jobs N] [--picture FILE]: what of the pore pressures around a driven pile changes sign
+"""alternating.py [--grit FILE] [--out DIR] [--jobs N] [--picture FILE] [--scatter]: what of the pore pressures around a driven pile changes sign
 from cell to cell, with contact at nodes and at surfaces: the cases blows_*.toml and those of piles.py that have water, and the table of
 docs/saturated.md; a picture of the cells (gnuplot).
 
@@ -9,6 +9,8 @@ Means of cells, their excess over the pressure at rest; within three radii of th
 largest force on its tip over its section. "One way": fourth differences along r or along z over 16, the least of five cells in a row whose signs alternate: of a plain jump
 nothing, of a cell that stands out a sixteenth. "Where water bears": where no particle of the 25 cells, or of those of the row, cavitates, for beside those that
 do the pressure itself jumps.
+--scatter: in place of that the loose piles whose water stays, with five CFL numbers each: means and standard deviations between runs, and
+the largest of all.
 What has ended
 in DIR (results/saturated) is not run again."""
 import bisect
@@ -18,10 +20,12 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "pile"))
+from ensemble import text  # noqa: E402
+from ensemble_tables import spread  # noqa: E402
 from figures import gnuplot  # noqa: E402
 from results import Frame, History  # noqa: E402
-from studies import command_line  # noqa: E402
-from piles import EMBEDMENT, RADIUS, frames, run_due, told  # noqa: E402
+from studies import command_line, run_all  # noqa: E402
+from piles import EMBEDMENT, RADIUS, ended, frames, run_due, told  # noqa: E402
 
 GROWTH, OUTSIDE = 1.3, (0.273, 5.0, 12)  # of cells beyond the pile's way: from, to [m], count
 LINES_R = [0.06825 * n for n in range(4)] + [
@@ -29,6 +33,8 @@ LINES_R = [0.06825 * n for n in range(4)] + [
 LOWEST, CELL_Z = -3.51, 0.09  # of the grid along the pile's way [m]
 CAVITATES = 99.0  # a particle whose pressure is below that [kPa], of 100 in the cases
 SHOWN = 1.05  # [s]
+CFL = (0.38, 0.39, 0.40, 0.41, 0.42)
+SCATTERED = ("pile_loose_flow_1e7", "pile_loose_undrained")
 
 
 WEIGHTS = (1, -4, 6, -4, 1)
@@ -106,27 +112,39 @@ def rms(parts):
     return math.hypot(*parts) / len(parts) ** 0.5 if parts else float("nan")
 
 
+class Drive:
+    """All (part, whether the cells it looks at bear) of a run's frames [kPa], what it presses with [kPa], and its history."""
+
+    def __init__(self, out, case):
+        history = self.history = History(out / f"{case}.csv")
+        drive, t, depth = history.drive(), history["t"], history["depth"]
+        self.along, self.boards = [], []
+        for time, file in frames(out, case):
+            if time < t[drive]:
+                continue
+            at = min(range(len(history)), key=lambda i: abs(t[i] - time))
+            values, least = cells(Frame(file))
+            self.along += one_way(values, least, -EMBEDMENT - depth[at])
+            self.boards += checkerboards(values, least, -EMBEDMENT - depth[at])
+        self.pressed = max(history["tip_force"][drive:]) / (math.pi * RADIUS**2)
+
+    def driven(self):
+        """[mm]"""
+        depth = self.history["depth"]
+        return 1e3 * (depth[self.history.blows()[-1][1]] - depth[self.history.drive()])
+
+
 def row(out, case):
-    history = History(out / f"{case}.csv")
-    drive, t, depth = history.drive(), history["t"], history["depth"]
-    along, boards = [], []
-    for time, file in frames(out, case):
-        if time < t[drive]:
-            continue
-        at = min(range(len(history)), key=lambda i: abs(t[i] - time))
-        values, least = cells(Frame(file))
-        along += one_way(values, least, -EMBEDMENT - depth[at])
-        boards += checkerboards(values, least, -EMBEDMENT - depth[at])
+    run = Drive(out, case)
+    depth, pressed, along, boards = run.history["depth"], run.pressed, run.along, run.boards
     parts = [part for part, _ in boards]
-    pressed = max(history["tip_force"][drive:]) / (math.pi * RADIUS**2)
-    blows = history.blows()
     kind = told(case.removesuffix("_surface").replace("blows_", "pile_dense_"))
     law = "surface" if case.endswith("_surface") else "geo"
 
     def share(found):
         return f"{most(found):.1f}, {100 * most(found) / pressed:.2f} %"
 
-    return (f"| {kind} | {law} | {1e3 * depth[drive]:.0f} | {len(blows)} | {1e3 * (depth[blows[-1][1]] - depth[drive]):.0f} | "
+    return (f"| {kind} | {law} | {1e3 * depth[run.history.drive()]:.0f} | {len(run.history.blows())} | {run.driven():.0f} | "
             f"{pressed:.0f} | {len(parts)} | {share(parts)} | "
             f"{rms(parts):.1f} | {share([part for part, bears in boards if bears])} | "
             f"{share([part for part, _ in along])} | {rms([part for part, _ in along]):.1f} | "
@@ -154,10 +172,35 @@ def draw(out, cases, target):
             "offset 0,0.7\nset ylabel 'z [m]' offset 1\nset multiplot layout 2,2\n" + script, target, 700, 640)
 
 
+def scatter(args):
+    """The table of SCATTERED."""
+    members = {case: [f"{case}-{100 * cfl:.0f}" for cfl in CFL] for case in SCATTERED}
+    args.out.mkdir(parents=True, exist_ok=True)
+    due = []
+    for case, names in members.items():
+        for name, cfl in zip(names, CFL):
+            if not ended(args.out, name):
+                due.append(args.out / f"{name}.toml")
+                due[-1].write_text(text(HERE / f"{case}.toml", {"numerics.cfl": cfl}))
+    run_all(args, due, "--threads", "1")
+    print("| case | runs | by 20 blows [mm] | checkerboard, most [%] | most of all runs | one way, most [%] | most of all runs |\n"
+          + "|---" * 7 + "|")
+    for case, names in members.items():
+        runs = [Drive(args.out, name) for name in names]
+        cells = [told(case), str(len(runs)), spread([run.driven() for run in runs], 0)]
+        for of in ("boards", "along"):
+            shares = [100 * most([part for part, _ in getattr(run, of)]) / run.pressed for run in runs]
+            cells += [spread(shares, 2), f"{max(shares):.2f}"]
+        print("| " + " | ".join(cells) + " |", flush=True)
+
+
 def main():
     parser = command_line(__doc__, "saturated")
     parser.add_argument("--picture", type=pathlib.Path)
+    parser.add_argument("--scatter", action="store_true")
     args = parser.parse_args()
+    if args.scatter:
+        return scatter(args)
     blows = sorted(p.stem for p in HERE.glob("blows_*.toml"))
     piles = sorted(p.stem for p in HERE.glob("pile_*.toml") if "_dry" not in p.stem)
     run_due(args, blows + piles)
