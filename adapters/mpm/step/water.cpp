@@ -436,15 +436,14 @@ std::vector<Water::Together> Water::hold_together(std::size_t i, std::vector<Pre
         const Part& other = model.parts[p.other];
         const double m_o = other.records[p.node][record::m];
         if (!has_pores(i, p.node) || !(m_o > other.least_mass)) continue;
-        Vector2 n =
-            free_part(p.normal, model.fixed_nodes[p.node] |
-                                    (tied_bits.empty() ? std::uint8_t{0} : tied_bits[p.node]));
+        const std::uint8_t tied = tied_bits.empty() ? std::uint8_t{0} : tied_bits[p.node];
+        Vector2 n = free_part(p.normal, model.fixed_nodes[p.node] | tied);
         const double size = std::sqrt(along(n, n));
         if (size == 0.0) continue;
         n = {n[0] / size, n[1] / size};
         const double mass = model.parts[i].records[p.node][record::m] + water_mass(i, p.node);
-        // Along a direction that is free beside one that is not the contact takes what its normal has of it.
-        const double share = p.share * size * size;
+        // The contact knows what is fixed, not what a platen ties: of the direction that is left it takes what its normal has of it.
+        const double share = tied ? p.share * size * size : p.share;
         const double alike =
             other.body.rigid() ? 0.0 : share / (mass + m_o + water_mass(p.other, p.node));
         out.push_back({&p, n, alike + (1.0 - share) / mass, alike});
