@@ -20,12 +20,12 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "pile"))
-from ensemble import text  # noqa: E402
 from ensemble_tables import spread  # noqa: E402
 from figures import gnuplot  # noqa: E402
 from results import Frame, History  # noqa: E402
 from studies import command_line, run_all  # noqa: E402
-from piles import EMBEDMENT, RADIUS, ended, frames, run_due, told  # noqa: E402
+from piles import EMBEDMENT, RADIUS, frames, run_due, told  # noqa: E402
+from pushes import members, write_members  # noqa: E402
 
 GROWTH, OUTSIDE = 1.3, (0.273, 5.0, 12)  # of cells beyond the pile's way: from, to [m], count
 LINES_R = [0.06825 * n for n in range(4)] + [
@@ -33,7 +33,6 @@ LINES_R = [0.06825 * n for n in range(4)] + [
 LOWEST, CELL_Z = -3.51, 0.09  # of the grid along the pile's way [m]
 CAVITATES = 99.0  # a particle whose pressure is below that [kPa], of 100 in the cases
 SHOWN = 1.05  # [s]
-CFL = (0.38, 0.39, 0.40, 0.41, 0.42)
 SCATTERED = ("pile_loose_flow_1e7", "pile_loose_undrained")
 
 
@@ -174,19 +173,12 @@ def draw(out, cases, target):
 
 def scatter(args):
     """The table of SCATTERED."""
-    members = {case: [f"{case}-{100 * cfl:.0f}" for cfl in CFL] for case in SCATTERED}
     args.out.mkdir(parents=True, exist_ok=True)
-    due = []
-    for case, names in members.items():
-        for name, cfl in zip(names, CFL):
-            if not ended(args.out, name):
-                due.append(args.out / f"{name}.toml")
-                due[-1].write_text(text(HERE / f"{case}.toml", {"numerics.cfl": cfl}))
-    run_all(args, due, "--threads", "1")
+    run_all(args, [file for case in SCATTERED for file in write_members(args.out, case)], "--threads", "1")
     print("| case | runs | by 20 blows [mm] | checkerboard, most [%] | most of all runs | one way, most [%] | most of all runs |\n"
           + "|---" * 7 + "|")
-    for case, names in members.items():
-        runs = [Drive(args.out, name) for name in names]
+    for case in SCATTERED:
+        runs = [Drive(args.out, name) for name in members(case)]
         cells = [told(case), str(len(runs)), spread([run.driven() for run in runs], 0)]
         for of in ("boards", "along"):
             shares = [100 * most([part for part, _ in getattr(run, of)]) / run.pressed for run in runs]

@@ -17,14 +17,10 @@ RADIUS, EMBEDMENT = 0.15, 0.5  # [m]
 COUNTS, SHOWN = (5, 10, 20), 10  # blows that penetrations are told after, and whose peak the others are of
 
 
-def ended(out, case):
-    log = out / f"{case}.log"
-    return log.exists() and "stage drive ended" in log.read_text()
-
-
 def run_due(args, cases):
     """Those that have not ended, with one thread each."""
-    due = [case for case in cases if not ended(args.out, case)]
+    logs = {case: args.out / f"{case}.log" for case in cases}
+    due = [case for case, log in logs.items() if not (log.exists() and "stage drive ended" in log.read_text())]
     run_all(args, [HERE / f"{case}.toml" for case in due], "--threads", "1")
 
 

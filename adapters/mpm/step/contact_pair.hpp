@@ -54,16 +54,14 @@ class ContactPair {
     template <class Work> void each_found(const Work& work) const {
         for (const std::ptrdiff_t i : active) {
             const auto node = static_cast<std::size_t>(i);
-            work(node, Vector2{normal[2 * node], normal[2 * node + 1]});
+            work(node, normal_at(node));
         }
     }
     // work(node, normal, f_p) for those of them that press, after correct.
     template <class Work> void each_pressed(const Work& work) const {
         for (std::size_t i = 0; i < active.size(); ++i) {
             const auto node = static_cast<std::size_t>(active[i]);
-            if (touched[node])
-                work(node, Vector2{normal[2 * node], normal[2 * node + 1]},
-                     reports[i].penalty_factor);
+            if (touched[node]) work(node, normal_at(node), reports[i].penalty_factor);
         }
     }
     // What pore water presses with at a node that find has found, which does not rub [N s].
@@ -90,6 +88,7 @@ class ContactPair {
 
   private:
     struct Reaching;
+    Vector2 normal_at(std::size_t node) const { return {normal[2 * node], normal[2 * node + 1]}; }
     bool find_active(const GridView& grid, const ContactBody& a, const ContactBody& b,
                      Exchange& exchange);
     void find_normals(const ContactBody& a, const ContactBody& b);

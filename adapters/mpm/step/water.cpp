@@ -486,16 +486,15 @@ Water::Wall Water::push_together(std::size_t i, const Together& together, const 
     const std::size_t node = together.at->node, other = together.at->other;
     const double across = along(J, n), way = together.per_mass * across;
     push_by(i, node, {J[0] - across * n[0], J[1] - across * n[1]});
-    const auto move = [&](std::size_t body, double by) {
-        for (const bool of_water : {false, true}) {
-            if (of_water ? !flows(body) : model.parts[body].body.rigid()) continue;
-            NodeMotion& v = of_water ? bodies[body].flowing[node] : model.parts[body].motions[node];
-            v[motion::v_r] += by * n[0];
-            v[motion::v_z] += by * n[1];
-        }
+    const double other_way = together.other_per_mass * across;
+    const auto move = [&n](NodeMotion& v, double by) {
+        v[motion::v_r] += by * n[0];
+        v[motion::v_z] += by * n[1];
     };
-    move(i, way);
-    move(other, together.other_per_mass * across);
+    move(model.parts[i].motions[node], way);
+    if (flows(i)) move(bodies[i].flowing[node], way);
+    if (!model.parts[other].body.rigid()) move(model.parts[other].motions[node], other_way);
+    if (flows(other)) move(bodies[other].flowing[node], other_way);
     const double porosity_there = porosity(i, node);
     const Wall wall{i,
                     other,
